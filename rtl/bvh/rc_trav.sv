@@ -375,7 +375,7 @@ module rc_trav (
   logic [I-1:0] ends_ray;
   rc_event u_ends (.clk_i, .rst_ni, .fires_i(done), .fires_o(ends));
   rc_cut #(.Width(I)) u_ends_ray (.clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
-  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));

@@ -112,7 +112,7 @@ module rc_none (
   assign leaves_o = {ray, base, leaves, {(W*TB){1'b0}}, offset, count};
 
   logic done_place;
-  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(s1_valid_q && !more), .ready_o(done_place), .data_i(s1_ray_q),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));

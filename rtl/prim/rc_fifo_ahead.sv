@@ -5,12 +5,14 @@
 // With Cut the entry at the head is in a register as well, and so are ready_o and valid_o
 // themselves: a unit that reads its own memories by what a queue offers has the whole cycle.
 // No cycle is different. It also tells what comes to the head at the end of a cycle: block RAM is
-// read by that (rc_ram_ahead). Model: model/base/ring.hpp (Ring).
+// read by that (rc_ram_ahead). With Second the entry after the head is in a register, for a user
+// who picks one of many things by what comes to the head. Model: model/base/ring.hpp (Ring).
 `default_nettype none
 module rc_fifo_ahead #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Depth  = 4,
   parameter  int unsigned Cut    = rc_pkg::Cut,
+  parameter  bit          Second = 0,
   localparam int unsigned IndexW = $clog2(Depth)
 ) (
   input  logic             clk_i,
@@ -44,7 +46,7 @@ module rc_fifo_ahead #(
     // That it has one is in a register, which has hundreds of loads: many_q, two or more entries.
     logic             valid_q, ready_q, many_q, more, third, one_place, comes, goes;
     logic [IndexW:0]  next_q, after;
-    logic [Width-1:0] data_q;
+    logic [Width-1:0] data_q, second;
     assign after     = tail_q + 1'b1;
     assign more      = many_q;
     assign third     = many_q && next_q + 1'b1 != tail_q;
@@ -54,8 +56,17 @@ module rc_fifo_ahead #(
     assign valid_o   = valid_q;
     assign ready_o   = ready_q;
     assign data_o    = data_q;
-    assign next_o       = more ? mem[next_q[IndexW-1:0]] : data_i;
+    assign next_o       = more ? second : data_i;
     assign next_fires_o = (!valid_q || ready_i) && (more || comes);
+    if (Second) begin : gen_second
+      logic [IndexW-1:0] following;
+      logic [Width-1:0]  second_q;
+      assign following = next_q[IndexW-1:0] + 1'b1;
+      always_ff @(posedge clk_i) if (goes || !many_q) second_q <= third ? mem[following] : data_i;
+      assign second = second_q;
+    end else begin : gen_read
+      assign second = mem[next_q[IndexW-1:0]];
+    end
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         valid_q <= 1'b0;

@@ -7,6 +7,7 @@ module fifo #(
   parameter  int unsigned Depth  = 4,   // 2 or 4
   parameter  int unsigned Width  = 2,
   parameter  int unsigned Cut    = 0,   // 0 or 1
+  parameter  bit          Second = 0,
   localparam int unsigned IndexW = $clog2(Depth)
 ) (
   input logic             clk_i,
@@ -19,7 +20,7 @@ module fifo #(
   logic             ready_o, valid_o;
   logic [Width-1:0] data_o, next_data;
   logic             next_fires;
-  rc_fifo_ahead #(.Width(Width), .Depth(Depth), .Cut(Cut)) u_dut (
+  rc_fifo_ahead #(.Width(Width), .Depth(Depth), .Cut(Cut), .Second(Second)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
     .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o), .next_fires_o(next_fires), .next_o(next_data));
   (* hierconn *) wire [IndexW:0] \u_dut.head_q ;
@@ -91,6 +92,15 @@ module fifo #(
   assign all   = {\u_dut.mem[3] , \u_dut.mem[2] , \u_dut.mem[1] , \u_dut.mem[0] };
   assign kept  = all[place*Width +: Width];
 
+`ifdef Second_1
+  (* hierconn *) wire [Width-1:0] \u_dut.gen_ahead.gen_second.second_q ;
+  logic [IndexW-1:0] behind;
+  assign behind = \u_dut.head_q [IndexW-1:0] + 1'b1;
+  wire keeps = \u_dut.gen_ahead.gen_second.second_q == all[behind*Width +: Width];
+`else
+  wire keeps = 1'b1;
+`endif
+
   always @* if (begun_q && rst_ni) begin
     a_count:   assert (count_q <= Depth && count_q == inside);
     a_valid:   assert (valid_o == (count_q != '0));
@@ -101,6 +111,7 @@ module fifo #(
     a_offer:   assert (!stalled_q || (valid_o && data_o == shown_q));
     a_next:    assert (next == 1'b1);
     a_many:    assert (many == (count_q > 1));
+    a_second:  assert (!many || keeps);
     a_open:    assert (!open_q || ready_o);
 `ifdef Cut_1
     a_told:    assert (!told_q || (valid_o && data_o == told_data_q));

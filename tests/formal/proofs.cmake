@@ -24,6 +24,7 @@ prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL rc_pkg.sv pri
 foreach(depth IN ITEMS 2 4)
   prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} INDUCTION 4)
   prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} Cut=1 INDUCTION 4)
+  prove(formal:fast_fifo_with_a_second_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} Cut=1 Second=1 INDUCTION 4)
 endforeach()
 prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
@@ -43,6 +44,9 @@ prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL r
 prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[(!valid_q || ready_i) && (more || comes);]]
   NEW [[(!valid_q || ready_i) && (more || comes) || more;]])
+prove(mutant:formal_fast_fifo_keeps_its_second TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 Second=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
+  OLD [[if (goes || !many_q) second_q]]
+  NEW [[if (!many_q) second_q]])
 prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[if (valid_i && ready_o) mem[tail_q]]
   NEW [[if (valid_i) mem[tail_q]])

@@ -263,7 +263,7 @@ mutant(tri_one_cycle_late FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
 mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+  OLD [[  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
@@ -271,7 +271,7 @@ mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
     late_q     <= rst_ni && ends;
     late_ray_q <= ends_ray;
   end
-  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(done_place), .data_i(late_ray_q),]])
 mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
