@@ -25,7 +25,7 @@ foreach(parameter IN LISTS WITH)
   string(REPLACE "=" " " parameter ${parameter})
   string(APPEND parameters " -set ${parameter}")
 endforeach()
-# Memories become registers, so that harnesses can name their words. The RTL is read without -formal: its own concurrent
+# Memories become registers, so that harnesses can name their words. The RTL is read without -formal: its own
 # assertions are for Verilator; what is assumed and what is claimed stands in the harness alone.
 set(device "")
 set(cells "")
