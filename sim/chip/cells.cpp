@@ -111,6 +111,20 @@ bool is_instance(const std::string& file, int line, int column) {
     return whole.substr(at).starts_with("u_");
 }
 
+/// The first line of the module rc_NAME that has a word.
+std::string line_in_module(const std::string& name, const std::string& word, const std::string& sources) {
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(sources, error)) {
+        if (entry.path().filename() != "rc_" + name + ".sv" || word.empty()) continue;
+        const std::string text = read_if_there(entry.path());
+        int line = 1;
+        for (std::string_view rest = text; !rest.empty(); ++line)
+            if (has_word(take_line(rest), word))
+                return fmt::format("rtl/{}:{}", fs::relative(entry.path(), sources, error).string(), line);
+    }
+    return {};
+}
+
 }   // namespace
 
 bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take) {
@@ -147,34 +161,28 @@ Use use_of(const std::string& type) {
     return {};
 }
 
-std::string source_line(const std::string& src, const std::string& sources) {
-    std::string around;
+std::string source_line(const std::string& src, const std::string& sources, bool instances) {
     for (const std::string& place : split(src, '|')) {   // in no order
         const std::size_t colon = place.rfind(':');      // /some/rtl/bvh/rc_box.sv:120.3-140.6
         int line = 0, column = 0;
         if (colon == std::string::npos || std::sscanf(place.c_str() + colon, ":%d.%d-", &line, &column) != 2)
             continue;
         const std::string file = same_source(place.substr(0, colon), sources);
-        if (file.empty()) continue;
-        const std::string name = fmt::format("rtl/{}:{}", file, line);
-        if (!is_instance((fs::path(sources) / file).string(), line, column)) return name;
-        around = name;
+        if (!file.empty() && is_instance((fs::path(sources) / file).string(), line, column) == instances)
+            return fmt::format("rtl/{}:{}", file, line);
     }
-    return around;
+    return {};
 }
 
 std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources) {
-    const std::string word = name.substr(0, name.find_first_of(".["));
-    std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(sources, error)) {
-        if (entry.path().filename() != "rc_" + unit + ".sv" || word.empty()) continue;
-        const std::string text = read_if_there(entry.path());
-        int line = 1;
-        for (std::string_view rest = text; !rest.empty(); ++line)
-            if (has_word(take_line(rest), word))
-                return fmt::format("rtl/{}:{}", fs::relative(entry.path(), sources, error).string(), line);
+    std::string module = unit, found;
+    for (const std::string& part : split(name, '.')) {
+        const std::string word = part.substr(0, part.find('['));
+        if (const std::string line = line_in_module(module, word, sources); !line.empty()) found = line;
+        if (!part.starts_with("u_")) break;
+        module = word.substr(2);
     }
-    return {};
+    return found;
 }
 
 std::string register_of(std::string_view cell, const std::string& unit) {

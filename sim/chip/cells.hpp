@@ -42,11 +42,12 @@ constexpr const char* carry_unit = "carry_ends";
 /// What a cell takes, before or after it is placed.
 Use use_of(const std::string& type);
 
-/// "rtl/bvh/rc_box.sv:120" of a src attribute: the place in the folder `sources` that is no instance, but
-/// what is in it; an instance if there is nothing else, and empty if no place is in that folder.
-std::string source_line(const std::string& src, const std::string& sources);
-/// The first line of rc_UNIT.sv that has the first word of the name, for cells that Yosys made without a
-/// place.
+/// "rtl/bvh/rc_box.sv:120" of a src attribute: of its places in the folder `sources` that are instances, or
+/// that are none but what is in one, the first; empty if there is no such place.
+std::string source_line(const std::string& src, const std::string& sources, bool instances = false);
+/// The innermost line that a name tells of, for cells that Yosys made without a place:
+/// "u_mshr.u_next.mem.0.7" of prim_cache is where rc_mshr has u_next, if there is a rc_mshr.sv; else where
+/// rc_prim_cache has u_mshr.
 std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources);
 
 /// The register, memory or multiplier that a cell is, or is named after, as a path within the unit and

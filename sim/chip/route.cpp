@@ -92,6 +92,7 @@ Route read_route(const fs::path& folder, const std::string& top, int seed) {
         PathRow& row = route.paths.back();
         row.source = source_line(sources[path.to], rtl);
         if (row.source.empty()) row.source = source_of_name(row.to_unit, row.to, rtl);
+        if (row.source.empty()) row.source = source_line(sources[path.to], rtl, true);
     }
     for (const auto& [place, use] : tiles)
         route.tiles.push_back({std::get<0>(place), std::get<1>(place), std::get<2>(place), use});

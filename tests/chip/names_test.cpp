@@ -49,10 +49,13 @@ TEST_CASE("the source of a cell is not where an instance stands, but what is in 
     CHECK(source_line(outer + "|" + library + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
     CHECK(source_line(inner + "|" + at_name, rtl) == "rtl/rc_fifo.sv:2");
     CHECK(source_line(at_name + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
-    CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl) == "rtl/rc_box.sv:2");       // nothing else is known
+    CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl).empty());
+    CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl, true) == "rtl/rc_box.sv:2");
     CHECK(source_line("/moved/rtl/rc_fifo.sv:2.3-3.6", rtl) == "rtl/rc_fifo.sv:2");   // an equal copy
     CHECK(source_line(library, rtl).empty());
     CHECK(source_of_name("box", "u_ray.mem.0.2", rtl) == "rtl/rc_box.sv:4");
+    CHECK(source_of_name("tree", "u_box.u_ray.mem.0.2", rtl) == "rtl/rc_box.sv:4");
+    CHECK(source_of_name("box", "u_queue.u_fifo.mem.0.2", rtl) == "rtl/rc_box.sv:2");
     CHECK(source_of_name("box", "u_none", rtl).empty());   // a comment
     CHECK(source_of_name("box", "u_que", rtl).empty());
     CHECK(source_of_name("tri", "u_ray", rtl).empty());
