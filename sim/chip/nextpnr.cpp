@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -123,32 +124,53 @@ std::string nextpnr_options(const Device& device, const Methods& methods, bool l
     return options;
 }
 
-int RouteStep::most_idle_rounds() const { return by_router1 ? 300 : 100; }
+int RouteStep::most_idle_rounds() const { return tool == "static" ? 1000 : tool == "router1" ? 300 : 100; }
+
+std::string RouteStep::stuck() const {
+    const int rounds = most_idle_rounds();
+    if (tool == "static")
+        return fmt::format("{} rounds of the placer static left {:.1f} % of cells of one kind on others",
+                           rounds, double(least_left) / 10);
+    if (tool == "router1")
+        return fmt::format("{},000 steps of router1 left no fewer than {} wires", rounds, least_left);
+    return fmt::format("{} rounds of router2 brought no better than {} wires that are used twice", rounds,
+                       least_left);
+}
+
+namespace {
+
+/// Of "Info: overlap: COMB=2.9%, FF=1.2%, RAM=20.8%, MUL=0.0%" the largest, in tenths of a percent.
+long largest_overlap(const std::string& line) {
+    double largest = 0;
+    for (const std::string& part : split(line, '='))
+        if (part.find('%') != std::string::npos) largest = std::max(largest, std::atof(part.c_str()));
+    return std::lround(10 * largest);
+}
+
+}   // namespace
 
 RouteStep step_of_log(const std::string& log) {
     const auto says = [&](const char* words) { return log.find(words) != std::string::npos; };
-    if (!says("Info: Routing..") && !says("Info: Running router2..."))
-        return says("Info: Creating initial analytic placement") || says("Info: Running Static placer")
-                   ? RouteStep{"placing", 10}
-                   : RouteStep{"packing", 0};
-    RouteStep step{"routing", 50};
-    double arcs = 0, left = 0;   // router2 tells wires that are used twice
-    bool begun = false;
-    const auto hear = [&](const char* number) {
-        left = std::atof(number);
-        const bool is_better = !begun || long(left) < step.fewest_left;
-        if (is_better) step.fewest_left = long(left);
+    const bool routes = says("Info: Routing..") || says("Info: Running router2...");
+    if (!routes && !says("Info: Creating initial analytic placement") && !says("Info: Running Static placer"))
+        return {"packing", 0, {}, 0, 0};
+    RouteStep step{routes ? "routing" : "placing", routes ? 50 : 10, {}, 0, 0};
+    double arcs = 0, left = 0;
+    const auto hear = [&](const char* tool, long number) {
+        const bool is_better = step.tool != tool || number < step.least_left;
+        if (is_better) step.least_left = number;
         step.idle_rounds = is_better ? 0 : step.idle_rounds + 1;
-        begun = true;
+        step.tool = tool;
     };
     for (const std::string& line : split(log, '\n')) {
+        if (!routes && line.starts_with("Info: overlap: ")) hear("static", largest_overlap(line));
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
-            arcs = std::atof(line.c_str() + 14), step.by_router1 = true;
+            arcs = std::atof(line.c_str() + 14);
         const std::vector<std::string> parts = split(line, '|');
-        if (step.by_router1 && parts.size() >= 5) hear(parts[3].c_str());
+        if (arcs > 0 && parts.size() >= 5) left = std::atof(parts[3].c_str()), hear("router1", long(left));
         constexpr std::string_view twice = " overused=";
         if (const std::size_t at = line.find(twice); at != std::string::npos)
-            hear(line.c_str() + at + twice.size());
+            left = std::atof(line.c_str() + at + twice.size()), hear("router2", long(left));
         arcs = std::max(arcs, left);
     }
     if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));

@@ -44,7 +44,7 @@ const std::vector<std::string>& routers();
 /// All options of a placement, the last one or one before, but files and seed.
 std::string nextpnr_options(const Device& device, const Methods& methods, bool last = false);
 
-/// `does_not_route`: the router no longer gets further (RouteStep::is_stuck).
+/// `does_not_route`: placer or router no longer gets further (RouteStep::is_stuck).
 enum class RouteEnd { done, interrupted, does_not_fit, does_not_route };
 
 /// Where the sites that a placement tells (anchor.hpp) are looked up and kept: a full chip is placed for half
@@ -66,15 +66,18 @@ RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, 
 struct RouteStep {
     std::string what;
     int percent = 0;
-    /// Rounds since fewest wires were left, and how many these were: wires that router2 uses twice, or that
-    /// router1 has not routed after another thousand steps. Neither router has an end of its own. Chips that
-    /// router2 brought to an end took 46 and 88 rounds, each better than the last but for a few; router1 goes
-    /// back and forth among the last hundred wires.
+    /// What has no end of its own: static, router1 or router2; empty for all else.
+    std::string tool;
+    /// Rounds of it since least was left, and how much that was: wires that router2 uses twice, or that
+    /// router1 has not routed after another thousand steps; of static, tenths of a percent of the kind of
+    /// cells that overlap most. Chips that router2 brought to an end took 46 and 88 rounds, each better than
+    /// the last but for a few; router1 goes back and forth among the last hundred wires; static takes some
+    /// 550 rounds, and in the first hundreds hardly moves anything apart.
     int idle_rounds = 0;
-    long fewest_left = 0;
-    bool by_router1 = false;
+    long least_left = 0;
     int most_idle_rounds() const;
-    bool is_stuck() const { return idle_rounds >= most_idle_rounds(); }
+    bool is_stuck() const { return !tool.empty() && idle_rounds >= most_idle_rounds(); }
+    std::string stuck() const;   ///< as a sentence's part
 };
 RouteStep step_of_log(const std::string& log);
 

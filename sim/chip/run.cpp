@@ -87,9 +87,9 @@ public:
                 route(seed, result);
         }
         if (result.fits() && result.routes.empty())
-            result.misfit =
-                fmt::format("'{}' cannot be routed on {}: {}; another seed may do, or more placements",
-                            printable(request_.config.name), request_.device.name, stuck_);
+            result.misfit = fmt::format(
+                "'{}' cannot be routed on {}: {}; another seed may do, another placer, or more placements",
+                printable(request_.config.name), request_.device.name, stuck_);
         return result;
     }
 
@@ -257,22 +257,19 @@ private:
 
     /// Says how near the seed came that came nearest.
     void hear_stuck(const RouteStep& step) {
-        if (!stuck_.empty() && fewest_left_ <= step.fewest_left) return;
-        fewest_left_ = step.fewest_left;
-        const int rounds = step.most_idle_rounds();
-        stuck_ =
-            step.by_router1
-                ? fmt::format("{},000 steps of router1 left no fewer than {} wires", rounds, fewest_left_)
-                : fmt::format("{} rounds of router2 brought no better than {} wires that are used twice",
-                              rounds, fewest_left_);
+        const std::pair left{step.tool == "static", step.least_left};   // what was placed came nearer
+        if (!stuck_.empty() && left_ <= left) return;
+        left_ = left;
+        stuck_ = step.stuck();
     }
 
     const Request& request_;
     jobs::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
-    std::string stuck_;      ///< why no seed could be routed
-    long fewest_left_ = 0;   ///< wires, of such seeds
+    std::string stuck_;            ///< why no seed could be routed
+    std::pair<bool, long> left_;   ///< whether it was not even placed, and RouteStep::least_left, of that
+                                   ///< seed
 };
 
 }   // namespace

@@ -166,7 +166,7 @@ TEST_CASE("how far a run is stands in its log") {
     for (const int used_twice : {700, 40, 43, 40})
         rounds += "Info:     iter=1 wires=900 overused=" + std::to_string(used_twice) + " overuse=900\n";
     CHECK(step_of_log(rounds).idle_rounds == 2);
-    CHECK(step_of_log(rounds).fewest_left == 40);
+    CHECK(step_of_log(rounds).least_left == 40);
     CHECK_FALSE(step_of_log(rounds).is_stuck());
     for (int i = 0; i < 98; ++i) rounds += "Info:     iter=1 wires=900 overused=90 overuse=900\n";
     CHECK(step_of_log(rounds).is_stuck());
@@ -177,11 +177,25 @@ TEST_CASE("how far a run is stands in its log") {
     };
     for (const int wires : {700, 40, 43, 40}) steps += left(wires);
     CHECK(step_of_log(steps).idle_rounds == 2);
-    CHECK(step_of_log(steps).fewest_left == 40);
+    CHECK(step_of_log(steps).least_left == 40);
     for (int i = 0; i < 297; ++i) steps += left(90);
     CHECK_FALSE(step_of_log(steps).is_stuck());
     CHECK(step_of_log(steps + left(40)).is_stuck());
     CHECK_FALSE(step_of_log(steps + left(39)).is_stuck());
+    std::string overlaps = twice;
+    const auto overlap = [](const std::string& ram) {
+        return "Info: iter=7 steplen=1.4 penalty=[0.02, 0.02]\nInfo: overlap: COMB=1.9%, FF=0.8%, RAM=" +
+               ram + "%, MUL=0.0%\n";
+    };
+    for (const char* const ram : {"99.2", "20.8"}) overlaps += overlap(ram);
+    for (int i = 0; i < 999; ++i) overlaps += overlap("20.9");
+    CHECK(step_of_log(overlaps).what == "placing");
+    CHECK_FALSE(step_of_log(overlaps).is_stuck());
+    CHECK(step_of_log(overlaps + overlap("20.8")).is_stuck());
+    CHECK(step_of_log(overlaps + overlap("20.8")).stuck() ==
+          "1000 rounds of the placer static left 20.8 % of cells of one kind on others");
+    CHECK_FALSE(step_of_log(overlaps + overlap("20.7")).is_stuck());
+    CHECK_FALSE(step_of_log(overlaps + overlap("20.8") + "Info: Routing..\n").is_stuck());
 }
 
 TEST_CASE("versions in what tools say") {

@@ -69,5 +69,8 @@ mutant(chip_else_of_a_simulation_is_lost FILE sim/synth/yosys.cpp TEST chip "a w
   OLD [[(word == "`endif" || (left_out == 1 && word == "`else"))]]
   NEW [[word == "`endif"]])
 mutant(chip_waits_for_router1_no_longer_than_for_router2 FILE sim/chip/nextpnr.cpp TEST chip "how far a run is*"
-  OLD [[by_router1 ? 300 : 100]]
+  OLD [[tool == "router1" ? 300 : 100]]
   NEW [[100]])
+mutant(chip_waits_for_static_without_end FILE sim/chip/nextpnr.cpp TEST chip "how far a run is*"
+  OLD [[if (!routes && line.starts_with("Info: overlap: "))]]
+  NEW [[if (routes && line.starts_with("Info: overlap: "))]])
