@@ -167,7 +167,9 @@ RouteStep step_of_log(const std::string& log) {
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
             arcs = std::atof(line.c_str() + 14);
         const std::vector<std::string> parts = split(line, '|');
-        if (arcs > 0 && parts.size() >= 5) left = std::atof(parts[3].c_str()), hear("router1", long(left));
+        const bool has_number =
+            parts.size() >= 5 && parts[3].find_first_of("0123456789") != std::string::npos;
+        if (arcs > 0 && has_number) left = std::atof(parts[3].c_str()), hear("router1", long(left));
         constexpr std::string_view twice = " overused=";
         if (const std::size_t at = line.find(twice); at != std::string::npos)
             left = std::atof(line.c_str() + at + twice.size()), hear("router2", long(left));

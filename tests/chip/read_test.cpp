@@ -171,7 +171,10 @@ TEST_CASE("how far a run is stands in its log") {
     for (int i = 0; i < 98; ++i) rounds += "Info:     iter=1 wires=900 overused=90 overuse=900\n";
     CHECK(step_of_log(rounds).is_stuck());
     CHECK_FALSE(step_of_log(rounds + "Info:     iter=1 wires=900 overused=39 overuse=900\n").is_stuck());
-    std::string steps = routing;
+    const std::string head =
+        "Info:            |   (re-)routed arcs  |   delta    | remaining|       time spent     |\n"
+        "Info:    IterCnt |  w/ripup   wo/ripup |  w/r  wo/r |      arcs| batch(sec) total(sec)|\n";
+    std::string steps = routing + head;
     const auto left = [](int wires) {
         return "Info:       1000 |      0   1000 |    0  1000 | " + std::to_string(wires) + "|   0.1  0.1|\n";
     };

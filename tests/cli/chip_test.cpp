@@ -125,7 +125,8 @@ TEST_CASE("a router that gets no further is stopped, and another seed may be rou
     CHECK(fake.kept("chip-route-") == 0);
     CHECK(fake.kept("yosys-") == 0);
     const std::string rows =
-        "echo 'Info: Routing..'; echo 'Info: Routing 900 arcs.'; i=0; while [ $i -le 300 ]; do i=$((i+1)); "
+        "echo 'Info: Routing..'; echo 'Info: Routing 900 arcs.'; echo 'Info:  | arcs | delta | remaining | "
+        "time |'; i=0; while [ $i -le 300 ]; do i=$((i+1)); "
         "echo 'Info:  1000 |  0  1000 |  0  1000 |  43|  0.1  0.1|'; done; sleep 100";
     fake.replace(rows);
     const Outcome no_step = fake.run();
