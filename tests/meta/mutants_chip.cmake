@@ -73,7 +73,7 @@ mutant(chip_waits_for_router1_no_longer_than_for_router2 FILE sim/chip/nextpnr.c
   NEW [[100]])
 mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/chip/nextpnr.cpp TEST chip "how far a run is*"
   OLD [[if (arcs > 0 && has_number)]]
-  NEW [[if (arcs > 0 && parts.size() >= 5)]])
+  NEW [[if (arcs > 0 && (has_number || parts.size() >= 5))]])
 mutant(chip_waits_for_static_without_end FILE sim/chip/nextpnr.cpp TEST chip "how far a run is*"
   OLD [[if (!routes && line.starts_with("Info: overlap: "))]]
   NEW [[if (routes && line.starts_with("Info: overlap: "))]])
