@@ -41,6 +41,7 @@ TEST_CASE("the source of a cell is not where an instance stands, but what is in 
     const TestFolder folder;
     std::ofstream(folder / "rc_box.sv") << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
                                            "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
+    std::ofstream(folder / "rc_tree.sv") << "module rc_tree;\n  rc_box u_box (.clk_i);\nendmodule\n";
     std::ofstream(folder / "rc_fifo.sv") << "module rc_fifo;\n  always_ff @(posedge clk_i) begin\n  end\n";
     const std::string rtl = folder.path().string();
     const std::string inner = rtl + "/rc_fifo.sv:2.3-3.6", outer = rtl + "/rc_box.sv:2.32-3.12",

@@ -12,8 +12,11 @@ mutant(chip_carry_ends_are_lost FILE sim/chip/cells.cpp TEST chip "a cell belong
   OLD [[if (cell.starts_with("$nextpnr_CCU2C_"))]]
   NEW [[if (cell.starts_with("$nextpnr_CARRY_"))]])
 mutant(chip_source_is_an_instance FILE sim/chip/cells.cpp TEST chip "the source of a cell*"
-  OLD [[if (!is_instance(]]
-  NEW [[if (column > 0 || !is_instance(]])
+  OLD [[is_instance((fs::path(sources) / file).string(), line, column) == instances)]]
+  NEW [[(column > 0 || is_instance((fs::path(sources) / file).string(), line, column) == instances))]])
+mutant(chip_source_is_the_outermost_instance FILE sim/chip/cells.cpp TEST chip "the source of a cell*"
+  OLD [[!line.empty()) found = line;]]
+  NEW [[!line.empty() && found.empty()) found = line;]])
 mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does not fit*"
   OLD [[if (needs <= has) continue;]]
   NEW [[if (needs < has) continue;]])
