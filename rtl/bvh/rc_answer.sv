@@ -8,7 +8,7 @@
 `default_nettype none
 module rc_answer #(
   parameter  int unsigned Latency = rc_pkg::BoxLatency,   // of the unit, without its queue
-  parameter  bit          Exits   = 1'b0,                 // of rc_rank
+  parameter  bit          Exits   = 1'b0,                 // of rc_places
   localparam int unsigned W  = rc_pkg::NodeWidth,
   localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned C  = rc_pkg::CountBits,
@@ -38,22 +38,25 @@ module rc_answer #(
   localparam int unsigned In     = rc_pkg::Cut;
   localparam int unsigned Rank   = L - rc_pkg::RankStages;
 
-  // Ray and base wait until the end, kinds until the children are met and are put in order.
+  // Ray and base wait until the end, kinds until it is time to say where the children lie.
   logic [I+A-1:0] end_whose;   // {ray, base}
-  logic [W*C-1:0] meet_kind, rank_kind;
+  logic [W*C-1:0] late_kind, rank_count;
+  logic [W*O-1:0] rank_offset;
+  logic [W-1:0]   there, rank_leaf;
   rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
     .clk_i, .valid_i(moves_i[L-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
-  rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
-    .clk_i, .valid_i(moves_i[Rank-2:In]), .data_i(kind_i), .data_o(meet_kind));
-  rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
-    .clk_i, .valid_i(moves_i[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
+  rc_delay #(.Width(W * C), .Stages(Rank - 2 - In)) u_kind (
+    .clk_i, .valid_i(moves_i[Rank-3:In]), .data_i(kind_i), .data_o(late_kind));
+  rc_places #(.Exits(Exits)) u_places (
+    .clk_i, .moves_i(moves_i[Rank-1:Rank-2]), .kind_i(late_kind), .there_o(there),
+    .leaf_o(rank_leaf), .offset_o(rank_offset), .count_o(rank_count));
 
   logic [W-1:0]   hit_q;
   logic [W*T-1:0] near_q;
   for (genvar i = 0; i < W; i++) begin : gen_child
     always_ff @(posedge clk_i) begin
       if (moves_i[Rank-1]) begin
-        hit_q[i]         <= met_i[i] && meet_kind[i*C +: C] != '0;
+        hit_q[i]         <= met_i[i] && there[i];
         near_q[i*T +: T] <= near_i[i*T +: T];
       end
     end
@@ -61,9 +64,9 @@ module rc_answer #(
 
   logic [G-1:0]        end_inner, end_leaves;
   logic [W*EntryW-1:0] end_entries;
-  rc_rank #(.Exits(Exits)) u_rank (
-    .clk_i, .valid_i(moves_i[L-1:Rank]),
-    .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
+  rc_rank u_rank (
+    .clk_i, .valid_i(moves_i[L-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
+    .s0_leaf_i(rank_leaf), .s0_offset_i(rank_offset), .s0_count_i(rank_count),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
   logic                       queue_ready;

@@ -1,13 +1,12 @@
 // Puts the children that were hit in order: inner children first, then leaves, each by
-// (t_near, offset); entries beyond are zero. Part of rc_answer. Inner children of boxes and globes
-// come first, exits of treelets in any order: hits and distances come with valid_i[0], ordered
-// entries rc_pkg::RankStages later. Offsets differ, so the order is total.
+// (t_near, offset); entries beyond are zero. Part of rc_answer. Hits, distances and places come
+// with valid_i[0], ordered entries rc_pkg::RankStages later. Offsets differ, so the order is
+// total.
 //
 // A bitonic network (Batcher 1968) of six levels for eight children: in a relaxed chip three in
 // a stage, in a fast one a level in each. Model: the end of box_children() in model/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
-  parameter  bit          Exits  = 1'b0,   // of treelets and slants, which come in any order
   localparam int unsigned W      = rc_pkg::NodeWidth,
   localparam int unsigned T      = rc_pkg::TBits,
   localparam int unsigned C      = rc_pkg::CountBits,
@@ -19,7 +18,9 @@ module rc_rank #(
   input  logic [L-1:0]         valid_i,    // valid_i[i]: stage i holds a node
   input  logic [W-1:0]         s0_hit_i,
   input  logic [W*T-1:0]       s0_near_i,
-  input  logic [W*C-1:0]       s0_kind_i,
+  input  logic [W-1:0]         s0_leaf_i,
+  input  logic [W*O-1:0]       s0_offset_i,
+  input  logic [W*C-1:0]       s0_count_i,
   output logic [G-1:0]         inner_o,
   output logic [G-1:0]         leaves_o,
   output logic [W*(T+O+C)-1:0] entries_o
@@ -29,39 +30,6 @@ module rc_rank #(
   localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
 
-  // Where each child lies in the block, and how many of each kind are hit.
-  logic [W*O-1:0] s0_offset;
-  logic [O-1:0]   s0_inner, s0_triangles, s0_lines;
-  logic [W*C-1:0] s0_counts;
-  logic [C-1:0]   s0_count;
-  logic [W-1:0]   s0_leaf;
-  logic [G-1:0]   s0_inners, s0_leaves;
-  always_comb begin
-    s0_inner     = '0;
-    s0_triangles = '0;
-    s0_lines     = '0;
-    s0_inners    = '0;
-    s0_leaves    = '0;
-    s0_count     = '0;
-    s0_leaf      = '0;
-    s0_offset    = '0;
-    s0_counts    = '0;
-    if (valid_i[0]) begin
-      for (int i = 0; i < W; i++) if (s0_kind_i[i*C +: C] == C'(1)) s0_inner = s0_inner + O'(2);
-      for (int i = 0; i < W; i++) begin
-        s0_leaf[i] = s0_kind_i[i*C +: C] > C'(1);
-        s0_count = s0_leaf[i] ? s0_kind_i[i*C +: C] - C'(1) : '0;
-        s0_counts[i*C +: C] = s0_count;
-        s0_offset[i*O +: O] = s0_leaf[i] ? s0_inner + s0_triangles
-                            : Exits ? s0_lines : O'(2 * i);
-        if (s0_kind_i[i*C +: C] == C'(1)) s0_lines = s0_lines + O'(2);
-        s0_triangles = s0_triangles + {{(O-C){1'b0}}, s0_count};
-        s0_leaves    = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf[i]};
-        s0_inners    = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf[i]};
-      end
-    end
-  end
-
   // Relaxed: keys of no node cost a simulation nothing. A chip does not ask.
   logic asks;
 `ifdef SYNTHESIS
@@ -69,6 +37,19 @@ module rc_rank #(
 `else
   assign asks = Cut != 0 || valid_i[0];
 `endif
+
+  // How many of each kind are hit.
+  logic [G-1:0] s0_inners, s0_leaves;
+  always_comb begin
+    s0_inners = '0;
+    s0_leaves = '0;
+    if (asks) begin
+      for (int i = 0; i < W; i++) begin
+        s0_leaves = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf_i[i]};
+        s0_inners = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf_i[i]};
+      end
+    end
+  end
 
   // A level exchanges keys i and i ^ J where they stand in the wrong order for blocks of K.
   for (genvar l = 0; l < Levels; l++) begin : gen_level
@@ -80,8 +61,8 @@ module rc_rank #(
       logic [KeyW-1:0] key, put, late;
       if (l == 0) begin : gen_first
         rc_cut #(.Width(KeyW)) u_key (
-          .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf[i], s0_near_i[i*T +: T],
-                                  s0_offset[i*O +: O], s0_counts[i*C +: C]} : '0),
+          .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*T +: T],
+                                  s0_offset_i[i*O +: O], s0_count_i[i*C +: C]} : '0),
           .data_o(key));
       end else begin : gen_next
         assign key = gen_level[l-1].gen_key[i].late;

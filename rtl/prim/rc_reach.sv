@@ -31,9 +31,10 @@ module rc_reach #(
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
   assign start_ray = start_i.ray;
-  rc_ram #(.Width(TB), .Depth(T)) u_t (
-    .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(write_t_i),
-    .read_addr_i(read_ray_i), .read_data_o(kept));
+  // No block RAM, however many rays there are: what that reads comes too late to be compared.
+  (* ram_style = "distributed" *) logic [TB-1:0] t_mem [T < 2 ? 2 : T];
+  assign kept = t_mem[read_ray_i];
+  always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_i;
   rc_flags #(.Flags(T)) u_written (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(write_i), .set_at_i(write_ray_i), .flags_o(written));

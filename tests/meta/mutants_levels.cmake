@@ -291,9 +291,9 @@ mutant(rtl_two_units_have_two_doors FILE rtl/bvh/rc_tree.sv TEST system "model a
 mutant(rtl_both_units_rest FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk two structures alike"
   OLD [[.req_i(mesh_req), .open_i(open),]]
   NEW [[.req_i(mesh_req), .open_i(open && decide_req_ready),]])
-mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_rank.sv TEST system "model and RTL walk two structures alike"
-  OLD [[Exits ? s0_lines : O'(2 * i)]]
-  NEW [[(rc_pkg::Structure == rc_pkg::StructureKd) && Exits ? s0_lines : O'(2 * i)]])
+mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_places.sv TEST system "model and RTL walk two structures alike"
+  OLD [[Exits ? exits : O'(2 * i)]]
+  NEW [[(rc_pkg::Structure == rc_pkg::StructureKd) && Exits ? exits : O'(2 * i)]])
 mutant(model_one_unit_rests_for_both FILE model/pipeline.inl WITH model/machine.cpp model/pipeline.cpp TEST system "model and RTL walk two structures alike"
   OLD [[((box_rest_ == 0) | (m.low_asks != box_is_low_))]]
   NEW [[(box_rest_ == 0)]])

@@ -72,9 +72,9 @@ mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_exits.sv TEST unit [treelet][l
 mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_bounds.sv TEST unit [treelet][lockstep]
   OLD [[assign box_there[k]   = far_first && near_last;]]
   NEW [[assign box_there[k]   = k == 2 || (far_first && near_last);]])
-mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep]
-  OLD [[Exits ? s0_lines : O'(2 * i)]]
-  NEW [[Exits ? s0_lines + O'(2) : O'(2 * i)]])
+mutant(places_exit_off_by_one FILE rtl/bvh/rc_places.sv TEST unit [treelet][lockstep]
+  OLD [[Exits ? exits : O'(2 * i)]]
+  NEW [[Exits ? exits + O'(2) : O'(2 * i)]])
 mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
   OLD [[std::uint32_t(std::min(way, double(beyond)))]]
   NEW [[std::uint32_t(std::ceil(std::min(way, double(beyond))))]])
