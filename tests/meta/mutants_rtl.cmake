@@ -28,9 +28,9 @@ mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
 mutant(rank_ignores_offset FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
   OLD [[if (holds && (key > other) ==]]
   NEW [[if (holds && (key[KeyW-1:O+C] > other[KeyW-1:O+C]) ==]])
-mutant(places_forgets_the_first_four FILE rtl/bvh/rc_places.sv TEST unit [box][lockstep]
+mutant(places_fifth_child_among_the_first_four FILE rtl/bvh/rc_places.sv TEST unit [box][lockstep]
   OLD [[i < 4 ? lines_q : lines_q + half_q]]
-  NEW [[lines_q]])
+  NEW [[i < 5 ? lines_q : lines_q + half_q]])
 mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
   OLD [[{!s0_hit_i[i], s0_leaf_i[i], s0_near_i]]
   NEW [[{!s0_hit_i[i], !s0_leaf_i[i], s0_near_i]])
