@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <stdexcept>
+#include <string_view>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -18,6 +19,9 @@ namespace {
 struct Encoding {
     OIIO::ImageSpec spec;
     std::function<void(std::size_t pixel, std::byte* to)> put;
+
+    std::size_t pixel_bytes() const { return spec.pixel_bytes(true); }
+    std::size_t row_bytes() const { return pixel_bytes() * std::size_t(spec.width); }
 };
 
 Encoding png(const Picture& picture) {
@@ -42,29 +46,85 @@ Encoding exr(const Picture& picture, const HitFrame& hits) {
             }};
 }
 
+Encoding encoding_of(const char* plugin, const Picture& picture, const HitFrame& hits) {
+    return std::string_view(plugin) == "png" ? png(picture) : exr(picture, hits);
+}
+
+/// Calls band(first row, row behind the last, their pixels in the file's types) for a few rows at a time,
+/// until one returns false or `stop` is true. False if one did.
+template <class Band>
+bool for_each_band(const Encoding& encoding, const std::function<bool()>& stop, Band&& band) {
+    constexpr int rows = 64;
+    const auto width = std::size_t(encoding.spec.width);
+    std::vector<std::byte> data(encoding.row_bytes() * rows);
+    for (int y = 0; y < encoding.spec.height && (y == 0 || !stop()); y += rows) {
+        const int end = std::min(y + rows, encoding.spec.height);
+        for (std::size_t i = 0; i < std::size_t(end - y) * width; ++i)
+            encoding.put(std::size_t(y) * width + i, &data[i * encoding.pixel_bytes()]);
+        if (!band(y, end, data)) return false;
+    }
+    return true;
+}
+
+// OIIO::TypeUnknown: the data is in the file's own types, so nothing is converted. The strides are always
+// given: with TypeUnknown and default strides, OpenImageIO 2.5.18 writes wrong pixels and reports success.
+
 /// The bytes of a file. Into memory, because the library does not see an error of the last bytes, nor of
 /// closing the file.
 std::string encode(const char* plugin, const Picture& picture, const HitFrame& hits,
                    const std::function<bool()>& stop) {
-    const Encoding encoding = std::string(plugin) == "png" ? png(picture) : exr(picture, hits);
+    const Encoding encoding = encoding_of(plugin, picture, hits);
     const auto output = OIIO::ImageOutput::create(plugin);
     if (!output) throw std::runtime_error(OIIO::geterror());
     OIIO::Filesystem::IOVecOutput memory;
     output->set_ioproxy(&memory);
-    bool good = output->open(std::string("picture.") + plugin, encoding.spec);
-    constexpr int rows = 64;
-    const std::size_t pixel_bytes = encoding.spec.pixel_bytes(true), width = std::size_t(picture.size.width);
-    std::vector<std::byte> data(pixel_bytes * width * rows);
-    for (int y = 0; good && y < picture.size.height && (y == 0 || !stop()); y += rows) {
-        const int end = std::min(y + rows, picture.size.height);
-        for (std::size_t i = 0; i < std::size_t(end - y) * width; ++i)
-            encoding.put(std::size_t(y) * width + i, &data[i * pixel_bytes]);
-        // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
-        good = output->write_scanlines(y, end, 0, OIIO::TypeUnknown, data.data());
-    }
+    const bool good = output->open(std::string("picture.") + plugin, encoding.spec) &&
+                      for_each_band(encoding, stop, [&](int y, int end, const std::vector<std::byte>& data) {
+                          return output->write_scanlines(y, end, 0, OIIO::TypeUnknown, data.data(),
+                                                         OIIO::stride_t(encoding.pixel_bytes()),
+                                                         OIIO::stride_t(encoding.row_bytes()));
+                      });
     if (!good || (!stop() && !output->close())) throw std::runtime_error(output->geterror());
     const auto& bytes = memory.buffer();
     return {bytes.begin(), bytes.end()};
+}
+
+[[noreturn]] void encoded_wrongly(const std::string& where) {
+    throw std::runtime_error("OpenImageIO " OIIO_VERSION_STRING " encoded it wrongly: read back, " + where);
+}
+
+/// Whether both have pixels of the same channels and types, and as many.
+bool have_the_same_pixels(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
+    if (a.width != b.width || a.height != b.height || a.channelnames != b.channelnames) return false;
+    for (int c = 0; c < a.nchannels; ++c)
+        if (a.channelformat(c) != b.channelformat(c)) return false;
+    return true;
+}
+
+void check(const char* plugin, const std::string& bytes, const Picture& picture, const HitFrame& hits,
+           const std::function<bool()>& stop) {
+    const Encoding encoding = encoding_of(plugin, picture, hits);
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::create(plugin);
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec;
+    if (!input->open(std::string("picture.") + plugin, spec)) encoded_wrongly(input->geterror());
+    if (!have_the_same_pixels(spec, encoding.spec)) encoded_wrongly("its header differs");
+    std::vector<std::byte> read;
+    const std::size_t pixel = encoding.pixel_bytes(), row = encoding.row_bytes();
+    for_each_band(encoding, stop, [&](int y, int end, const std::vector<std::byte>& data) {
+        read.resize(data.size());
+        if (!input->read_scanlines(0, 0, y, end, 0, 0, spec.nchannels, OIIO::TypeUnknown, read.data(),
+                                   OIIO::stride_t(pixel), OIIO::stride_t(row)))
+            encoded_wrongly(input->geterror());
+        const auto differ = std::size_t(
+            std::mismatch(read.begin(), read.begin() + std::ptrdiff_t(row) * (end - y), data.begin()).first -
+            read.begin());
+        if (differ < row * std::size_t(end - y))
+            encoded_wrongly("pixel " + std::to_string(differ % row / pixel) + "," +
+                            std::to_string(std::size_t(y) + differ / row) + " differs");
+        return true;
+    });
 }
 
 bool is_floating(OIIO::TypeDesc type) {
@@ -88,7 +148,9 @@ Picture decode(const std::string& path) {
     Picture picture{{spec.width, spec.height}, {}};
     picture.pixels.resize(static_cast<std::size_t>(spec.width) * spec.height);
     std::vector<float> values(picture.pixels.size() * channels);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeFloat, values.data()))
+    const auto pixel_bytes = OIIO::stride_t(sizeof(float)) * channels;
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeFloat, values.data(), pixel_bytes,
+                           pixel_bytes * spec.width))
         throw std::runtime_error(input->geterror());
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
@@ -132,5 +194,5 @@ glm::vec4 average(const std::string& bytes) {
 }   // namespace
 }   // namespace rayclock
 
-extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode, rayclock::decode,
-                                                               rayclock::average};
+extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode, rayclock::check,
+                                                               rayclock::decode, rayclock::average};

@@ -17,6 +17,11 @@ struct PictureCodec {
     /// a whole file.
     std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits,
                           const std::function<bool()>& stop);
+    /// Reads the bytes of a whole file and throws std::runtime_error if they do not hold exactly the picture
+    /// and the hits: a library that encodes wrongly reports success. Once `stop` is true, it may return
+    /// early.
+    void (*check)(const char* plugin, const std::string& bytes, const Picture& picture, const HitFrame& hits,
+                  const std::function<bool()>& stop);
     /// Throws std::runtime_error with the reason.
     Picture (*decode)(const std::string& path);
     /// See average_colour(). Throws std::runtime_error with the reason.
@@ -25,5 +30,13 @@ struct PictureCodec {
 
 /// Throws UserError if the library is missing.
 const PictureCodec& picture_codec();
+
+/// For tests: while it lives, it takes the place of the library.
+class StandInCodec {
+public:
+    explicit StandInCodec(const PictureCodec& codec);
+    ~StandInCodec();
+    StandInCodec(const StandInCodec&) = delete;
+};
 
 }   // namespace rayclock

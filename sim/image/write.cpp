@@ -38,12 +38,14 @@ std::string reason(std::string message) {
     return message.empty() ? "unknown reason" : message;
 }
 
-/// The bytes of a file; `path` is for messages.
+/// The bytes of a file, which were read back and compared; `path` is for messages.
 std::string file_bytes(const std::string& path, const Format& format, const Picture& picture,
                        const HitFrame& hits, const std::function<bool()>& stop) {
     const PictureCodec& codec = picture_codec();
     try {
-        return codec.encode(format.plugin, picture, hits, stop);
+        std::string bytes = codec.encode(format.plugin, picture, hits, stop);
+        if (!stop()) codec.check(format.plugin, bytes, picture, hits, stop);
+        return bytes;
     } catch (const std::runtime_error& error) {
         throw UserError(fmt::format("{}: cannot be written: {}", path, reason(error.what())));
     }

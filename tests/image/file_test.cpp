@@ -10,6 +10,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "sim/files/output.hpp"
+#include "sim/image/codec.hpp"
 #include "sim/image/srgb.hpp"
 #include "tests/image/folder.hpp"
 
@@ -111,6 +112,72 @@ TEST_CASE("exr keeps light beyond 1, depth and primitive numbers", "[image]") {
     }
 }
 
+namespace {
+
+/// Faults of an encoder that reports success. The real one, which they need:
+const PictureCodec* real = nullptr;
+
+std::string last_pixel_differs(const char* plugin, const Picture& picture, const HitFrame& hits,
+                               const std::function<bool()>& stop) {
+    Picture wrong = picture;
+    wrong.pixels.back() += 0.25f;
+    return real->encode(plugin, wrong, hits, stop);
+}
+std::string last_number_differs(const char* plugin, const Picture& picture, const HitFrame& hits,
+                                const std::function<bool()>& stop) {
+    HitFrame wrong = hits;
+    wrong.hits.back().primitive ^= 1;
+    return real->encode(plugin, picture, wrong, stop);
+}
+std::string one_row_less(const char* plugin, const Picture& picture, const HitFrame& hits,
+                         const std::function<bool()>& stop) {
+    Picture wrong = picture;
+    --wrong.size.height;
+    return real->encode(plugin, wrong, hits, stop);
+}
+std::string half_a_file(const char* plugin, const Picture& picture, const HitFrame& hits,
+                        const std::function<bool()>& stop) {
+    const std::string whole = real->encode(plugin, picture, hits, stop);
+    return whole.substr(0, whole.size() / 2);
+}
+
+}   // namespace
+
+TEST_CASE("a picture that is encoded wrongly is refused, and the old file stays", "[image]") {
+    const TestFolder folder;
+    const FrameSize size{7, 131};   // two bands of rows, and a part of one
+    real = &picture_codec();
+    struct Fault {
+        decltype(PictureCodec::encode) encode;
+        std::string says;
+        bool of_exr_only;
+    };
+    const Fault faults[] = {{last_pixel_differs, "pixel 6,130 differs", false},
+                            {last_number_differs, "pixel 6,130 differs", true},
+                            {one_row_less, "its header differs", false},
+                            {half_a_file, "encoded it wrongly", false}};
+    for (const char* name : {"a.png", "a.exr"})
+        for (const Fault& fault : faults) {
+            const bool is_exr = std::string(name) == "a.exr";
+            if (fault.of_exr_only && !is_exr) continue;
+            put(folder / name, "precious");
+            PictureCodec codec = *real;
+            codec.encode = fault.encode;
+            const StandInCodec faulty(codec);
+            const std::string said =
+                complaint([&] { write_picture(folder / name, grey_picture(size, 0.5f), no_hits(size)); });
+            check_sentence(said, folder / name, "cannot be written: OpenImageIO ");
+            check_sentence(said, folder / name, fault.says);
+            CHECK(contents(folder / name) == "precious");
+            fs::remove(folder / name);
+            CHECK(folder.files() == 0);
+            if (!is_exr && !fault.of_exr_only)
+                CHECK_THROWS_AS(png_bytes(grey_picture(size, 0.5f)), UserError);
+        }
+    write_picture(folder / "a.exr", grey_picture(size, 0.5f), no_hits(size));   // the real one again
+    CHECK(folder.files() == 1);
+}
+
 TEST_CASE("an existing picture is replaced", "[image]") {
     const TestFolder folder;
     const FrameSize size{3, 2};
@@ -135,7 +202,7 @@ TEST_CASE("writing that is stopped leaves what was there, and else every row is 
         CHECK_THROWS_WITH(
             write_picture(folder / name, grey_picture(size, 1), no_hits(size), [&] { return ++asked > 1; }),
             "interrupted: nothing is written");
-        CHECK(asked == 4);   // before two more bands, before the end, and before the file is replaced
+        CHECK(asked == 5);   // before a band, twice before the end, before reading back, before replacing
         CHECK(contents(folder / name) == before);
     }
 }
