@@ -7,6 +7,19 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+// A fraction divided by a whole number. Boost 1.82 and 1.83 have a special case for the fractions 0 and 1
+// that takes the whole number as the new denominator with its sign, so that 0 / -5 is less than 0 and 1 / -5
+// greater. Every operator finds this overload first, because it is no template.
+namespace boost::multiprecision::backends {
+
+inline void eval_divide(cpp_rational_backend& result, const cpp_rational_backend& a, cpp_int_backend<> b) {
+    cpp_rational_backend quotient(a);
+    eval_divide(quotient, cpp_rational_backend(b));
+    result = quotient;
+}
+
+}   // namespace boost::multiprecision::backends
+
 namespace rayclock::oracle {
 
 using Int = boost::multiprecision::cpp_int;
