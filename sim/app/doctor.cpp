@@ -13,6 +13,7 @@
 #include "sim/film/strip.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/report_page/library.hpp"
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/process.hpp"
 #include "sim/rtl/tools.hpp"
@@ -36,9 +37,23 @@ constexpr const char* no_rtl =
 constexpr const char* no_new_rtl =
     "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
 
-Part tool(const char* name, const std::string& version, const char* without, const char* cure) {
-    return {name, name, version, version.empty() ? without : "",
-            fmt::format("{}: ./bootstrap {} installs it", name, cure)};
+/// The cure names a package and no script: an installed program has no sources beside it.
+Part tool(const char* name, const std::string& version, const char* package) {
+    return {name, name, version, version.empty() ? no_new_rtl : "",
+            fmt::format("{}: apt-get install {}", name, package)};
+}
+
+Part vega_part() {
+    Part part{"vega", "vega", "", "", "vega: apt-get install libjs-vega"};
+    const char* folder = std::getenv("RAYCLOCK_VEGA");
+    if (folder && *folder) part.cure = "vega: set RAYCLOCK_VEGA to a folder with Vega's modules, or unset it";
+    try {
+        chart_library(true);
+        part.found = chart_library_folder().string();
+    } catch (const UserError& e) {
+        part.problem = fmt::format("{}; without it there is no --report and no page", e.what());
+    }
+    return part;
 }
 
 Part cache_part() {
@@ -71,13 +86,8 @@ Part sources_part() {
 
 std::vector<Part> parts() {
     const RtlTools& tools = rtl_tools();
-    std::vector<Part> all{tool("verilator", tools.verilator, no_new_rtl, "build"),
-                          tool("c++", tools.compiler, no_new_rtl, "build"),
-                          tool("yosys", synth::yosys_version(),
-                               "no multipliers and flip-flops in sweep and tradeoff, no area; the tests "
-                               "leave the synthesis check out",
-                               "test"),
-                          cache_part(), sources_part()};
+    std::vector<Part> all{tool("verilator", tools.verilator, "verilator"), tool("c++", tools.compiler, "g++"),
+                          vega_part(), cache_part(), sources_part()};
     // Both run, and yet something is missing: Verilator's own sources.
     if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
         all[0] = {"verilator", "verilator", "", tools.problem + ": " + no_new_rtl,
@@ -126,11 +136,18 @@ int run(const Options& o) {
     const bool routes = router.problem.empty();
     table.add(
         {"nextpnr-ecp5", routes ? fmt::format("{}, {}", router.version, router.program.string()) : "none"});
+    const std::string yosys = synth::yosys_version();
+    table.add({"yosys", !yosys.empty() ? yosys
+                                       : "none: no multipliers and flip-flops in sweep and tradeoff, no area "
+                                         "and no chip (apt-get install yosys)"});
+    json["yosys"] = yosys.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(yosys);
     const fs::path film = find_program(film_program);
-    table.add({film_program, film.empty() ? "none: films are left as frames" : film.string()});
+    table.add({film_program,
+               film.empty() ? "none: films are left as frames (apt-get install apngasm)" : film.string()});
     json["film"] = film.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(film.string());
     json["nextpnr"] = routes ? nlohmann::ordered_json(router.version) : nlohmann::ordered_json(nullptr);
-    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_CXXFLAGS", "RAYCLOCK_NEXTPNR"}) {
+    for (const char* name :
+         {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_CXXFLAGS", "RAYCLOCK_NEXTPNR", "RAYCLOCK_VEGA"}) {
         const char* value = std::getenv(name);
         table.add({name, value && *value ? value : "not set"});
     }

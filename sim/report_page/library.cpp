@@ -19,11 +19,9 @@ constexpr const char* roots[] = {"vega-util",       "vega-dataflow",        "veg
                                  "vega-scenegraph", "vega-scale",           "vega-runtime"};
 
 std::filesystem::path file_of(const std::string& module) {
-    const char* folder = std::getenv("RAYCLOCK_VEGA");
     const std::string name = module == "vega-selections" ? "vega-selection" : module;   // the package is
                                                                                         // called so
-    return std::filesystem::path(folder && *folder ? folder : "/usr/share/javascript/vega") /
-           (name + ".min.js");
+    return chart_library_folder() / (name + ".min.js");
 }
 
 std::vector<std::string> asked_for(const std::string& source) {
@@ -48,6 +46,11 @@ void add(const std::string& module, std::set<std::string>& seen, std::vector<Lib
 }
 
 }   // namespace
+
+std::filesystem::path chart_library_folder() {
+    const char* folder = std::getenv("RAYCLOCK_VEGA");
+    return folder && *folder ? folder : "/usr/share/javascript/vega";
+}
 
 std::vector<LibraryModule> chart_library(bool trees) {
     std::set<std::string> seen;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,8 @@ struct LibraryModule {
 /// libjs-vega (and with `trees` the one that lays out trees), or from the folder RAYCLOCK_VEGA. Throws
 /// UserError if one is missing.
 std::vector<LibraryModule> chart_library(bool trees);
+
+/// Where they are looked for.
+std::filesystem::path chart_library_folder();
 
 }   // namespace rayclock

@@ -90,19 +90,31 @@ TEST_CASE("a missing tool is one sentence, and the doctor knows it") {
     check_refused(tools.rtl(), {"c++ is not installed"});
     check_refused(run_program({"verify", "tetra:1", "--size", "8x8"}, tools.environment()),
                   {"c++ is not installed"});
-    CHECK_THAT(doctor(),
-               Contains("c++: ./bootstrap build installs it") && Contains("no RTL that is not built yet"));
+    CHECK_THAT(doctor(), Contains("c++: apt-get install g++") && Contains("no RTL that is not built yet"));
     tools.replace("c++", "exit 1");
     check_refused(tools.rtl(), {"c++ does not run"});
     tools.replace("c++", FakeTools::compiler());
     tools.remove("verilator");
     check_refused(tools.rtl(), {"verilator is not installed"});
-    CHECK_THAT(doctor(), Contains("verilator: ./bootstrap build installs it") &&
-                             Contains("yosys: ./bootstrap test installs it"));
+    CHECK_THAT(doctor(), Contains("verilator: apt-get install verilator") && !Contains("./bootstrap"));
     tools.replace("verilator", FakeTools::verilator());
     fs::remove(tools.path("root/include/verilated.h"));
     check_refused(tools.rtl(), {"verilated.h is missing", "VERILATOR_ROOT"});
     CHECK_THAT(doctor(), Contains("verilated.h is missing"));
+}
+
+TEST_CASE("the doctor misses Vega, and neither Yosys nor other tools that one command needs") {
+    const FakeTools tools;
+    std::vector<std::string> environment = tools.environment();
+    const Outcome good = run_program({"doctor"}, environment);
+    CHECK(good.code == 0);
+    CHECK_THAT(good.out,
+               Contains("Everything is there.") && Contains("yosys") && Contains("none: no multipliers"));
+    environment.push_back("RAYCLOCK_VEGA=" + tools.path("none"));
+    const Outcome bad = run_program({"doctor"}, environment);
+    CHECK(bad.code == 1);
+    CHECK_THAT(bad.out,
+               Contains("MISSING") && Contains("libjs-vega") && Contains("set RAYCLOCK_VEGA to a folder"));
 }
 
 TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows it") {

@@ -1,0 +1,11 @@
+# Read by cpack before it packs. CPack itself ends with a complaint of its insides without `file`, and without
+# dpkg-shlibdeps makes a package that names no library and cannot start.
+foreach(program file=file dpkg-shlibdeps=dpkg-dev)
+  string(REPLACE "=" ";" program ${program})
+  list(GET program 0 name)
+  list(GET program 1 package)
+  find_program(found_${name} ${name} NO_DEFAULT_PATH PATHS ENV PATH)
+  if(NOT found_${name})
+    message(FATAL_ERROR "A Debian package cannot be made without the program ${name}: apt-get install ${package}")
+  endif()
+endforeach()
