@@ -9,6 +9,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/files/input.hpp"
+#include "sim/film/read_back.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/process.hpp"
 
@@ -42,6 +44,14 @@ std::string make_film(const std::string& folder, std::size_t count, double fps) 
     if (process.code() != 0 || !fs::exists(film, error))
         return fmt::format("no film: {} ended with {}; what it said is in {}/film.log", film_program,
                            process.code(), printable(folder));
+    // The frames were read back when they were written; a film that does not show them is worth nothing.
+    const std::string fault =
+        film_fault(read_if_there(film), count, std::min(thousandths, 65'535l),
+                   [&](std::size_t f) { return read_if_there(fs::path(folder) / frame_name(f)); });
+    if (!fault.empty()) {
+        fs::remove(film, error);
+        return fmt::format("no film: {} made it wrongly: read back, {}", film_program, fault);
+    }
     fs::remove(fs::path(folder) / "film.log", error);
     return fmt::format("film of {} frames, made by {}: {}/film.png", count, film_program, printable(folder));
 }

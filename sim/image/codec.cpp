@@ -160,6 +160,23 @@ Picture decode(const std::string& path) {
     return picture;
 }
 
+Texels texels(const std::string& png) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(png.data()), png.size());
+    const auto input = OIIO::ImageInput::create("png");
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open("picture.png", spec, wish)) throw std::runtime_error(input->geterror());
+    if (spec.width > max_frame_side || spec.height > max_frame_side || spec.nchannels < 3)
+        throw std::runtime_error("its size or its channels are no frame's");
+    Texels all{{spec.width, spec.height}, {}};
+    all.rgba.assign(std::size_t(spec.width) * std::size_t(spec.height), {0, 0, 0, 255});
+    if (!input->read_image(0, 0, 0, std::min(spec.nchannels, 4), OIIO::TypeUInt8, all.rgba.data(), 4,
+                           OIIO::stride_t(4) * spec.width))
+        throw std::runtime_error(input->geterror());
+    return all;
+}
+
 /// Row by row, so that a large picture takes little memory; sums in the order of the rows.
 glm::vec4 average(const std::string& bytes) {
     const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8");
@@ -194,5 +211,5 @@ glm::vec4 average(const std::string& bytes) {
 }   // namespace
 }   // namespace rayclock
 
-extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode, rayclock::check,
-                                                               rayclock::decode, rayclock::average};
+extern "C" const rayclock::PictureCodec rayclock_picture_codec{
+    rayclock::encode, rayclock::check, rayclock::decode, rayclock::texels, rayclock::average};

@@ -2,14 +2,23 @@
 // Between the program and the library that encodes pictures, OpenImageIO. That brings 250 libraries, which
 // take a fifth of a second to load: what knows it is a library of its own, which is loaded when the first
 // picture is read or written.
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <glm/vec4.hpp>
 
 #include "model/shade/shade.hpp"
 
 namespace rayclock {
+
+/// A picture of 8-bit colours that are not multiplied by alpha, row by row from the top.
+struct Texels {
+    FrameSize size;
+    std::vector<std::array<std::uint8_t, 4>> rgba;
+};
 
 struct PictureCodec {
     /// The bytes of a file. `plugin` is OpenImageIO's name of the format: png or openexr. Throws
@@ -24,6 +33,8 @@ struct PictureCodec {
                   const std::function<bool()>& stop);
     /// Throws std::runtime_error with the reason.
     Picture (*decode)(const std::string& path);
+    /// Of the bytes of a PNG with three or four channels. Throws std::runtime_error with the reason.
+    Texels (*texels)(const std::string& png);
     /// See average_colour(). Throws std::runtime_error with the reason.
     glm::vec4 (*average)(const std::string& bytes);
 };

@@ -1,6 +1,7 @@
 // Films: numbered frames, one picture that plays them, and options of time that make no sense.
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -56,6 +57,28 @@ TEST_CASE("a film is numbered frames that differ, and one picture that plays the
     CHECK(pictures_of(bytes_of(out + "/film.png")) == 2);
     CHECK(folder.contents().count("film/frame_0002.png") == 0);
     CHECK(bytes_of(out + "/frame_0001.png") == second);
+}
+
+TEST_CASE("a film that does not show its frames is refused") {
+    const Folder folder;
+    const std::string out = folder.name("film"), tools = folder.name("tools");
+    // Films whose second frame, or whose pace, is another.
+    const std::pair<std::string, std::string> faults[] = {
+        {"cp \"$d/frame_0000.png\" \"$d/frame_0001.png\"", "frame 1 differs"},
+        {"set -- \"$1\" \"$2\" 7 1000 -kc", "frame 0 is shown for 7/1000 s"},
+        {"rm \"$d/frame_0002.png\"", "it has 2 frames instead of 3"}};
+    for (const auto& [fault, words] : faults) {
+        CAPTURE(fault);
+        folder.write("tools/apngasm",
+                     "#!/bin/sh\nd=$(mktemp -d)\ncp frame_*.png \"$d\"\n" + fault +
+                         "\nfilm=$1\nshift\n(cd \"$d\" && /usr/bin/apngasm film.png \"$@\")\n"
+                         "cp \"$d/film.png\" \"$film\"\nrm -r \"$d\"\n");
+        std::filesystem::permissions(tools + "/apngasm", std::filesystem::perms::owner_all);
+        const Outcome outcome =
+            run_program(film_of({"--fps", "4", "-o", out}), {"PATH=" + tools + ":/usr/bin:/bin"});
+        CHECK_THAT(outcome.out + outcome.err, Catch::Contains("read back, " + words));
+        CHECK_FALSE(std::filesystem::exists(out + "/film.png"));
+    }
 }
 
 TEST_CASE("without the program that makes films there are frames, and a sentence") {
