@@ -309,7 +309,8 @@ private:
         }
         if (has_normals_ && !facets.empty()) make_faceted(facets, made, mesh);
         made.mesh = static_cast<std::uint32_t>(placed_.meshes.size());
-        const Where where = made.joints.empty() ? copy.where : Where{};
+        static const Where in_the_scene{};
+        const Where& where = made.joints.empty() ? copy.where : in_the_scene;
         if (made.is_still())
             rayclock::deform(made, 0, {}, mesh);
         else
