@@ -5,9 +5,11 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/jobs/threads.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/lockstep.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/builder.hpp"
 #include "sim/torture/torture.hpp"
 
 namespace rayclock {
@@ -27,33 +29,46 @@ nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResul
             {"digest", digest_text(r.model.digest)}};
 }
 
+struct Made {
+    const TortureCase* torture;
+    LockstepResult result;
+};
+
 }   // namespace
 
 int run_torture_set(const JsonOutput& json) {
     const Stopwatch watch;
     catch_interrupts();
     const Progress progress = terminal_progress();
+    const std::vector<std::string>& chips = torture_chips();
+    jobs::for_each(chips.size(), 0, [&](std::size_t i) { build_rtl(torture_chip(chips[i])); });
+    std::vector<TortureCase> all;
+    for (const std::string& chip : chips)
+        for (TortureCase& torture : torture_cases(chip)) all.push_back(std::move(torture));
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
     std::uint64_t frames = 0, transfers = 0, failed = 0;
-    for (const std::string& chip : torture_chips()) {
-        for (const TortureCase& torture : torture_cases(chip)) {
-            const LockstepResult result = run_torture(torture, progress);
-            cases.push_back(case_json(torture, result));
-            frames += torture.frames.size();
+    jobs::in_order(
+        0, [&](std::size_t i) { return i < all.size() && !interrupted(); },
+        [&](std::size_t i) {
+            return Made{&all[i], run_torture(all[i])};
+        },
+        [&](const Made& made) {
+            const auto& [torture, result] = made;
+            cases.push_back(case_json(*torture, result));
+            frames += torture->frames.size();
             transfers += result.events_compared;
             failed += !result.agrees();
             if (!result.agrees() && !json.is_alone())
-                fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
-            if (interrupted()) break;
-        }
-    }
+                fmt::print("{}:\n{}", torture->name, lockstep_lines(result));
+            if (progress) progress("torture", cases.size(), all.size());
+        });
     const bool good = failed == 0 && !interrupted();
     const double seconds = watch.seconds();
     if (!json.is_alone())
         fmt::print(
             "  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in "
             "{:.1f} s\n",
-            cases.size(), torture_chips().size(), frames, grouped(transfers), failed,
+            cases.size(), chips.size(), frames, grouped(transfers), failed,
             good            ? "VERIFIED"
             : interrupted() ? "PARTIAL: interrupted"
                             : "FAILED",

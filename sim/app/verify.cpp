@@ -51,7 +51,7 @@ void declare(Parser& parser, Options& o) {
     const Declared scene = scene_option(parser, o.scene);
     parser
         .flag("--torture", o.torture,
-              "instead of a scene, run the torture set: small frames on three chips that reach the corners "
+              "instead of a scene, run the torture set: small frames on six chips that reach the corners "
               "of the machine")
         .excludes(scene);
     finished_options(parser, o.finish);

@@ -1,5 +1,7 @@
 #include "sim/torture/cases.hpp"
 
+#include "model/accel/encode.hpp"
+#include "model/none/page.hpp"
 #include "sim/torture/frames.hpp"
 #include "sim/torture/image.hpp"
 
@@ -44,10 +46,13 @@ public:
         add_panes();
         add_ends();
         add_tiles();
-        if (config_.shading) add_lights(), add_axes();
+        add_film();
+        if (config_.is_list()) add_last_lines();
+        if (config_.pixel_bits == max_pixel_bits && !config_.shading && !config_.has_instances()) add_large();
+        if (config_.shading) add_coarse(), add_lights(), add_axes();
         if (config_.spheres) add_balls(), add_beads(), add_contacts();
         if (config_.planes) add_planes();
-        if (config_.supersampling) add_contrast(), add_samples();
+        if (config_.supersampling) add_contrast(), add_samples(), add_white();
         return std::move(cases_);
     }
 
@@ -55,7 +60,7 @@ private:
     /// Frames that differ in everything: eye, angle, lights, depth, threshold, contrast, background, size,
     /// and the root if the tree has a second node to begin with.
     void add_soup(int number, const Size* sizes) {
-        const std::vector<PrimData> prims = soup(config_, dice_, 8 + 12 * (number % 3));
+        const std::vector<PrimData> prims = soup(config_, dice_, few(8 + 12 * (number % 3)));
         TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
         for (int i = 0; i < 3; ++i) {
             Frame frame = view(prims, config_, sizes[(number + 2 * i) % 6], i == 1 ? number : 0, dice_);
@@ -65,15 +70,99 @@ private:
         end(std::move(t));
     }
 
-    /// The first child of the root, if it is a node itself.
+    /// The first child of the root, if it is a node itself. Of a list the second page.
     std::uint32_t inner_root(const MemoryImage& image) const {
-        const Node root = unpack<Node>(image.line(0), config_);
-        return root.kind[0] == 1 ? root.base : 0;
+        const std::uint32_t page = page_lines(config_.node_width);
+        if (config_.is_list()) return 2 * page < image.listed ? page : 0;
+        return with_node(config_.engine(), [&]<class Line>(const Line&) {
+            const auto root = unpack<Line>(image.line(0), config_);
+            if (root.kind[0] != 1) return 0u;
+            const bool is_node =
+                !config_.has_instances() || line_kind(image.line(root.base)) == LineKind::scene_node;
+            return is_node ? root.base : 0u;
+        });
+    }
+
+    /// The scene changes between frames: the host writes what differs, and the caches are emptied. What it
+    /// writes while a frame is drawn, that frame does not read.
+    void add_film() {
+        TortureCase t = begin("film", {});
+        MemoryImage image;
+        constexpr std::uint32_t more = 16;   // lines behind the image
+        for (int i = 0; i < 4; ++i) {
+            const std::vector<PrimData> prims = soup(config_, dice_, 5 + 6 * (i % 3));
+            Upload upload;
+            if (i != 2) {
+                const std::vector<std::uint32_t> held = std::move(image.words);
+                image = image_of(prims, config_, dice_, "film");
+                image.words.resize(std::max(image.words.size(), held.size()), 0);
+                upload.resets = i > 0;
+                take_differences(image, 0, image.lines(), held, upload);
+            } else {
+                const std::uint32_t first = image.lines();
+                if (first + more > 1u << config_.addr_bits) continue;
+                image.words.resize((first + more) * words_per_line, ~0u);
+                take_differences(image, first, more, {}, upload);
+                upload.beside = true;
+            }
+            upload.image = without_words(image);
+            upload.image_lines = image.lines();
+            if (i == 0) t.job.image = image;
+            Frame frame = view(prims, config_, i % 2 == 0 ? Size{9, 7} : Size{17, 3}, 0, dice_);
+            shade(frame, image, 1 + i % 2);
+            frame.listed = image.listed;
+            t.frames.push_back(frame);
+            t.uploads.push_back(std::move(upload));
+        }
+        end(std::move(t));
+    }
+
+    /// A list of which the last line is the last that can be addressed.
+    void add_last_lines() {
+        std::uint32_t root = 0;
+        const std::vector<PrimData> prims = soup(config_, dice_, 21);
+        TortureCase t = begin("last lines", image_at_the_end(prims, config_, dice_, "last lines", root));
+        for (int i = 0; i < 2; ++i) add(t, view(prims, config_, {9, 7}, 0, dice_)).root = root;
+        end(std::move(t));
+    }
+
+    /// As high and as wide as can be told; more than 65,536 pixels.
+    void add_large() {
+        TortureCase t = begin("large", image_of(specks(config_, dice_, 3), config_, dice_, "large"));
+        constexpr std::uint32_t most = 1u << max_pixel_bits;
+        for (const Size size : {Size{5, most}, Size{most, 1}}) {
+            Frame frame = diagonal_view({0, 0, most_of(config_.coord_bits)}, 1);
+            frame.width = size.width, frame.height = size.height;
+            frame.corner[2] = -(std::int64_t(1) << (config_.dir_bits - 3 + guard_bits));
+            frame.down[1] >>= 2;
+            add(t, frame).shade.depth = 0;
+        }
+        end(std::move(t), 0);
+    }
+
+    /// Edges that many powers of two divide: points lie on them as dense as can be.
+    void add_coarse() {
+        const std::vector<PrimData> prims = coarse(config_, dice_, 24);
+        TortureCase t = begin("coarse", image_of(prims, config_, dice_, "coarse", Look::clear));
+        for (int i = 0; i < 3; ++i) add_deep(t, view(prims, config_, {9, 7}, 0, dice_));
+        end(std::move(t));
+    }
+
+    /// The most that the sums of 64 samples hold: all of them white.
+    void add_white() {
+        const std::vector<PrimData> prims = mesh(40, side_);
+        TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", Look::bright));
+        for (const int side : {8, 7}) {
+            Frame& frame = add(t, corner_view(config_, {4, 3}, 40), side);
+            frame.shade.contrast = 0;
+            for (auto& part : frame.shade.background) part = 1u << unit_bits;
+        }
+        end(std::move(t), 0);
     }
 
     /// `turn` says across which axis the mesh lies: ties go by the first axis that tells two corners apart.
     void add_corners(std::int32_t step, int turn) {
-        std::vector<PrimData> prims = mesh(step, 6);
+        std::vector<PrimData> prims = mesh(step, side_);
         for (PrimData& prim : prims)
             for (Vec3i* corner : {&prim.a, &prim.b, &prim.c}) *corner = turned(*corner, turn);
         // In any order, so that of two at the same distance the lower number may come second.
@@ -81,6 +170,7 @@ private:
             std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
         TortureCase t = begin("corners " + std::to_string(step), image_of(prims, config_, dice_, "mesh"));
         t.frames.push_back(corner_view(config_, {9, 9}, step));
+        t.frames[0].listed = t.job.image.listed;
         for (Vec3l* part : {&t.frames[0].corner, &t.frames[0].right, &t.frames[0].down})
             *part = turned(*part, turn);
         t.frames[0].eye = turned(t.frames[0].eye, turn);
@@ -100,7 +190,7 @@ private:
     /// Primitives of a few lattice steps and directions of a few units: products are small, and differ by one
     /// or not at all.
     void add_specks() {
-        const std::vector<PrimData> prims = specks(config_, dice_, 40);
+        const std::vector<PrimData> prims = specks(config_, dice_, few(40));
         TortureCase t = begin("specks", image_of(prims, config_, dice_, "specks"));
         for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}})
             add(t, diagonal_view(eye, 1));
@@ -142,7 +232,8 @@ private:
     void add_tiles() {
         const std::vector<PrimData> prims = soup(config_, dice_, 4);
         TortureCase t = begin("tiles", image_of(prims, config_, dice_, "tiles"));
-        for (const Size size : {Size{1, 1}, Size{40, 3}, Size{1, 1}, Size{9, 9}, Size{2, 1}, Size{5, 33}})
+        for (const Size size :
+             {Size{1, 1}, Size{40, 3}, Size{1, 1}, Size{9, 9}, Size{2, 1}, Size{5, 33}, Size{1, 128}})
             add(t, view(prims, config_, size, 0, dice_)).shade.depth = 0;
         end(std::move(t), 0);
     }
@@ -159,7 +250,7 @@ private:
     }
 
     void add_contrast() {
-        const std::vector<PrimData> prims = mesh(40, 6);
+        const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
             Frame& frame = add(t, corner_view(config_, {9, 7}, 40), 3);
@@ -227,7 +318,7 @@ private:
     /// from straight above touch it where they end.
     void add_contacts() {
         const std::int32_t step = 40, radius = step / 4;
-        std::vector<PrimData> prims = mesh(step, 6);
+        std::vector<PrimData> prims = mesh(step, config_.is_list() ? 4 : 6);
         const Vec3i points[] = {{-50, 20, 0}, {-50, 60, 0}, {-50, -20, 0}};
         for (const Vec3i& p : points) prims.push_back(ball(config_, {p[0] - radius, p[1], 0}, radius));
         TortureCase t = begin("contacts", image_of(prims, config_, dice_, "contacts", Look::shiny));
@@ -274,6 +365,7 @@ private:
     /// The case gets the frame, with settings drawn at random.
     Frame& add(TortureCase& t, Frame frame, int samples = 1) {
         shade(frame, t.job.image, samples);
+        frame.listed = t.job.image.listed;
         return t.frames.emplace_back(std::move(frame));
     }
     /// The same with as many bounces as can be.
@@ -308,7 +400,11 @@ private:
     }
     std::uint64_t seed() const { return config_.name.size() * 1000 + 7 + 100 * cases_.size(); }
 
+    /// A list is read whole by every ray.
+    int few(int primitives) const { return config_.is_list() ? primitives / 3 : primitives; }
+
     Config config_;
+    const int side_ = config_.is_list() ? 2 : 6;   // of meshes, in squares
     std::vector<TortureCase> cases_;
     Dice dice_;
 };

@@ -6,7 +6,9 @@
 #include "model/base/axes.hpp"
 #include "model/accel/encode.hpp"
 #include "model/core/payloads.hpp"
+#include "model/none/page.hpp"
 #include "sim/torture/frames.hpp"
+#include "sim/torture/levels.hpp"
 
 namespace rayclock::torture {
 
@@ -61,6 +63,16 @@ std::uint32_t fine_of(const PrimData& t, const Config& config) {
     return std::uint32_t(std::clamp(std::min(least, config.bary_bits - config.origin_bits), 0, most_fine));
 }
 
+/// So many of those that count.
+template <class Make> std::vector<PrimData> many(int count, const Config& config, const Make& make) {
+    std::vector<PrimData> all;
+    while (int(all.size()) < count)
+        if (const PrimData next = make(); counts(next, config)) all.push_back(next);
+    return all;
+}
+
+}   // namespace
+
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look) {
     Surface s;
     s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
@@ -96,16 +108,6 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     s.leave = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
     return s;
 }
-
-/// So many of those that count.
-template <class Make> std::vector<PrimData> many(int count, const Config& config, const Make& make) {
-    std::vector<PrimData> all;
-    while (int(all.size()) < count)
-        if (const PrimData next = make(); counts(next, config)) all.push_back(next);
-    return all;
-}
-
-}   // namespace
 
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
@@ -207,6 +209,7 @@ std::vector<PrimData> panes(const Config& config, int count) {
 
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      Look look) {
+    if (config.has_instances()) return placed_image(prims, config, dice, name, look);
     std::vector<PrimData> numbered = prims;
     for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
     MemoryImage image = compile_triangles(numbered, config, name);
@@ -221,6 +224,36 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
         write_payload(random_surface(numbered[i], config, dice, look), config,
                       &image.words[(first + i) * words_per_line], scratch);
     return image;
+}
+
+MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
+                             const char* name, std::uint32_t& root) {
+    const MemoryImage made = image_of(prims, config, dice, name);
+    const std::uint32_t listed = made.listed, all = 1u << config.addr_bits, lines = (listed + 1) / 2;
+    const std::uint32_t page = page_lines(config.node_width);
+    root = (all - lines) / page * page;
+    MemoryImage image = made;
+    image.surfaces = 0;
+    image.words.assign(std::size_t(all) * words_per_line, 0);
+    std::copy(made.words.begin() + std::ptrdiff_t(made.surfaces * words_per_line), made.words.end(),
+              image.words.begin());
+    std::copy_n(made.words.begin(), lines * words_per_line,
+                image.words.begin() + std::ptrdiff_t(root * words_per_line));
+    image.listed = 2 * root + listed;
+    check_lines(made.lines() - made.surfaces + all - root, config, name);
+    return image;
+}
+
+std::vector<PrimData> coarse(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    return many(count, config, [&] {
+        PrimData t = random_triangle(dice, most);
+        const int step = dice.below(7);
+        for (Vec3i* corner : {&t.b, &t.c})
+            for (std::size_t k = 0; k < 3; ++k)
+                (*corner)[k] = t.a[k] + ((*corner)[k] - t.a[k]) / (1 << step) * (1 << step);
+        return t;
+    });
 }
 
 }   // namespace rayclock::torture

@@ -40,7 +40,17 @@ std::vector<PrimData> panes(const Config& config, int count);
 /// Surfaces, if the chip shades: of any share; half mirror and half glass; of colours that are 0 or 1 without
 /// any light; or with highlights of any sharpness and no mirror.
 enum class Look { any, clear, bright, shiny };
+Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look);
+
+/// All that a chip's memory holds; with two levels placed_image().
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      Look look = Look::any);
+/// The image of a list, which lies behind its surfaces, in the last lines that can be addressed: with the
+/// frame's first line in `root`.
+MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
+                             const char* name, std::uint32_t& root);
+
+/// Triangles whose edges are multiples of 1, 2, 4 ... 64 steps.
+std::vector<PrimData> coarse(const Config& config, Dice& dice, int count);
 
 }   // namespace rayclock::torture

@@ -246,6 +246,29 @@ TEST_CASE("a frame begins after its preparation, ends with its last pixel, and i
     }
 }
 
+TEST_CASE("the pixels of any picture are counted, up to the largest", "[host]") {
+    const Config config = host_config("small");
+    const std::uint32_t most = 1u << config.pixel_bits;
+    for (const auto& [width, height] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+             {most, most}, {most - 1, most - 1}, {1, most}, {most, 1}, {257, 256}, {3, 128}, {5, 10923}}) {
+        INFO(width << "x" << height);
+        Face face(config);
+        face.wait_until_idle();
+        Frame frame;
+        frame.width = width, frame.height = height;
+        face.write_frame(frame);
+        face.write(register_address("Start"), 1);
+        while (!face.get("running")) face.clock();
+        REQUIRE(face.read("Left") == width * height);
+        face.left = std::int64_t(width) * height;
+        if (face.left > 100'000) continue;
+        face.deliver(1);
+        while (face.get("running")) face.clock();
+        CHECK(face.left == 0);
+        CHECK(face.get("done"));
+    }
+}
+
 TEST_CASE("counters that are held can be read while a frame is under way", "[host]") {
     const Config config = host_config("small");
     Draw draw{3};

@@ -25,9 +25,7 @@ TortureJudge::TortureJudge(const std::vector<std::string>& chips, bool records) 
         for (TortureCase& torture : torture_cases(chip)) {
             cases_.push_back({std::move(torture), {}});
             Prepared& p = cases_.back();
-            if (!records) continue;
-            for (const Frame& frame : p.torture.frames)
-                p.frames.push_back(record_frame(p.torture.job, frame, 1));
+            if (records) p.frames = record_torture(p.torture);
         }
 }
 

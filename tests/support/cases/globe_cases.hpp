@@ -59,6 +59,38 @@ inline GlobeCase random_globe_case(Draw& draw, const Config& config) {
     return c;
 }
 
+/// The same with small operands and those at both ends of their widths alone: radii of nought and one, and as
+/// long as they can be; moments of either sign; directions that round up to a power of two.
+inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
+    GlobeCase c;
+    const int frac = config.origin_frac();
+    GlobeNode& node = c.req.node;
+    node.base = std::uint32_t(draw.natural(config.addr_bits));
+    node.org = draw.vector_at_ends(config.coord_bits);
+    node.exp = std::uint32_t(draw.coin() ? 0 : draw.below(config.coord_bits - globe_bits + 2));
+    const auto end = [&] {   // of a natural number
+        return std::uint32_t(draw.at_an_end(globe_bits)) & ((1u << globe_bits) - 1);
+    };
+    const auto width = std::uint32_t(config.node_width), inner = std::uint32_t(draw.below(int(width) + 1));
+    for (std::uint32_t i = 0; i < width; ++i) {
+        node.kind[i] = i < inner ? 1 : std::uint32_t(2 + draw.below(6));
+        node.radius[i] = end();
+        for (std::size_t k = 0; k < 3; ++k) node.centre[3 * i + k] = end();
+    }
+    const auto kind = RayKind(config.shading ? draw.below(3) : 0);
+    const int bits = kind == RayKind::shadow ? config.ray_dir_bits() : config.dir_bits;
+    Vec3i o = draw.vector_at_ends(config.coord_bits), d = draw.vector_at_ends(bits);
+    for (auto& x : o) x = x * (1 << frac) + (kind == RayKind::bounce ? int(draw.natural(frac)) : 0);
+    if (draw.coin())   // all but a power of two
+        for (auto& x : d) x = ((1 << draw.below(bits)) - 1) * (draw.coin() ? 1 : -1);
+    if (d == Vec3i{}) d[0] = -1;
+    c.ray = make_ray(o, d, config, kind);
+    const GlobeRay ray = globe_ray(c.ray, config);
+    c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
+    c.req.o = ray.o, c.req.toward = ray.toward, c.req.len = ray.len;
+    return c;
+}
+
 /// Of a globe and a ray, in fractions: the way v from the origin to the centre.
 struct GlobeSight {
     oracle::Rational dd = 0, dv = 0, vv = 0, radius = 0;

@@ -163,7 +163,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
         s.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
         if (draw.percent(25) && frame.shade.side > 1) s.sample = 3;
         for (std::size_t k = 0; k < 3; ++k) {
-            s.sum[k] = std::uint32_t(draw.below(int(s.sample * 65536 + 1)));
+            s.sum[k] = s.sample << unit_bits;   // the most: all have been white
+            if (draw.below(4) != 0) s.sum[k] = std::uint32_t(draw.below(int(s.sum[k] + 1)));
             s.least[k] = share_up_to(draw, unit_bits), s.most[k] = share_up_to(draw, unit_bits);
         }
     }

@@ -89,6 +89,36 @@ inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     return c;
 }
 
+/// The same with small operands and those at both ends of their widths alone: dividends and divisors of a few
+/// units, or as long as they can be, rays in planes and beside them, in the middle and in corners of the
+/// lattice.
+inline SlantCase slant_case_at_ends(Draw& draw, const Config& config) {
+    SlantCase c;
+    const int frac = config.origin_frac(), n = config.coord_bits;
+    const auto kind = RayKind(config.shading ? draw.below(3) : 0);
+    c.is_long = kind == RayKind::shadow;
+    c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
+    const Vec3i near = draw.vector_at_ends(n);
+    Slant& s = c.req.slant;
+    s.base = std::uint32_t(draw.natural(max_addr_bits));
+    for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i) {
+        const Vec3i normal = draw.vector_at_ends(normal_step_bits);
+        for (std::size_t k = 0; k < 3; ++k) s.normal[3 * i + k] = normal[k];
+        s.at[i] = std::int32_t(draw.below(4) == 0 ? draw.at_an_end(config.offset_of_plane_bits())
+                                                  : across(normal, near) + draw.between(-2, 2));
+    }
+    for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) s.kind[i] = std::uint32_t(draw.below(8));
+    s.open = draw.coin();
+    const Vec3i a = draw.vector_at_ends(n), b = draw.vector_at_ends(n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        s.lo[k] = std::min(a[k], b[k]), s.hi[k] = std::max(a[k], b[k]);
+        c.req.o[k] = near[k] * (1 << frac);
+        if (kind == RayKind::bounce) c.req.o[k] += int(draw.natural(frac));
+    }
+    set_direction(c, draw.vector_at_ends(c.is_long ? config.ray_dir_bits() : config.dir_bits), config);
+    return c;
+}
+
 inline ExitTimes exit_times(const SlantCase& c, std::size_t exit, const Config& config) {
     using oracle::Int;
     using oracle::Rational;

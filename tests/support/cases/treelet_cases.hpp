@@ -72,6 +72,36 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
     return c;
 }
 
+/// The same with small operands and those at both ends of their widths alone: planes on the ray's origin and
+/// a step beside it, rays that rest on an axis, ways and reciprocals that are short or as long as they can
+/// be.
+inline TreeletCase treelet_case_at_ends(Draw& draw, const Config& config) {
+    TreeletCase c;
+    const int frac = config.origin_frac(), n = config.coord_bits;
+    const auto kind = RayKind(config.shading ? draw.below(3) : 0);
+    c.is_long = kind == RayKind::shadow;
+    c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
+    const Vec3i near = draw.vector_at_ends(n);
+    Treelet& t = c.req.treelet;
+    t.base = std::uint32_t(draw.natural(max_addr_bits));
+    for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
+        t.axis[i] = std::uint32_t(draw.below(3));
+        t.at[i] = draw.coin() ? draw.vector_at_ends(n)[t.axis[i]] : draw.near(near, 2, n)[t.axis[i]];
+    }
+    for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) t.kind[i] = std::uint32_t(draw.below(8));
+    t.open = draw.coin();
+    const Vec3i a = draw.vector_at_ends(n), b = draw.vector_at_ends(n);
+    c.d = draw.vector_at_ends(c.is_long ? config.ray_dir_bits() : config.dir_bits);
+    for (std::size_t k = 0; k < 3; ++k) {
+        t.lo[k] = std::min(a[k], b[k]), t.hi[k] = std::max(a[k], b[k]);
+        c.req.o[k] = near[k] * (1 << frac);
+        if (kind == RayKind::bounce) c.req.o[k] += int(draw.natural(frac));
+        c.req.neg[k] = c.d[k] < 0;
+    }
+    set_reciprocals(c, config);
+    return c;
+}
+
 /// Where a ray is in an exit's closed cell: times of t's unit. `grown` as much as rounding may grow it.
 struct ExitTimes {
     bool there = true;

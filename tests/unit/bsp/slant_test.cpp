@@ -106,6 +106,24 @@ TEST_CASE("model and rtl of a fast slant make the same moves in every cycle", "[
                                   [&](Draw& draw) { return random_req(draw, config); });
 }
 
+TEST_CASE("slant is right at both ends of every width", "[slant]") {
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
+    INFO(name);
+    const Config config = bsp_format(name);
+    Draw draw{7};
+    for (int i = 0; i < 3000; ++i) {
+        const auto c = slant_case_at_ends(draw, config);
+        judge(c, slant(c.req, config), config);
+    }
+}
+
+TEST_CASE("model and rtl of slant make the same moves at both ends of every width", "[slant][lockstep]") {
+    const Config config = bsp_format(GENERATE("default", "shading:narrow", "fast:default"));
+    for (unsigned seed = 21; seed <= 22; ++seed)
+        check_lockstep<SlantUnit>(config, {}, flows[0], seed, 4000,
+                                  [&](Draw& draw) { return slant_case_at_ends(draw, config).req; });
+}
+
 TEMPLATE_TEST_CASE("slant answers after exactly its latency, and takes one in every cycle", "[slant]",
                    Model<SlantUnit>, Rtl<SlantUnit>) {
     const Config config = bsp_format(GENERATE("default", "fast:default"));

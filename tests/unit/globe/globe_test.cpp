@@ -130,6 +130,24 @@ TEST_CASE("model and rtl of a fast globe make the same moves in every cycle", "[
                                   [&](Draw& draw) { return random_req(draw, config); });
 }
 
+TEST_CASE("globe is right at both ends of every width", "[globe]") {
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
+    INFO(name);
+    const Config config = globe_format(name);
+    Draw draw{7};
+    for (int i = 0; i < 3000; ++i) {
+        const auto c = globe_case_at_ends(draw, config);
+        judge(c, globe(c.req, config), config);
+    }
+}
+
+TEST_CASE("model and rtl of globe make the same moves at both ends of every width", "[globe][lockstep]") {
+    const Config config = globe_format(GENERATE("default", "shading:narrow", "fast:default"));
+    for (unsigned seed = 21; seed <= 22; ++seed)
+        check_lockstep<GlobeUnit>(config, {}, flows[0], seed, 4000,
+                                  [&](Draw& draw) { return globe_case_at_ends(draw, config).req; });
+}
+
 TEMPLATE_TEST_CASE("globe answers after exactly its latency, and takes one in every cycle", "[globe]",
                    Model<GlobeUnit>, Rtl<GlobeUnit>) {
     const Config config = globe_format(GENERATE("default", "fast:default"));

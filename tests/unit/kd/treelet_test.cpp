@@ -80,6 +80,24 @@ TEST_CASE("model and rtl of a fast treelet make the same moves in every cycle", 
                                     [&](Draw& draw) { return random_req(draw, config); });
 }
 
+TEST_CASE("treelet is right at both ends of every width", "[treelet]") {
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
+    INFO(name);
+    const Config config = kd_format(name);
+    Draw draw{7};
+    for (int i = 0; i < 3000; ++i) {
+        const auto c = treelet_case_at_ends(draw, config);
+        judge(c, treelet(c.req, config), config);
+    }
+}
+
+TEST_CASE("model and rtl of treelet make the same moves at both ends of every width", "[treelet][lockstep]") {
+    const Config config = kd_format(GENERATE("default", "shading:narrow", "fast:default"));
+    for (unsigned seed = 21; seed <= 22; ++seed)
+        check_lockstep<TreeletUnit>(config, {}, flows[0], seed, 4000,
+                                    [&](Draw& draw) { return treelet_case_at_ends(draw, config).req; });
+}
+
 TEMPLATE_TEST_CASE("treelet answers after exactly its latency, and takes one in every cycle", "[treelet]",
                    Model<TreeletUnit>, Rtl<TreeletUnit>) {
     const Config config = kd_format(GENERATE("default", "fast:default"));
