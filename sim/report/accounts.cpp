@@ -12,22 +12,29 @@ namespace rayclock {
 
 namespace {
 
-/// Rays that xform has moved into an instance's space: it is busy for so many cycles with each.
-std::uint64_t entered(const Config& config, const FrameRun& run) {
-    return run.accounts.units[index(Unit::xform)][0] / std::uint64_t(config.xform_interval);
+/// Cycles in which a unit is busy with a piece of work, and rests before the next.
+int interval_of(const Config& config, Unit unit) {
+    switch (unit) {
+        case Unit::raygen: return config.raygen_interval;
+        case Unit::box: return config.box_interval();
+        case Unit::tri: return config.tri_interval;
+        case Unit::shade: return config.shade_interval;
+        case Unit::xform: return config.xform_interval;
+        default: return 1;
+    }
 }
 
+/// Transfers that bring a unit its work: docs/report.md has the link of each.
 std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
     switch (unit) {
-        case Unit::trav:
-        case Unit::node_cache:
-        case Unit::list: return run.visits;
-        case Unit::xform: return entered(config, run);
-        case Unit::prim_cache:
-        case Unit::tri: return run.triangle_tests;
+        case Unit::trav: return run.visits;
+        case Unit::list: return run.triangle_tests;
         case Unit::memory: return run.memory.reads;
-        case Unit::l2: return cache_account(run, Unit::l2).accesses;
-        default: return run.accounts.units[index(unit)][0];   // one a cycle
+        case Unit::node_cache:
+        case Unit::prim_cache:
+        case Unit::surf_cache:
+        case Unit::l2: return cache_account(run, unit).accesses;
+        default: return run.accounts.units[index(unit)][0] / std::uint64_t(interval_of(config, unit));
     }
 }
 

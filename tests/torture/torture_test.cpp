@@ -1,6 +1,11 @@
 // The torture set: model and RTL agree in every corner that it reaches, and it reaches them.
+#include <map>
+#include <set>
+
 #include <catch2/catch.hpp>
 
+#include "model/machine.hpp"
+#include "sim/report/accounts.hpp"
 #include "sim/report/lockstep.hpp"
 #include "sim/torture/torture.hpp"
 #include "tests/support/machine/build_all.hpp"
@@ -21,5 +26,65 @@ TEST_CASE("model and RTL agree under torture") {
         INFO(torture.name << "\n" << lockstep_lines(result));
         CHECK(result.agrees());
         CHECK(result.counters_compared);
+    }
+}
+
+TEST_CASE("the torture set has every engine, level, timing and interval") {
+    std::map<std::string, std::set<int>> seen;
+    for (const std::string& chip : torture_chips()) {
+        const Config c = torture_chip(chip);
+        for (const Config& level : {c.upper(), c.lower()}) seen["engine"].insert(int(level.engine()));
+        for (const Parameter& p : parameters())
+            if (p.member != &Config::xform_interval || c.has_instances()) seen[p.key].insert(c.*p.member);
+        seen["two engines"].insert(c.has_two_engines());
+        seen["homes"].insert(c.has_homes());
+        seen["lanes are fewer than children"].insert(c.has_boxes() && c.box_interval() > 1);
+    }
+    const std::set<int> both{0, 1};
+    CHECK(seen["engine"].size() == 5);   // an octree's is that of kd
+    CHECK(seen["levels"] == std::set<int>{1, 2});
+    for (const char* key :
+         {"timing", "primitive_test", "shading", "two engines", "homes", "lanes are fewer than children"}) {
+        INFO(key);
+        CHECK(seen[key] == both);
+    }
+    CHECK(seen["tri_interval"] == std::set<int>{1, 2, 4});
+    CHECK(seen["raygen_interval"] == std::set<int>{1, 2, 4, 8});
+    CHECK(seen["shade_interval"] == std::set<int>{1, 2, 4, 8});
+    CHECK(seen["xform_interval"] == std::set<int>{1, 4});   // 2 lies between
+    CHECK(seen["pipelines"] == std::set<int>{1, 2});
+}
+
+TEST_CASE("every count in a report is that of the transfers in a trace") {
+    for (const TortureCase& torture : torture_cases(GENERATE(from_range(torture_chips())))) {
+        const Config& config = torture.job.config;
+        const std::vector<FrameTrace> frames = record_torture(torture);
+        Machine machine(config, torture.job.khz, torture.traffic);
+        bring(machine, 0, std::span(frames));
+        std::array<std::uint64_t, link_count> moved{};
+        machine.start(frames[0].frame, frames[0].trace);
+        while (!machine.done()) machine.step([&](const Move& move) { ++moved[index(move.link)]; });
+        const FrameRun run = frame_run(
+            frames[0],
+            {machine.cycle(), machine.hits(), machine.accounts(), machine.memory().stats(), 0, false, {}});
+        const auto count = [&](Link link) { return moved[index(link)]; };
+        std::map<std::string, std::uint64_t> brought;   // by unit
+        for (std::size_t i = 0; i < link_count; ++i) {
+            const std::string name = link_infos[i].name;
+            if (name.ends_with("_req")) brought[link_infos[i].to] += moved[i];
+        }
+        brought["sched"] = count(Link::slot), brought["raygen"] = count(Link::ray);
+        brought["trav"] = config.is_list() ? frames[0].trace.visits : count(Link::node_req);
+        brought["list"] = count(Link::tri_rsp);
+        brought["dispatch"] = count(Link::tile);
+        brought["memport"] = count(config.l2_sets > 0 ? Link::l2_req : Link::mem_req);
+        for (const UnitAccount& a : unit_accounts(config, run)) {
+            INFO(torture.name << ", " << a.unit);
+            if (a.unit == "shade")   // whole passes, at least one for each answer
+                CHECK((a.busy == a.count * std::uint64_t(config.shade_interval) &&
+                       a.count >= count(Link::closest)));
+            else
+                CHECK(a.count == brought[a.unit]);
+        }
     }
 }
