@@ -87,7 +87,8 @@ Config listed_chip() {
     Config c = shading_chip();
     c.structure = int(Structure::none), c.timing = int(Timing::fast), c.shade_interval = 8;
     c.raygen_interval = 2, c.tri_interval = 1, c.node_width = 2, c.pipelines = 1, c.tile_bits = 3;
-    c.contexts = 16, c.l2_sets = 0, c.surf_line = 64, c.prim_line = 128, c.prim_sets = 8, c.addr_bits = 8,
+    c.tri_queue = c.shade_queue = 64;   // its pipelines are long
+    c.contexts = 32, c.l2_sets = 0, c.surf_line = 64, c.prim_line = 128, c.prim_sets = 8, c.addr_bits = 8,
     c.lights = 4, c.bounces = 4;
     return c;
 }
