@@ -46,15 +46,6 @@ public:
         if (below(4) == 0) v[std::size_t(below(3))] = v[std::size_t(below(3))];
         return v;
     }
-    /// Signed number of n bits, at most two away from an end or from nought.
-    std::int64_t at_an_end(int n) {
-        const std::int64_t most = std::int64_t((std::uint64_t(1) << (n - 1)) - 1), least = -most - 1;
-        const std::int64_t ends[] = {least, 0, 0, most};
-        return std::clamp<std::int64_t>(ends[below(4)] + between(-2, 2), least, most);
-    }
-    Vec3i vector_at_ends(int n) {
-        return {std::int32_t(at_an_end(n)), std::int32_t(at_an_end(n)), std::int32_t(at_an_end(n))};
-    }
     /// A lattice point near p, inside n bits.
     Vec3i near(const Vec3i& p, int reach, int n) {
         const int most = (1 << (n - 1)) - 1;

@@ -5,6 +5,7 @@
 #include "model/globe/globe.hpp"
 #include "model/oracle/exact.hpp"
 #include "model/raygen/raygen.hpp"
+#include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
@@ -66,10 +67,10 @@ inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     const int frac = config.origin_frac();
     GlobeNode& node = c.req.node;
     node.base = std::uint32_t(draw.natural(config.addr_bits));
-    node.org = draw.vector_at_ends(config.coord_bits);
+    node.org = vector_at_ends(draw, config.coord_bits);
     node.exp = std::uint32_t(draw.coin() ? 0 : draw.below(config.coord_bits - globe_bits + 2));
     const auto end = [&] {   // of a natural number
-        return std::uint32_t(draw.at_an_end(globe_bits)) & ((1u << globe_bits) - 1);
+        return std::uint32_t(at_an_end(draw, globe_bits)) & ((1u << globe_bits) - 1);
     };
     const auto width = std::uint32_t(config.node_width), inner = std::uint32_t(draw.below(int(width) + 1));
     for (std::uint32_t i = 0; i < width; ++i) {
@@ -79,7 +80,7 @@ inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     }
     const auto kind = RayKind(config.shading ? draw.below(3) : 0);
     const int bits = kind == RayKind::shadow ? config.ray_dir_bits() : config.dir_bits;
-    Vec3i o = draw.vector_at_ends(config.coord_bits), d = draw.vector_at_ends(bits);
+    Vec3i o = vector_at_ends(draw, config.coord_bits), d = vector_at_ends(draw, bits);
     for (auto& x : o) x = x * (1 << frac) + (kind == RayKind::bounce ? int(draw.natural(frac)) : 0);
     if (draw.coin())   // all but a power of two
         for (auto& x : d) x = ((1 << draw.below(bits)) - 1) * (draw.coin() ? 1 : -1);

@@ -98,24 +98,24 @@ inline SlantCase slant_case_at_ends(Draw& draw, const Config& config) {
     const auto kind = RayKind(config.shading ? draw.below(3) : 0);
     c.is_long = kind == RayKind::shadow;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
-    const Vec3i near = draw.vector_at_ends(n);
+    const Vec3i near = vector_at_ends(draw, n);
     Slant& s = c.req.slant;
     s.base = std::uint32_t(draw.natural(max_addr_bits));
     for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i) {
-        const Vec3i normal = draw.vector_at_ends(normal_step_bits);
+        const Vec3i normal = vector_at_ends(draw, normal_step_bits);
         for (std::size_t k = 0; k < 3; ++k) s.normal[3 * i + k] = normal[k];
-        s.at[i] = std::int32_t(draw.below(4) == 0 ? draw.at_an_end(config.offset_of_plane_bits())
+        s.at[i] = std::int32_t(draw.below(4) == 0 ? at_an_end(draw, config.offset_of_plane_bits())
                                                   : across(normal, near) + draw.between(-2, 2));
     }
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) s.kind[i] = std::uint32_t(draw.below(8));
     s.open = draw.coin();
-    const Vec3i a = draw.vector_at_ends(n), b = draw.vector_at_ends(n);
+    const Vec3i a = vector_at_ends(draw, n), b = vector_at_ends(draw, n);
     for (std::size_t k = 0; k < 3; ++k) {
         s.lo[k] = std::min(a[k], b[k]), s.hi[k] = std::max(a[k], b[k]);
         c.req.o[k] = near[k] * (1 << frac);
         if (kind == RayKind::bounce) c.req.o[k] += int(draw.natural(frac));
     }
-    set_direction(c, draw.vector_at_ends(c.is_long ? config.ray_dir_bits() : config.dir_bits), config);
+    set_direction(c, vector_at_ends(draw, c.is_long ? config.ray_dir_bits() : config.dir_bits), config);
     return c;
 }
 

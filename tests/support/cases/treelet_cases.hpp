@@ -1,6 +1,7 @@
 #pragma once
 // Requests for treelet, and the verdict of exact geometry on its answers and on those of slant.
 #include "model/oracle/exact.hpp"
+#include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
@@ -81,17 +82,17 @@ inline TreeletCase treelet_case_at_ends(Draw& draw, const Config& config) {
     const auto kind = RayKind(config.shading ? draw.below(3) : 0);
     c.is_long = kind == RayKind::shadow;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
-    const Vec3i near = draw.vector_at_ends(n);
+    const Vec3i near = vector_at_ends(draw, n);
     Treelet& t = c.req.treelet;
     t.base = std::uint32_t(draw.natural(max_addr_bits));
     for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
         t.axis[i] = std::uint32_t(draw.below(3));
-        t.at[i] = draw.coin() ? draw.vector_at_ends(n)[t.axis[i]] : draw.near(near, 2, n)[t.axis[i]];
+        t.at[i] = draw.coin() ? vector_at_ends(draw, n)[t.axis[i]] : draw.near(near, 2, n)[t.axis[i]];
     }
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) t.kind[i] = std::uint32_t(draw.below(8));
     t.open = draw.coin();
-    const Vec3i a = draw.vector_at_ends(n), b = draw.vector_at_ends(n);
-    c.d = draw.vector_at_ends(c.is_long ? config.ray_dir_bits() : config.dir_bits);
+    const Vec3i a = vector_at_ends(draw, n), b = vector_at_ends(draw, n);
+    c.d = vector_at_ends(draw, c.is_long ? config.ray_dir_bits() : config.dir_bits);
     for (std::size_t k = 0; k < 3; ++k) {
         t.lo[k] = std::min(a[k], b[k]), t.hi[k] = std::max(a[k], b[k]);
         c.req.o[k] = near[k] * (1 << frac);
