@@ -110,7 +110,7 @@ private:
             if (i == 0) t.job.image = image;
             Frame frame = view(prims, config_, i % 2 == 0 ? Size{9, 7} : Size{17, 3}, 0, dice_);
             shade(frame, image, 1 + i % 2);
-            frame.listed = image.listed;
+            set_listed(frame, image);
             t.frames.push_back(frame);
             t.uploads.push_back(std::move(upload));
         }
@@ -122,7 +122,11 @@ private:
         std::uint32_t root = 0;
         const std::vector<PrimData> prims = soup(config_, dice_, 21);
         TortureCase t = begin("last lines", image_at_the_end(prims, config_, dice_, "last lines", root));
-        for (int i = 0; i < 2; ++i) add(t, view(prims, config_, {9, 7}, 0, dice_)).root = root;
+        for (int i = 0; i < 2; ++i) {
+            Frame frame = view(prims, config_, {9, 7}, 0, dice_);
+            frame.root = root;
+            add(t, frame);
+        }
         end(std::move(t));
     }
 
@@ -170,7 +174,7 @@ private:
             std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
         TortureCase t = begin("corners " + std::to_string(step), image_of(prims, config_, dice_, "mesh"));
         t.frames.push_back(corner_view(config_, {9, 9}, step));
-        t.frames[0].listed = t.job.image.listed;
+        set_listed(t.frames[0], t.job.image);
         for (Vec3l* part : {&t.frames[0].corner, &t.frames[0].right, &t.frames[0].down})
             *part = turned(*part, turn);
         t.frames[0].eye = turned(t.frames[0].eye, turn);
@@ -362,10 +366,14 @@ private:
         if (config_.shading)
             frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
     }
+    /// How many primitives of a list follow the frame's first line.
+    void set_listed(Frame& frame, const MemoryImage& image) const {
+        if (config_.is_list()) frame.listed = image.listed - 2 * frame.root;
+    }
     /// The case gets the frame, with settings drawn at random.
     Frame& add(TortureCase& t, Frame frame, int samples = 1) {
         shade(frame, t.job.image, samples);
-        frame.listed = t.job.image.listed;
+        set_listed(frame, t.job.image);
         return t.frames.emplace_back(std::move(frame));
     }
     /// The same with as many bounces as can be.

@@ -45,8 +45,8 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
 /// All that a chip's memory holds; with two levels placed_image().
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      Look look = Look::any);
-/// The image of a list, which lies behind its surfaces, in the last lines that can be addressed: with the
-/// frame's first line in `root`.
+/// The image of a list that begins in line `root`, behind its surfaces, and ends with the last lines that can
+/// be addressed. Its `listed` counts from line 0 on.
 MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
                              const char* name, std::uint32_t& root);
 
