@@ -49,8 +49,8 @@ module rc_stack (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
-    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i('0), .set_i(end_valid), .set_at_i(end_ray),
-    .flags_o(used));
+    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(I'(0)), .set_i(end_valid),
+    .set_at_i(end_ray), .flags_o(used));
   rc_pick #(.Flags(rc_pkg::Contexts)) u_is_used (
     .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
   rc_cut #(.Width(H)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));

@@ -110,6 +110,8 @@ module rc_tree (
       a_one_answer: assert (!(decide_rsp_valid && mesh_rsp_valid))
       else $error("two nodes are decided in one cycle");
 `endif
+    logic unused;
+    assign unused = mesh_rsp_ready;
   end
 
   // What takes an instance, if there are two levels.

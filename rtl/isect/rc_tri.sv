@@ -142,6 +142,7 @@ module rc_tri (
   // t's divisor: of the sheared test it has the direction's size as a factor, whose product is
   // ready with those to be compared.
   logic [E-1:0] pre_den;
+  logic [D-1:0] pre_det;
   if (IsSheared) begin : gen_sheared
     logic [M-1:0]   f0_size;
     logic [D+M-1:0] f0_den;
@@ -235,7 +236,7 @@ module rc_tri (
   // The hit itself waits.
   localparam int unsigned Compare = Pre - Front;
   logic [U-1:0] pre_num;
-  logic [D-1:0] pre_det, pre_u, pre_v;
+  logic [D-1:0] pre_u, pre_v;
   logic [P-1:0] pre_prim;
   logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
   rc_aside #(.Width(U + 3 * D + 3), .Stages(Compare), .Every(Interval)) u_hit_aside (

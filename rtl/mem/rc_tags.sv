@@ -52,8 +52,8 @@ module rc_tags #(
 
   // The set that is cleared. It may start anywhere, but a simulator with unknown values must
   // see it start somewhere.
-  logic [SetW-1:0] clear_q, write_set;
-  initial clear_q = '0;
+  logic [SetW-1:0] clear_q = '0;
+  logic [SetW-1:0] write_set;
   always_ff @(posedge clk_i) if (!rst_ni) clear_q <= clear_q + 1'b1;
   assign write_set = rst_ni ? set_i : clear_q & SetW'(Sets - 1);
 

@@ -8,8 +8,7 @@ module rc_reset (
   input  logic rst_ni,
   output logic rst_no
 );
-  logic rst_q;
-  initial rst_q = 1'b0;
+  logic rst_q = 1'b0;
   always_ff @(posedge clk_i) rst_q <= rst_ni;
   assign rst_no = rst_q;
 endmodule

@@ -90,8 +90,8 @@ module rc_recip #(
   logic [Bits*Stages-1:0] quo;
   logic                   inexact;
   rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
-    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i('0), .den_i(m_q),
-    .quo_o(quo), .inexact_o(inexact));
+    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*Stages)'(0)),
+    .den_i(m_q), .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit wait beside the divider.
   logic top;

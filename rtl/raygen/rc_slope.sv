@@ -63,10 +63,10 @@ module rc_slope #(
   logic [2*Stages-1:0] x_quo, y_quo;
   logic                x_inexact, y_inexact;
   rc_divide #(.Width(M), .Stages(Stages)) u_x (
-    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_x_q), .low_i('0), .den_i(s1_z_q),
+    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_x_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
     .quo_o(x_quo), .inexact_o(x_inexact));
   rc_divide #(.Width(M), .Stages(Stages)) u_y (
-    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_y_q), .low_i('0), .den_i(s1_z_q),
+    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_y_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
     .quo_o(y_quo), .inexact_o(y_inexact));
 
   // The rest waits beside the dividers.

@@ -48,7 +48,7 @@ module rc_homes #(
   // ---- The point.
   logic [3*P-1:0] s3_o, s4_o;
   rc_ball u_ball (
-    .clk_i, .valid_i(turn_valid_i[3:0]), .turn_i(s0_turn_i), .sphere_i('1),
+    .clk_i, .valid_i(turn_valid_i[3:0]), .turn_i(s0_turn_i), .sphere_i(4'b1111),
     .s0_o_i, .s0_d_i, .s0_t_i, .s3_o_o(s3_o), .s4_o_o(s4_o));
   rc_delay #(.Width(3 * P), .Stages(1)) u_o (
     .clk_i, .valid_i(turn_valid_i[4]), .data_i(s4_o), .data_o(s5_o_o));

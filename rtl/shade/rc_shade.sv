@@ -108,10 +108,14 @@ module rc_shade (
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
   // An instance or its material has come; an instance is taken, either; a surface has come.
   logic              placing, placed, taken, came;
+  logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
   rc_pkg::surface_t            surface_came;    // what comes, if it is a surface,
   rc_pkg::placement_t          instance_came;   // or an instance
   logic [PlaceW-1:0] place_data, place;
+  assign surf_rsp      = surf_rsp_i;
+  assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
+  assign instance_came = rc_pkg::PlacementW'(surf_rsp);
   logic           arrived_valid, arrived_pop;
   logic [I-1:0]   arrived_ray;
   if (rc_pkg::Homes == 0) begin : gen_fetch
@@ -238,7 +242,6 @@ module rc_shade (
   logic [3*rc_pkg::DirBits-1:0]      d;
   logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
   logic [rc_pkg::WaitingW-1:0]       top, pushed;
-  logic [rc_pkg::SurfRspW-1:0]       surf_rsp;
   logic [I-1:0]                      end_ray, look_ray;
   logic                              look_valid;
   logic [rc_pkg::LookW-1:0]          look;
@@ -250,9 +253,6 @@ module rc_shade (
   logic                              passes;     // what rc_contexts keeps of it is there
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
-  assign surf_rsp     = surf_rsp_i;
-  assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
-  assign instance_came = rc_pkg::PlacementW'(surf_rsp);
   if (Every == 1) begin : gen_at_once
     assign pass_ray = ray;
     assign surface  = surface_found;

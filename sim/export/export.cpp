@@ -12,7 +12,7 @@
 
 namespace rayclock {
 
-extern const char* const bench_text;   // sim/export/rc_bench.sv
+extern const char *const bench_text, *const icarus_sed;   // sim/export/rc_bench.sv, icarus.sed
 
 namespace {
 
@@ -153,16 +153,6 @@ std::string bench(const Job& job, const Frame& frame, int settings, const Accoun
     std::string text = bench_text;
     return text.replace(text.find(mark), mark.size(), constants);
 }
-
-/// What Icarus 11 does not read: `int unsigned` in a localparam, a type of a package by its full name, and an
-/// $error that refuses parameters. Its always_comb starts anew at whatever a function in it computes, and
-/// never ends.
-constexpr const char* icarus_sed =
-    "s/\\bint unsigned\\b/[31:0]/\n"
-    "s/rc_pkg::\\([a-z0-9_]*_t\\)\\b/\\1/g\n"
-    "s/\\balways_comb\\b/always @*/\n"
-    "/^endpackage/a import rc_pkg::*;\n"
-    "/^  if (.*) begin : gen_refuse/,/^  end$/d\n";
 
 std::string readme(const Job& job, const std::string& title, const std::string& command,
                    std::uint64_t cycles) {

@@ -204,7 +204,7 @@ mutant(rtl_homes_round_lights_down FILE rtl/shade/rc_homes.sv TEST unit "the rtl
   OLD [[SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;]]
   NEW [[SW'($signed(s15_b[k*(N+K) +: N+K])) : Half;]])
 mutant(rtl_homes_tell_of_a_sphere_for_a_cycle FILE rtl/shade/rc_homes.sv TEST unit "the rtl's pass is the model's with instances"
-  OLD [[.sphere_i('1),]]
+  OLD [[.sphere_i(4'b1111),]]
   NEW [[.sphere_i(turn_valid_i[3:0]),]])
 
 # ---- What the judge of two levels must call a bug, without RTL and without a golden picture.

