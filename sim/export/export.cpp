@@ -175,14 +175,20 @@ The `.hex` files are in the format of `$readmemh`. An underscore stands between 
 
 With Verilator (5.006 or newer):
 
-    verilator --binary --timing -f chip.f rc_bench.sv --top-module rc_bench
-    obj_dir/Vrc_bench
+    verilator --binary --timing --x-assign unique --x-initial unique -f chip.f rc_bench.sv --top-module rc_bench
+    obj_dir/Vrc_bench +verilator+rand+reset+2 +verilator+seed+1
+    obj_dir/Vrc_bench +verilator+rand+reset+2 +verilator+seed+2 +seed=1
+
+Registers start at random values, by Verilator's own seed: a missing reset shows. With `+seed=N` the memory
+answers after random times and in any order, and the memory and the sink of the pixels are ready at random:
+the pixels are the same, the cycles and the counters are not, and the bench leaves these out.
 
 With Icarus Verilog 11, which knows unknown values and is much slower:
 
     cat $(grep '\.sv$' chip.f) rc_bench.sv | sed -f icarus.sed > icarus.sv
     iverilog -g2012 -DSYNTHESIS -s rc_bench -o icarus.vvp icarus.sv
     vvp icarus.vvp
+    vvp icarus.vvp +seed=1
 
 The bench prints PASS. Or it prints what differs and FAIL, and its exit code is not 0. The project's
 docs/chip.md describes the registers, the memory image, the ports and their protocols.

@@ -2,9 +2,14 @@
 //
 // It programs the frame as registers.hex says, starts it, and compares every pixel with
 // pixels.hex. Then it reads the registers of the frame's account, and compares them with
-// counters.hex. The memory answers a request after MemLatency cycles, and takes one every
-// MemInterval cycles: the account is for that memory. +nocounters leaves the account out,
-// for another memory, or for a chip without counters.
+// counters.hex.
+//
+// The memory answers a request after MemLatency cycles, takes one every MemInterval cycles, and
+// the sink takes every pixel at once: the account is for that. With +seed=N, N above 0, all three
+// are random: the latency of each request, and so the order of the answers; in which cycles the
+// memory takes a request; in which cycles the sink takes a pixel of each pipeline. The pixels stay
+// the same, and the account is left out. +nocounters leaves it out as well, for another memory or
+// for a chip without counters.
 `default_nettype none
 module rc_bench;
   // @settings@
@@ -28,7 +33,7 @@ module rc_bench;
   logic                             req_valid, req_ready, rsp_fires, running, done;
   logic [rc_pkg::MemReqW-1:0]       req;
   logic [rc_pkg::MemRspW-1:0]       rsp;
-  logic [rc_pkg::Pipelines-1:0]     hit_valid;
+  logic [rc_pkg::Pipelines-1:0]     hit_valid, hit_ready;
   logic [rc_pkg::Pipelines*HitW-1:0] hits;
   rc_chip u_chip (
     .clk_i(clk), .rst_ni(rst_n),
@@ -36,32 +41,74 @@ module rc_bench;
     .wb_dat_o(dat_from_chip), .wb_ack_o(ack), .wb_err_o(err),
     .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready), .mem_req_o(req),
     .mem_rsp_fires_i(rsp_fires), .mem_rsp_i(rsp),
-    .hit_valid_o(hit_valid), .hit_ready_i({rc_pkg::Pipelines{1'b1}}), .hit_o(hits),
+    .hit_valid_o(hit_valid), .hit_ready_i(hit_ready), .hit_o(hits),
     .running_o(running), .done_o(done));
 
-  // ---- The memory: requests in a ring, each with the cycle in which it is answered.
+  // ---- Chance, by a seed: the same numbers in every simulator (xorshift, 32 bits).
+  int          seed;
+  logic        random;
+  logic [31:0] chance;
+  function automatic logic [31:0] next_chance(input logic [31:0] old);
+    logic [31:0] a, b;
+    a           = old ^ (old << 13);
+    b           = a ^ (a >> 17);
+    next_chance = b ^ (b << 5);
+  endfunction
+  initial begin
+    if (!$value$plusargs("seed=%d", seed)) seed = 0;
+    random = seed != 0;
+    chance = 32'h9e3779b9 ^ seed;
+    if (chance == 0) chance = 1;
+  end
+  always @(posedge clk) chance <= next_chance(chance);
+
+  // ---- The memory: what each id waits for, and the cycle from which on it may be answered.
   localparam int AddrW = rc_pkg::AddrBits;
-  logic [rc_pkg::MemReqW-1:0] asked [0:Ids-1];
-  logic [31:0]                due   [0:Ids-1];
-  logic [31:0]                now, next_free, head, tail, from;
-  assign req_ready = now >= next_free;
-  assign rsp_fires = head != tail && due[head % Ids] <= now;
-  assign from      = 32'(asked[head % Ids][AddrW-1:0]);
-  assign rsp       = {asked[head % Ids][rc_pkg::MemReqW-1:AddrW], from < Lines ? image[from] : 512'd0};
+  localparam int IdW   = rc_pkg::MemIdBits;
+  logic             waits [0:Ids-1];
+  logic [AddrW-1:0] asked [0:Ids-1];
+  logic [31:0]      due   [0:Ids-1];
+  logic [31:0]      now, next_free, latency;
+  logic [IdW-1:0]   id;
+  logic             chosen;
+  int               again, k;   // ids that came again too soon
   always @(posedge clk) begin
     if (!rst_n) begin
-      now       <= 0;
-      next_free <= 0;
-      head      <= 0;
-      tail      <= 0;
+      now       = 0;
+      next_free = 0;
+      again     = 0;
+      req_ready <= 1'b1;
+      rsp_fires <= 1'b0;
+      rsp       <= '0;
+      hit_ready <= '1;
+      for (int i = 0; i < Ids; i++) waits[i] = 1'b0;
     end else begin
-      now <= now + 1;
-      if (rsp_fires) head <= head + 1;
       if (req_valid && req_ready) begin
-        asked[tail % Ids] <= req;
-        due[tail % Ids]   <= now + MemLatency;
-        tail              <= tail + 1;
-        next_free         <= now + MemInterval;
+        id        = req[rc_pkg::MemReqW-1 -: IdW];
+        latency   = MemLatency;
+        // Mostly up to 15 cycles more, sometimes up to 255.
+        if (random) latency = latency + (chance[10:8] == 0 ? 32'(chance[31:24]) : 32'(chance[3:0]));
+        if (waits[id]) again = again + 1;
+        waits[id] = 1'b1;
+        asked[id] = req[AddrW-1:0];
+        due[id]   = now + latency;
+        next_free = now + MemInterval;
+      end
+      // The next cycle.
+      now       = now + 1;
+      req_ready <= random ? chance[12:11] != 0 : now >= next_free;
+      for (int p = 0; p < rc_pkg::Pipelines; p++)
+        hit_ready[p] <= !random || chance[(p + 4) % 32] != chance[(p + 20) % 32];
+      rsp_fires <= 1'b0;
+      chosen    = 1'b0;
+      for (int i = 0; i < Ids; i++) begin
+        k = (i + (random ? int'(chance[23:16]) : 0)) % Ids;
+        if (!chosen && waits[k] && due[k] <= now) begin
+          chosen    = 1'b1;
+          waits[k]  = 1'b0;
+          rsp_fires <= 1'b1;
+          rsp       <= {IdW'(k), 32'(asked[k]) < Lines ? image[32'(asked[k])] : 512'd0};
+        end
       end
     end
   end
@@ -71,15 +118,26 @@ module rc_bench;
   logic [0:0]  given [0:Pixels-1];
   rc_pkg::hit_t hit;
   int          at;
+  logic [rc_pkg::Pipelines-1:0]      held;
+  logic [rc_pkg::Pipelines*HitW-1:0] held_hits;
   initial for (int i = 0; i < Pixels; i++) given[i] = 1'b0;
   always @(posedge clk) begin
     if (!rst_n) begin
       cycles = 0;
       seen   = 0;
       wrong  = 0;
+      held   = '0;
     end else begin
       if (running) cycles = cycles + 1;
-      for (int p = 0; p < rc_pkg::Pipelines; p++) if (hit_valid[p]) begin
+      // An offer that was not taken stays as it is.
+      for (int p = 0; p < rc_pkg::Pipelines; p++)
+        if (held[p] && (!hit_valid[p] || hits[p*HitW +: HitW] !== held_hits[p*HitW +: HitW])) begin
+          if (wrong < 10) $display("pipeline %0d changes a pixel that it offers", p);
+          wrong = wrong + 1;
+        end
+      held      = hit_valid & ~hit_ready;
+      held_hits = hits;
+      for (int p = 0; p < rc_pkg::Pipelines; p++) if (hit_valid[p] && hit_ready[p]) begin
         hit     = hits[p*HitW +: HitW];
         hit.ray = '0;   // which context made it hangs on the memory
         at      = int'(hit.y) * Width + int'(hit.x);
@@ -170,7 +228,8 @@ module rc_bench;
     check(done === 1'b1, "the frame does not end");
     repeat (4) @(negedge clk);
     check(seen == Pixels, "not every pixel came");
-    if (!$test$plusargs("nocounters")) begin
+    check(again == 0, "a request has the id of one that is not answered yet");
+    if (!random && !$test$plusargs("nocounters")) begin
       check(cycles == Cycles, "the frame took another number of cycles");
       read_account();
     end

@@ -20,8 +20,18 @@ Outcome in(const std::string& folder, const std::string& script) {
     return run_in_shell("cd '" + folder + "' && " + script, {"--version"});
 }
 
-/// The bench's own words.
-Outcome bench(const std::string& folder) { return in(folder, "obj_dir/Vrc_bench"); }
+/// As the README of an export says.
+Outcome build_bench(const std::string& folder) {
+    return in(folder,
+              "verilator --binary --timing --x-assign unique --x-initial unique -f chip.f rc_bench.sv "
+              "--top-module rc_bench -CFLAGS -O1 > build.log 2>&1");
+}
+
+/// The bench's own words. Registers start at random; with a seed above 0 so do the memory and the sink.
+Outcome bench(const std::string& folder, int seed = 0) {
+    return in(folder, "obj_dir/Vrc_bench +verilator+rand+reset+2 +verilator+seed+" +
+                          std::to_string(seed + 1) + " +seed=" + std::to_string(seed));
+}
 
 /// Changes the last digit of the line that holds `mark`, counted from the first that is no comment if empty.
 void spoil(const std::string& file, std::size_t line) {
@@ -52,9 +62,7 @@ TEST_CASE(
     CHECK(bytes_of(place + "/memory.bin").size() == 64 * (lines_of(bytes_of(place + "/memory.hex")) - 1));
     CHECK(folder.contents().count("chip/.rayclock") == 0);
 
-    const Outcome built = in(place,
-                             "verilator --binary --timing -f chip.f rc_bench.sv --top-module rc_bench "
-                             "-CFLAGS -O1 > build.log 2>&1");
+    const Outcome built = build_bench(place);
     INFO(bytes_of(place + "/build.log"));
     REQUIRE(built.code == 0);
     CHECK(bytes_of(place + "/build.log").find("%Warning") == std::string::npos);
@@ -62,6 +70,15 @@ TEST_CASE(
     CHECK(good.code == 0);
     CHECK_THAT(good.out,
                Contains("PASS: 192 pixels, " + std::to_string(json["cycles"].get<int>()) + " cycles"));
+    for (int seed = 1; seed <= 4; ++seed) {
+        INFO("seed " << seed);
+        const Outcome random = bench(place, seed);
+        CHECK(random.code == 0);
+        CHECK_THAT(random.out, Contains("PASS: 192 pixels, "));
+        // Its cycles are others, each seed's its own.
+        CHECK_THAT(random.out, !Contains(", " + std::to_string(json["cycles"].get<int>()) + " cycles"));
+        CHECK_THAT(random.out, !Contains(bench(place, seed + 1).out));
+    }
     for (const char* file : {"pixels.hex", "counters.hex", "memory.hex"}) {
         INFO(file);
         const std::string path = place + "/" + file, before = bytes_of(path);
@@ -69,9 +86,28 @@ TEST_CASE(
         const Outcome bad = bench(place);
         CHECK(bad.code != 0);
         CHECK_THAT(bad.out, Contains("FAIL") && !Contains("PASS"));
+        CHECK((bench(place, 1).code != 0) == (file != std::string("counters.hex")));
         std::ofstream(path, std::ios::binary) << before;
     }
     CHECK(bench(place).code == 0);
+}
+
+TEST_CASE("an export's test bench sees a register whose reset is missing", "[slow]") {
+    const Folder folder;
+    const std::string place = folder.name("chip");
+    REQUIRE(run_program({"export", "tetra:2", "--size", "16x12", "--config", "small", "-o", place}).code ==
+            0);
+    const std::string path = place + "/rtl/prim/rc_flags.sv", reset = "if (!rst_ni) begin";
+    std::string text = bytes_of(path);
+    REQUIRE(text.find(reset) != std::string::npos);
+    std::ofstream(path, std::ios::binary)
+        << text.replace(text.find(reset), reset.size(), "if (!rst_ni && 1'b0) begin");
+    REQUIRE(build_bench(place).code == 0);
+    // From registers that are 0 nothing shows.
+    CHECK_THAT(in(place, "obj_dir/Vrc_bench").out, Contains("PASS: "));
+    const Outcome seen = bench(place);
+    CHECK(seen.code != 0);
+    CHECK_THAT(seen.out, Contains("FAIL") && !Contains("PASS"));
 }
 
 TEST_CASE("an export's test bench passes under Icarus, where no value that matters is unknown") {
@@ -98,6 +134,8 @@ TEST_CASE("an export's test bench passes under Icarus, where no value that matte
         INFO(what[0] << ": " << bytes_of(place + "/icarus.log").substr(0, 500) << ran.out);
         CHECK(ran.code == 0);
         CHECK_THAT(ran.out, Contains("PASS: "));
+        if (what[0] == "tetra:2" && what[2] == "16x12")
+            CHECK_THAT(in(place, "timeout 120 vvp icarus.vvp +seed=1").out, Contains("PASS: "));
     }
 }
 
