@@ -92,6 +92,19 @@ std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice)
     return coarse;
 }
 
+/// The lattice point lies inside a sphere that is not seen from inside: none of its light comes out.
+bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t* at) {
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        if (scene.materials[scene.spheres[i].material].transmit > 0) continue;
+        const PrimData sphere = snap_primitive(scene, lattice, scene.triangles.size() + i);
+        std::int64_t square = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            square += std::int64_t(at[k] - sphere.a[k]) * (at[k] - sphere.a[k]);
+        if (square < std::int64_t(radius_squared(sphere, lattice.coord_bits))) return true;
+    }
+    return false;
+}
+
 /// No plane stands between the camera's eye and the point.
 bool is_clear(const Scene& scene, const glm::dvec3& point) {
     if (!scene.camera) return true;
@@ -146,7 +159,7 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
         const auto field = [n](std::uint64_t bits) {
             return std::int32_t(std::int64_t(bits << (64 - n)) >> (64 - n));
         };
-        prim.b = {field(square), field(square >> n), 0};
+        prim.b = {field(square), field(square >> n), scene.materials[sphere.material].transmit > 0};
         return prim;
     }
     const Plane& plane = scene.planes[i - scene.triangles.size() - scene.spheres.size()];
@@ -251,12 +264,13 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
         const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
                      nearer = size > most ? most / size : 1;
         frame.near[i] = std::round(size) <= within;
-        frame.clear[i] = is_clear(scene, scene.lights[i].position);
         for (std::size_t k = 0; k < 3; ++k) {
             frame.place[3 * i + k] = std::int32_t(std::round(at[int(k)] * nearer));
             frame.colour[3 * i + k] =
                 fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
         }
+        frame.clear[i] = is_clear(scene, scene.lights[i].position) &&
+                         !(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]));
     }
     return frame;
 }

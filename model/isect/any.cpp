@@ -102,10 +102,12 @@ Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config&
 bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;
-    if (sphere.prim == ray.self) return ray.inside != 0 && from_outside;
+    const bool seen_inside = is_seen_inside(sphere);
+    if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
     const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of
                                                                               // the radius
+    if (!seen_inside && end <= 0) return false;   // the point is inside and sees out
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
 }
@@ -122,6 +124,7 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
         leaves_surface(ray, config) && RayKind(ray.kind) != RayKind::camera && sphere.prim == ray.self;
     if (own && !ray.inside) return;
     const bool outside = m.power > 0, far = own || !outside;
+    if (far && !is_seen_inside(sphere)) return;
     if (outside ? m.along >= 0 || m.disc < 0 : m.power < 0 ? m.square == 0 : m.along >= 0) return;
     if (ends_at_any(ray.kind)) {
         out.closer = 1;

@@ -24,12 +24,17 @@ namespace rayclock {
 ///   From inside, C < 0: at the far root, if d is not 0. From on it, C = 0: at the far root if b < 0, else
 ///   never: t = 0 is no hit. A bounce's own sphere: not met if the ray is outside; if it is inside, the far
 ///   root, also where O was rounded to C > 0.
+/// An opaque sphere has no inside to be seen (is_seen_inside()): its far root is never a hit.
 /// A shadow ray, s = L - c, lattice units, d = 2^B (O - L); O is inside if |O - c|^2 < R2, by E = A + 2^(B+1)
 /// b + 4^B C < 0:
 ///   From outside: blocked if b < 0, D >= 0 and (E < 0 or -b 2^B < A): a root lies before O.
 ///   From inside: blocked if E > 0. From on it: blocked if b < 0 and E > 0.
 ///   The sphere of the point itself: not if it was seen from outside; if from inside, blocked if C > 0, the
 ///   light being outside.
+/// What counts is how the point sees the light, although the ray runs the other way. So an opaque sphere
+/// blocks in these cases only if O is outside, E > 0, and never if it is the point's own. A ray away from a
+/// light starts at the wrong end for that rule: the host answers for a light inside an opaque sphere
+/// (ShadeFrame::clear).
 ///
 /// The root. x = D / 4^k cut to 2 root_bits bits, k as small as that allows; p = floor(sqrt(x)). The near
 /// root takes r = p 2^k, not above sqrt(D); the far one r = p 2^k, or (p + 1) 2^k if p 2^k is not sqrt(D),
@@ -42,6 +47,9 @@ namespace rayclock {
 /// for `default`, 9 for the widest t. The hit to compare is num = t, det = 2^(M-1+F): among other hits it is
 /// exactly where it says it is. One that saturates ranks at all ones.
 void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out);
+
+/// A sphere is seen from its inside if its material transmits. Memory says so in the lowest bit of b[2].
+inline bool is_seen_inside(const PrimData& sphere) { return (sphere.b[2] & 1) != 0; }
 
 /// Bits of the sphere test's values, signed except for A, the root and the quotient's numerator. With N
 /// lattice, M direction, B fraction bits, components |s| < 2^(N+B), |d| <= 2^(M-1) of a bounce, |s| < 2^N,

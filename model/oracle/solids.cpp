@@ -71,13 +71,15 @@ bool is_self(const SolidRay& ray, std::uint32_t number) { return ray.self == num
 
 /// The sphere stands between the light, from which the ray comes, and its end at t = 1.
 /// A ray that ends on this very sphere: seen from outside it is not in its own way, since the light is on the
-/// same side; from inside it is if the light is outside.
+/// same side; from inside it is if the light is outside. A wall is a sphere that rays meet from outside only,
+/// and the point is where they start: one that holds the point is open to it.
 bool sphere_blocks(const SolidRay& ray, const Solid& sphere, bool own, int frac_end) {
     const Ball b = ball_of(ray, sphere);
-    if (own) return ray.inside && b.start > 0;
+    if (own) return sphere.is_glass && ray.inside && b.start > 0;
     // The way's end, its middle (where it is nearest to the centre) and its beginning tell all.
     const Int128 unit = Int128(1) << frac_end;
     const Int128 last = b.start * unit * unit + 2 * b.along * unit + b.square;
+    if (!sphere.is_glass && last <= 0) return false;
     if ((b.start < 0 && last > 0) || (b.start > 0 && last < 0)) return true;
     const Int128 middle = -b.along * unit;   // in units of square / 2^frac_end
     if (b.start > 0) return middle > 0 && middle < b.square && b.disc() >= 0;
@@ -139,6 +141,8 @@ Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
     const Ball b = ball_of(ray, sphere);
     if (b.square == 0 || sphere.radius_squared == 0 || (is_self && !ray.inside)) return Meets::no;
     const bool ahead = b.along < 0;   // the place nearest to the centre
+    if (!sphere.is_glass)             // goes in from outside, or passes
+        return !is_self && b.start > 0 && ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     Meets found = Meets::far;
     if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     if (b.start == 0) found = ahead ? Meets::far : Meets::no;

@@ -27,6 +27,7 @@ struct Solid {
     Corners corners;   ///< a triangle's; of a plane a corner of a square and the two next to it
     Vec3i centre{};    ///< of a sphere
     std::int64_t radius_squared = 0;
+    bool is_glass = false;   ///< of a sphere: its material transmits, so rays inside it meet it
 };
 
 struct SolidRay {

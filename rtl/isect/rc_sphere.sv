@@ -31,6 +31,7 @@ module rc_sphere #(
   input  logic [3*H-1:0] s0_d_i,
   input  logic [3*N-1:0] s0_c_i,        // centre
   input  logic [2*N-1:0] s0_rr_i,       // square of the radius
+  input  logic           s0_glass_i,    // seen from inside as well: its material transmits
   output logic           best_next_o,   // best is wanted in the next cycle
   input  logic           best_found_i,
   input  logic           best_first_i,  // this sphere's number is not the higher one
@@ -103,8 +104,8 @@ module rc_sphere #(
 
   // ---- s1: from the centre to the origin, 2^B (o - c); in lattice steps for a shadow ray.
   logic [2*W-1:0] s1_rr_q, s2_rr;
-  logic           s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q;
-  logic           s2_any, s2_shadow, s2_own, s2_inside;
+  logic           s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q;
+  logic           s2_any, s2_shadow, s2_own, s2_inside, s2_glass;
   assign s0_shadow = s0_any_i && !s0_leaves_i;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     localparam int unsigned X = H > S ? H : S;
@@ -146,7 +147,8 @@ module rc_sphere #(
     if (moves[0]) begin
       s1_rr_q <= s0_shadow ? {{(2*B){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*B){1'b0}}};
       {s1_any_q, s1_shadow_q}  <= {s0_any_i, s0_shadow};
-      {s1_own_q, s1_inside_q}  <= {s0_own_i, s0_inside_i};
+      {s1_own_q, s1_glass_q}   <= {s0_own_i, s0_glass_i};
+      s1_inside_q              <= s0_inside_i && s0_glass_i;
     end
   end
   if (Mul + Three == 1) begin : gen_rr_now
@@ -156,9 +158,10 @@ module rc_sphere #(
       .clk_i, .rst_ni, .valid_i(moves[AtS2-2:1]), .there_i(there[AtS2-2:1]), .data_i(s1_rr_q),
       .data_o(s2_rr));
   end
-  rc_delay #(.Width(4), .Stages(AtS2 - 1)) u_flags (
-    .clk_i, .valid_i(moves[AtS2-1:1]), .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q}),
-    .data_o({s2_any, s2_shadow, s2_own, s2_inside}));
+  rc_delay #(.Width(5), .Stages(AtS2 - 1)) u_flags (
+    .clk_i, .valid_i(moves[AtS2-1:1]),
+    .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q}),
+    .data_o({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}));
 
   // ---- s2: b = d.s, A = d.d, C = s.s - R2.
   logic signed [L-1:0] s2_along_q;
@@ -223,7 +226,7 @@ module rc_sphere #(
   logic signed [C-1:0]    s2_end, sum_end;
   logic signed [Foot-1:0] s2_foot, sum_foot;
   logic                   s2_on, s2_still, sum_on, sum_still, sum_out, sum_nearing;
-  logic                   s3_any, s3_shadow, s3_own, s3_inside;
+  logic                   s3_any, s3_shadow, s3_own, s3_inside, s3_glass;
   logic                   s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out;
   assign s2_end   = C'(s2_square_q) + (C'(s2_along_q) <<< (B + 1)) + (s2_power_q <<< (2 * B));
   assign s2_foot  = (Foot'(s2_along_q) <<< B) + Foot'(s2_square_q);
@@ -238,22 +241,24 @@ module rc_sphere #(
              !sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],
              !sum_end[C-1] && sum_end != '0}),
     .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
-  rc_delay #(.Width(4), .Stages(AtS3 + Cut - AtS2)) u_kind (
-    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]), .data_i({s2_any, s2_shadow, s2_own, s2_inside}),
-    .data_o({s3_any, s3_shadow, s3_own, s3_inside}));
+  rc_delay #(.Width(5), .Stages(AtS3 + Cut - AtS2)) u_kind (
+    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]),
+    .data_i({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}),
+    .data_o({s3_any, s3_shadow, s3_own, s3_inside, s3_glass}));
 
   // ---- s4: the discriminant, and all decisions.
   logic             s3_meets, s3_goes, s3_blocked;
   logic [Plain-1:0] s4_disc_q;
   assign s3_meets = s3_nearing && !s3_disc[D-1];
   assign s3_goes  = (!s3_own || s3_inside)
-                 && (s3_outside ? s3_meets : s3_on ? s3_nearing : !s3_still);
+                 && (s3_outside ? s3_meets : s3_glass && (s3_on ? s3_nearing : !s3_still));
   assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
   assign s3_far   = s3_own || !s3_outside;
   always_comb begin
     if (!s3_shadow)      s3_blocked = s3_goes;
     else if (s3_own)     s3_blocked = s3_inside && s3_outside;
-    else if (s3_outside) s3_blocked = s3_meets && (s3_end_in || s3_before);
+    else if (s3_outside) s3_blocked = s3_meets && (s3_end_in || s3_before)
+                                   && (s3_glass || s3_end_out);
     else                 s3_blocked = s3_end_out && (!s3_on || s3_nearing);
   end
   assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;

@@ -334,7 +334,7 @@ module rc_tri (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
       .s0_inside_i(in.is_inside), .s0_o_i(in.o), .s0_d_i(in.d),
-      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_next_o(best_next),
+      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .s0_glass_i(in_b[2*N]), .best_next_o(best_next),
       .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
       .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));

@@ -84,9 +84,21 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
-/// No plane stands between the eye and the light. Where one of them lies in a plane except for rounding,
-/// either is right.
-bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool stated) {
+/// The lattice point lies within a sphere whose inside is not seen, as the lattice has it.
+bool is_shut_in(const Asked& asked, const Vec3i& point) {
+    Scene round;
+    round.spheres = asked.scene.spheres, round.materials = asked.scene.materials;
+    for (const Solid& ball : solids_of(round, asked.lattice, asked.config.coord_bits)) {
+        const oracle::SolidRay start{point, 0, {}};
+        if (!ball.is_glass && oracle::ball_of(start, ball).start < 0) return true;
+    }
+    return false;
+}
+
+/// No plane stands between the eye and the light, and the light is not shut into an opaque sphere. Where eye
+/// or light lies in a plane except for rounding, either is right.
+bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated) {
+    if (is_shut) return !stated;
     if (!asked.scene.camera) return stated;
     bool clear = true;
     for (const Plane& plane : asked.scene.planes) {
@@ -111,8 +123,11 @@ void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
         const glm::dvec3 at = (light.position - asked.lattice.centre) / asked.lattice.pitch;
         const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
                      scale = std::min(1.0, reach / std::max(size, 1.0));
-        bool good = (frame.near[i] != 0) == (std::round(size) <= within) &&
-                    is_clear_as_stated(asked, light.position, frame.clear[i] != 0);
+        const bool is_near = std::round(size) <= within;
+        const Vec3i place{frame.place[3 * i], frame.place[3 * i + 1], frame.place[3 * i + 2]};
+        bool good = (frame.near[i] != 0) == is_near &&
+                    is_clear_as_stated(asked, light.position, is_near && is_shut_in(asked, place),
+                                       frame.clear[i] != 0);
         for (std::size_t k = 0; k < 3; ++k) {
             good = good && std::abs(at[int(k)] * scale - frame.place[3 * i + k]) <= 0.5 + 1e-6;
             good = good && frame.colour[3 * i + k] ==
@@ -143,7 +158,11 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
     for (const Sphere& s : scene.spheres) {
         const double radius = s.radius / lattice.pitch.x;
         const double square = std::min(std::round(radius * radius), std::exp2(2 * coord_bits) - 1);
-        solids.push_back({Solid::Kind::sphere, {}, lattice.snap(s.centre), std::int64_t(square)});
+        solids.push_back({Solid::Kind::sphere,
+                          {},
+                          lattice.snap(s.centre),
+                          std::int64_t(square),
+                          scene.materials[s.material].transmit > 0});
     }
     for (const Plane& p : scene.planes) {
         const PlaneOnLattice on = plane_on_lattice(p, lattice);
@@ -182,7 +201,8 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
             s.kind = std::uint32_t(PrimKind::sphere);
             s.a = solid.centre;
             s.b = {signed_part(solid.radius_squared, config.coord_bits),
-                   signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits), 0};
+                   signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits),
+                   solid.is_glass ? 1 : 0};
             break;
         case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
     }

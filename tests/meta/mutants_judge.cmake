@@ -134,7 +134,7 @@ mutant(judge_plane_rounded_to_zero FILE model/isect/any.cpp TEST simulate "spher
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
 mutant(judge_sphere_shades_itself FILE model/isect/any.cpp TEST simulate "balls:1 --depth 1"
-  OLD [[if (sphere.prim == ray.self) return ray.inside != 0 && from_outside;]]
+  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;]]
   NEW [[if (sphere.prim == ray.self) return from_outside;]])
 mutant(judge_sphere_left_is_met_again FILE model/isect/any.cpp TEST simulate "spheres --depth 3"
   OLD [[    if (own && !ray.inside) return;]]

@@ -19,7 +19,7 @@ void set_sphere(PrimData& p, const Vec3i& centre, std::uint64_t square, int bits
     p.kind = std::uint32_t(PrimKind::sphere);
     p.prim = 7;
     p.a = centre;
-    p.b = {field(square), field(square >> bits), 0};
+    p.b = {field(square), field(square >> bits), 1};
 }
 
 std::int64_t root(std::int64_t x) {

@@ -1,5 +1,6 @@
 // tri of a chip that shades: its decisions about single rays, worked out beside it.
 #include "model/isect/origin.hpp"
+#include "model/reference/round.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;
@@ -51,7 +52,7 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         r.d = d;
         r.self = self;
         r.inside = inside;
-        r.triangle = {{0, 0, 0}, {100 * 100, 0, 0}, {}, 9, 2};   // radius 100
+        r.triangle = {{0, 0, 0}, {100 * 100, 0, 1}, {}, 9, 2};   // radius 100
         return r;
     };
     const auto camera = [&](Vec3i o, Vec3i d) { return ray(0, scaled(o, config.origin_bits), d); };
@@ -67,53 +68,64 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
     };
     struct Case {
         TriReq req;
-        std::uint32_t closer, t, back;   // t in lattice steps
+        std::uint32_t closer, t, back, opaque;   // t in lattice steps; `opaque`: closer, if it is opaque
     };
     const int rim = 100 * one;
     const Case cases[] = {
-        {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0},     // from outside
-        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0},   // a touch
-        {camera({-300, 101, 0}, {full - 1, 0, 0}), 0, 0, 0},
-        {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},   // behind
-        {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1},   // from inside
-        {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1},
-        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},             // goes nowhere
-        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},    // on it, leaving
-        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},       // along it
-        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},     // on it, entering
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0},   // another's ray, a hair off its rim: 1 step at
-                                                             // most
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside
-        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside, and rounded inside
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1},   // its own, inside, and rounded outside
-        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 200, 1},
-        {bounce({rim + 1, 0, 0}, {full - 1, 0, 0}, 9, 1), 0, 0, 0},
-        {away({-300 * one, 0, 0}, {full - 1, 0, 0}), 1, 0, 0},
-        {away({-300 * one, 0, 0}, {-full, 0, 0}), 0, 0, 0},
-        {away({rim - 1, 0, 0}, {full - 1, 0, 0}), 1, 0, 0},
-        {away({rim - 1, 0, 0}, {full - 1, 0, 0}, 9), 0, 0, 0},
-        {away({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 0, 0},
-        {shadow({-300, 0, 0}, scaled({300, 0, 0}, config.origin_bits)), 1, 0, 0},
-        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0},   // a touch
-        {shadow({-300, 101, 0}, scaled({300, 101, 0}, config.origin_bits)), 0, 0, 0},
-        {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0},             // up to it
-        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0},         // into it
-        {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0},              // to its other side
-        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0},   // to its own point
-        {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0},   // to its own point, seen from inside
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0},       // the same, the light inside as well
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0},             // out of it
-        {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0},
-        {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0},                             // a light on it: away
-        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0},                            // through
-        {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                                // to a point of it
-        {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0},   // no way at all
+        {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0, 1},     // from outside
+        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0, 1},   // a touch
+        {camera({-300, 101, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},
+        {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},   // behind
+        {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1, 0},   // from inside
+        {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1, 0},
+        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0, 0},             // goes nowhere
+        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},    // on it, leaving
+        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0, 0},       // along it
+        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1, 0},     // on it, entering
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0, 1},   // another's ray, a hair off its rim: 1 step
+                                                                // at most
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},   // its own, outside
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},   // its own, outside, and rounded inside
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1, 0},   // its own, inside, and rounded
+                                                                        // outside
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 200, 1, 0},
+        {bounce({rim + 1, 0, 0}, {full - 1, 0, 0}, 9, 1), 0, 0, 0, 0},
+        {away({-300 * one, 0, 0}, {full - 1, 0, 0}), 1, 0, 0, 1},
+        {away({-300 * one, 0, 0}, {-full, 0, 0}), 0, 0, 0, 0},
+        {away({rim - 1, 0, 0}, {full - 1, 0, 0}), 1, 0, 0, 0},
+        {away({rim - 1, 0, 0}, {full - 1, 0, 0}, 9), 0, 0, 0, 0},
+        {away({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 0, 0, 0},
+        {shadow({-300, 0, 0}, scaled({300, 0, 0}, config.origin_bits)), 1, 0, 0, 1},
+        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0, 1},   // a touch
+        {shadow({-300, 101, 0}, scaled({300, 101, 0}, config.origin_bits)), 0, 0, 0, 0},
+        {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0, 0},             // up to it
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0, 0},         // into it
+        {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0, 0},              // to its other side
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0, 0},   // to its own point
+        {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0, 0},   // to its own point, seen from inside
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0, 0},       // the same, the light inside as well
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0, 1},             // out of it
+        {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0, 0},
+        {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0, 0},                             // a light on it: away
+        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0, 1},                            // through
+        {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0, 0},                                // to a point of it
+        {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0, 0},   // no way at all
     };
     std::vector<TriReq> requests;
     for (const Case& c : cases) requests.push_back(c.req);
+    for (const Case& c : cases) {
+        requests.push_back(c.req);
+        requests.back().triangle.b[2] = 0;
+    }
     TestType dut{config};
     const auto rsps = answers(dut, config, requests);
-    for (std::size_t i = 0; i < rsps.size(); ++i) {
+    for (std::size_t i = std::size(cases); i < rsps.size(); ++i) {
+        CAPTURE(i - std::size(cases));
+        REQUIRE(rsps[i].closer == cases[i - std::size(cases)].opaque);
+        REQUIRE(rsps[i].back == 0);
+        judge_any(requests[i], rsps[i], config);
+    }
+    for (std::size_t i = 0; i < std::size(cases); ++i) {
         CAPTURE(i, cases[i].req.kind, rsps[i].t);
         REQUIRE(rsps[i].closer == cases[i].closer);
         REQUIRE(rsps[i].back == cases[i].back);
@@ -123,6 +135,83 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
                     1);
         judge_any(requests[i], rsps[i], config);
     }
+}
+
+namespace {
+
+/// A ray between two small whole points and a sphere of whole radius about a third; nothing touches or begins
+/// on anything, so that doubles decide like integers.
+struct WholeMeeting {
+    Vec3i from{}, to{}, centre{};
+    int radius = 1;
+    bool is_glass = false;
+
+    explicit WholeMeeting(Draw& draw) : radius(draw.between(1, 5)), is_glass(draw.coin()) {
+        for (Vec3i* point : {&from, &to, &centre})
+            for (std::int32_t& x : *point) x = draw.between(-5, 5);
+    }
+    /// The square of the distance from the centre less that of the radius.
+    int outside(const Vec3i& point) const {
+        int sum = -radius * radius;
+        for (std::size_t k = 0; k < 3; ++k) sum += (point[k] - centre[k]) * (point[k] - centre[k]);
+        return sum;
+    }
+    bool is_clear_cut() const {
+        int along = 0, square = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            along += (from[k] - centre[k]) * (to[k] - from[k]);
+            square += (to[k] - from[k]) * (to[k] - from[k]);
+        }
+        return square != 0 && outside(from) != 0 && outside(to) != 0 &&
+               along * along != square * outside(from);
+    }
+    TriReq request(RayKind kind, const Config& c) const {
+        TriReq r;
+        r.kind = std::uint32_t(kind);
+        r.self = 1;
+        r.triangle = {centre, {radius * radius, 0, is_glass}, {}, 9, std::uint32_t(PrimKind::sphere)};
+        r.o = scaled(from, c.origin_bits);
+        const int length = kind == RayKind::shadow ? 1 << c.origin_bits : 1000;
+        for (std::size_t k = 0; k < 3; ++k) r.d[k] = (to[k] - from[k]) * length;
+        return r;
+    }
+    /// What the reference finds before `reach`, on the way from one end to the other.
+    RefClosest reference(const Vec3i& start, const Vec3i& end, double reach) const {
+        const auto place = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
+        RefClosest closest{.depth = reach, .primitive = no_primitive};
+        test_sphere({place(centre), double(radius), 9, is_glass},
+                    {place(start), glm::normalize(place(end) - place(start))}, closest);
+        return closest;
+    }
+};
+
+}   // namespace
+
+TEST_CASE("a sphere is met by the rays by which the reference meets it", "[any]") {
+    const Config config = any_format("default");
+    Draw draw{29};
+    int met[4][2][2] = {};   // [kind][glass][met]
+    for (int i = 0; i < 40000; ++i) {
+        const WholeMeeting m(draw);
+        if (!m.is_clear_cut()) continue;
+        for (const RayKind kind : {RayKind::camera, RayKind::bounce, RayKind::away, RayKind::shadow}) {
+            const TriRsp rsp = tri(m.request(kind, config), config);
+            CAPTURE(i, int(kind), m.is_glass, m.outside(m.from), m.outside(m.to));
+            // A shadow ray runs from the light to the point; the reference looks from the point.
+            const bool is_shadow = kind == RayKind::shadow;
+            const RefClosest right =
+                is_shadow ? m.reference(m.to, m.from,
+                                        glm::length(glm::dvec3(m.to[0] - m.from[0], m.to[1] - m.from[1],
+                                                               m.to[2] - m.from[2])))
+                          : m.reference(m.from, m.to, HUGE_VAL);
+            REQUIRE((rsp.closer != 0) == (right.primitive == 9));
+            if (rsp.closer && !ends_at_any(std::uint32_t(kind)))
+                REQUIRE((rsp.back != 0) == (m.outside(m.from) < 0));
+            ++met[int(kind)][m.is_glass][rsp.closer];
+        }
+    }
+    for (const auto& of_kind : met)
+        for (const auto& of_look : of_kind) CHECK((of_look[0] > 2000 && of_look[1] > 2000));
 }
 
 TEST_CASE("spheres, planes and triangles are ranked by one measure", "[any]") {

@@ -24,14 +24,14 @@ Config tiny() {
 }
 
 /// The `number`-th request about the sphere: origin, direction, then radius; its centre lies in the middle or
-/// at a corner, whether it is the ray's own and the ray inside goes through all by `number`.
+/// at a corner. Whether it is seen from inside, is the ray's own, and the ray inside: also by `number`.
 struct Space {
     std::uint32_t kind;
     Vec3i centre;
     std::uint64_t size(const Config& c) const {
         const int o = kind == 1 || kind == 3 ? c.origin_width() : c.coord_bits,
                   d = kind == 2 ? c.origin_width() : c.dir_bits;
-        return std::uint64_t(1) << (3 * o + 3 * d + 2 * c.coord_bits + (kind == 0 ? 0 : 2));
+        return std::uint64_t(1) << (3 * o + 3 * d + 2 * c.coord_bits + (kind == 0 ? 1 : 3));
     }
     TriReq at(std::uint64_t number, const Config& c) const {
         const auto take = [&](int bits) {
@@ -60,6 +60,7 @@ struct Space {
             for (auto& x : r.o) x *= 1 << c.origin_bits;
         if (kind == 2)   // so far `d` was the end
             for (std::size_t k = 0; k < 3; ++k) r.d[k] -= r.o[k];
+        r.triangle.b[2] = std::int32_t(take(1));
         if (kind != 0) r.self = take(1) ? 5 : 4, r.inside = std::uint32_t(take(1));
         return r;
     }
@@ -81,6 +82,10 @@ Truth truth(const TriReq& r, const Config& c) {
     const auto f = [&](std::int64_t x) { return a * x * x + 2 * b * x + start; };
     const bool own = r.kind != 0 && r.self == r.triangle.prim;
     const bool dips = a > 0 && b < 0 && a * start <= b * b;   // goes down to 0 or below somewhere ahead
+    if (is_opaque(r)) {   // met from outside only, and a shadow ray's point is where one looks from
+        const bool between = start > 0 ? dips && -b < a : start < 0 || b < 0;
+        return {!own && (r.kind == 2 ? f(1) > 0 && between : start > 0 && dips), false};
+    }
     if (r.kind == 2) {
         if (own) return {r.inside && start > 0, false};
         if (start > 0) return {f(1) < 0 || (dips && -b < a), false};

@@ -96,7 +96,7 @@ std::vector<TriReq> extremes(const Config& c) {
                                        : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2)
                                                     : 0;
             r.triangle.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)),
-                            std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
+                            std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), i % 3 > 0};
         }
         r.o = leaves(r) ? extreme(i >> 9, n + b) : scaled(extreme(i >> 9, n), b);
         r.d = extreme(i >> 12, c.dir_bits);

@@ -46,6 +46,7 @@ inline bool leaves(const TriReq& r) {
 inline bool is_sphere(const TriReq& r, const Config& c) {
     return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
 }
+inline bool is_opaque(const TriReq& sphere) { return sphere.triangle.b[2] == 0; }
 inline bool is_plane(const TriReq& r, const Config& c) {
     return c.planes && PrimKind(r.triangle.kind) == PrimKind::plane;
 }
@@ -105,9 +106,17 @@ inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c)
 }
 inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
+    if (is_opaque(r) && ((leaves(r) && r.self == r.triangle.prim) || ball.outside(0) <= 0))
+        return oracle::Meets::no;
     if (leaves(r) && r.self == r.triangle.prim)
         return r.inside ? oracle::meets_from_its_surface(ball) : oracle::Meets::no;
     return oracle::meets(ball);
+}
+/// From the line's end, which lies outside of the sphere, the way back to its beginning meets it.
+inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
+    oracle::Ball back = ball;
+    for (std::size_t k = 0; k < 3; ++k) back.o[k] += end * back.d[k], back.d[k] = -back.d[k];
+    return back.outside(0) > 0 && oracle::between(back, end);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
     if (r.finite && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
@@ -116,6 +125,7 @@ inline bool blocked_truth(const TriReq& r, const Config& c) {
     const oracle::Rational end = oracle::power_of_two(-c.origin_bits);
     if (is_sphere(r, c)) {
         const oracle::Ball ball = ball_of(r, c);
+        if (is_opaque(r)) return r.self != r.triangle.prim && is_in_sight(ball, end);
         return r.self == r.triangle.prim ? r.inside && ball.outside(0) > 0 : oracle::between(ball, end);
     }
     const auto at = flat_crossing(r, c);
@@ -244,7 +254,7 @@ inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
         0, 1, most, square, square + 1, square - 1, square / 4, square + reach2, draw.natural(2 * n), reach2};
     const std::uint64_t room = std::min(rooms[draw.below(int(std::size(rooms)))], most);
     p.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)),
-           std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
+           std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), std::int32_t((room ^ p.prim) & 1)};
     p.c = {};
     return p;
 }
