@@ -25,17 +25,17 @@ mutant(model_sphere_near_root_rounded_up FILE model/isect/any.cpp TEST unit "tri
 mutant(model_sphere_light_on_it_is_inside FILE model/isect/any.cpp TEST unit "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
   NEW [[return end > 0;]])
-mutant(model_opaque_sphere_met_by_bounces FILE model/isect/any.cpp TEST unit "a sphere is told from its inside* - Model*"
+mutant(model_opaque_sphere_met_by_bounces FILE model/isect/any.cpp TEST unit "*its rim and its own rays - Model*"
   OLD [[    if (far && !is_seen_inside(sphere)) return;
 ]]
   NEW [[]])
-mutant(model_opaque_sphere_about_a_point_shades_it FILE model/isect/any.cpp TEST unit "a sphere is told from its inside* - Model*"
+mutant(model_opaque_sphere_about_a_point_shades_it FILE model/isect/any.cpp TEST unit "*its rim and its own rays - Model*"
   OLD [[if (!seen_inside && end <= 0) return false;]]
   NEW [[]])
 mutant(model_opaque_sphere_shades_its_own_inside FILE model/isect/any.cpp TEST unit "tri is right for secondary rays and spheres*"
   OLD [[return seen_inside && ray.inside]]
   NEW [[return ray.inside]])
-mutant(model_clear_sphere_is_the_opaque_one FILE model/isect/any.hpp WITH model/isect/any.cpp TEST unit "a sphere is told from its inside* - Model*"
+mutant(model_clear_sphere_is_the_opaque_one FILE model/isect/any.hpp WITH model/isect/any.cpp TEST unit "*its rim and its own rays - Model*"
   OLD [[return (sphere.b[2] & 1) != 0;]]
   NEW [[return (sphere.b[2] & 1) == 0;]])
 mutant(host_opaque_bit_upside_down FILE model/accel/surfaces.cpp TEST system "spheres seen from both sides*"

@@ -84,16 +84,16 @@ mutant(sphere_on_its_rim_is_behind FILE rtl/isect/rc_sphere.sv TEST unit "a sphe
 mutant(sphere_disc_one_bit_short FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[? 2 * (M + W) + 2 : 2 * (N + W) + 4;]]
   NEW [[? 2 * (M + W) + 1 : 2 * (N + W) + 3;]])
-mutant(sphere_opaque_met_by_bounces FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside* - Rtl*"
+mutant(sphere_opaque_met_by_bounces FILE rtl/isect/rc_sphere.sv TEST unit "*its rim and its own rays - Rtl*"
   OLD [[s3_meets : s3_glass && (s3_on]]
   NEW [[s3_meets : (s3_on]])
-mutant(sphere_opaque_about_a_point_shades_it FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside* - Rtl*"
+mutant(sphere_opaque_about_a_point_shades_it FILE rtl/isect/rc_sphere.sv TEST unit "*its rim and its own rays - Rtl*"
   OLD [[&& (s3_glass || s3_end_out);]]
   NEW [[;]])
-mutant(sphere_opaque_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside* - Rtl*"
+mutant(sphere_opaque_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "*its rim and its own rays - Rtl*"
   OLD [[s1_inside_q              <= s0_inside_i && s0_glass_i;]]
   NEW [[s1_inside_q              <= s0_inside_i;]])
-mutant(sphere_clear_is_the_opaque_one FILE rtl/isect/rc_tri.sv TEST unit "a sphere is told from its inside* - Rtl*"
+mutant(sphere_clear_is_the_opaque_one FILE rtl/isect/rc_tri.sv TEST unit "*its rim and its own rays - Rtl*"
   OLD [[.s0_glass_i(in_b[2*N])]]
   NEW [[.s0_glass_i(!in_b[2*N])]])
 mutant(sphere_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
