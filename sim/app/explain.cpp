@@ -27,6 +27,7 @@ struct Options {
     FramesOptions frames;
     TrafficOptions traffic;
     bool steps = false, no_reference = false, no_judge = false;
+    LimitsChoice limits;
     int threads = 0;
     std::string report;
     JsonOutput json;
@@ -45,13 +46,15 @@ void declare(Parser& parser, Options& o) {
     frames_options(parser, o.frames);
     parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
     judge_option(parser, o.no_judge);
+    limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     parser.option("--report", o.report, "one HTML file: the rays' paths through the tree, and every step");
     json_option(parser, o.json);
 }
 
-nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, const Explanation& e) {
+nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, const Explanation& e,
+                               const nlohmann::ordered_json& limits) {
     return {{"scene", scene_json(request.scene)},
             {"config", config_json_object(request.config)},
             {"frame", {{"width", size.width}, {"height", size.height}}},
@@ -62,7 +65,8 @@ nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, co
             {"context", e.story.context},
             {"cost", pixel_cost_json(e.costs, e)},
             {"rays", rays_json(e)},
-            {"colour", colour_json(e.colour)}};
+            {"colour", colour_json(e.colour)},
+            {"limits", limits}};
 }
 
 int run(const Options& o) {
@@ -70,6 +74,7 @@ int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
     const Traffic traffic = traffic_of(o.traffic);
+    const Limits limits = limits_of(o.limits);
     o.json.check();
     if (!o.report.empty()) {
         check_writable(o.report);
@@ -92,17 +97,20 @@ int run(const Options& o) {
     if (costs.partial) throw std::runtime_error("interrupted");
     observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
+    std::optional<FrameError> error;
     if (!o.no_reference) {
         const Trace& trace = traces.back().trace;
-        e.colour = colour_finding(
-            compare(request, job,
-                    {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
-                    !o.no_judge, o.threads, progress, pixel),
-            pixel);
+        const Compared compared = compare(
+            request, job, {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
+            !o.no_judge, o.threads, progress, pixel);
+        e.colour = colour_finding(compared, pixel);
+        error = compared.error;
     }
+    const std::string far = error ? far_from_reference(limits, *error) : "";
     if (!o.json.is_alone())
-        write_output(heading(request.scene, size, job) + "\n" + explanation_text(e, o.steps));
-    const nlohmann::ordered_json json = json_of(request, size, e);
+        write_output((far.empty() ? "" : far + "\n") + heading(request.scene, size, job) + "\n" +
+                     explanation_text(e, o.steps));
+    const nlohmann::ordered_json json = json_of(request, size, e, limits_json(limits, error));
     if (!o.report.empty())
         write_bytes(o.report, explanation_page(
                                   json, heading(request.scene, size, job) + "\n" + explanation_text(e, true),

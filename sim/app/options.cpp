@@ -78,6 +78,39 @@ void judge_option(Parser& parser, bool& no_judge) {
                 "leave out the exact judge of all rays and colours, and the causes of pixels that differ");
 }
 
+void limits_options(Parser& parser, LimitsChoice& o) {
+    constexpr const char* group = "Limits (a picture beyond one of them is FAR FROM THE REFERENCE)";
+    const Limits usual;
+    parser
+        .option(
+            "--max-other", o.max_other,
+            fmt::format("most pixels that hold another primitive than the reference's; {:g}% if not given",
+                        usual.max_other))
+        .under(group);
+    parser
+        .option("--min-psnr", o.min_psnr,
+                fmt::format("least PSNR of the picture against the reference's, in dB; {:g} if not given",
+                            usual.min_psnr))
+        .under(group);
+    parser
+        .option(
+            "--max-depth-error", o.max_depth_error,
+            fmt::format("most that the depth of a pixel with the right primitive may be off, as a share of "
+                        "the reference's depth; {:g}% if not given",
+                        usual.max_depth_error))
+        .under(group);
+}
+
+Limits limits_of(const LimitsChoice& o) {
+    check_psnr(o.min_psnr);
+    Limits limits;
+    if (o.max_other) limits.max_other = parse_percent("--max-other", *o.max_other, true);
+    if (o.min_psnr) limits.min_psnr = *o.min_psnr;
+    if (o.max_depth_error)
+        limits.max_depth_error = parse_any_percent("--max-depth-error", *o.max_depth_error);
+    return limits;
+}
+
 void fresh_option(Parser& parser, bool& fresh) {
     parser.flag("--fresh", fresh,
                 "work everything out again, and take no finished result of an earlier run from the cache");

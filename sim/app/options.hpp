@@ -5,6 +5,7 @@
 #include "model/mem/memport.hpp"
 #include "sim/app/parser.hpp"
 #include "sim/film/film.hpp"
+#include "sim/report/limits.hpp"
 #include "sim/request/config_file.hpp"
 #include "sim/request/request.hpp"
 
@@ -22,6 +23,16 @@ void config_options(Parser& parser, ConfigChoice& config);
 void finished_options(Parser& parser, Finish& finish);
 void view_options(Parser& parser, ViewChoice& view);
 void judge_option(Parser& parser, bool& no_judge);
+
+/// How far the picture may be from the reference's, as typed.
+struct LimitsChoice {
+    std::optional<std::string> max_other, max_depth_error;
+    std::optional<double> min_psnr;
+};
+void limits_options(Parser& parser, LimitsChoice& limits);
+/// Throws UserError.
+Limits limits_of(const LimitsChoice& limits);
+
 void fresh_option(Parser& parser, bool& fresh);
 void netlist_option(Parser& parser, bool& no_netlist);
 
@@ -38,6 +49,8 @@ std::uint64_t parse_rays(const std::string& text);
 /// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if
 /// `zero`.
 double parse_percent(const std::string& option, const std::string& typed, bool zero);
+/// "320%". Throws UserError unless it is a percentage that is not negative.
+double parse_any_percent(const std::string& option, const std::string& typed);
 /// Throws UserError unless --min-psnr lies above 0 and not above 200.
 void check_psnr(const std::optional<double>& psnr);
 

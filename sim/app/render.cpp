@@ -38,6 +38,8 @@ struct Options {
     Finish finish;
     ViewChoice view;
     FramesOptions frames;
+    bool compare = false;
+    LimitsChoice limits;
     int threads = 0;
     JsonOutput json;
 };
@@ -55,6 +57,8 @@ void declare(Parser& parser, Options& o) {
             "-o,--output", o.output,
             "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
         .required();
+    parser.flag("--compare", o.compare, "set the picture of the model or the RTL beside the reference's");
+    limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -108,15 +112,28 @@ Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& pr
                                    : draw_machine(request, film.job(), o.engine == "rtl", progress);
 }
 
+/// The picture beside the reference's; of several frames, the one with the least PSNR.
+struct Comparison {
+    std::optional<FrameError> error;
+
+    void add(const Drawn& drawn, const Request& request, FrameSize size, int threads,
+             const Progress& progress) {
+        const Drawn reference = draw_reference(request, size, threads, progress);
+        const FrameError next = frame_error(drawn.hits, drawn.picture, reference.hits, reference.picture);
+        if (!error || next.psnr_db < error->psnr_db) error = next;
+    }
+};
+
 /// Numbered pictures, each drawn as if it were the only one, and the film of them.
 std::string draw_all(const Options& o, Film& film, FrameSize size, const Progress& progress,
-                     nlohmann::ordered_json& json) {
+                     Comparison& comparison, nlohmann::ordered_json& json) {
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
     for (std::size_t f = 0; f < film.frames(); ++f) {
         const Drawn drawn = draw_next(o, film, size, progress);
         stop_if_interrupted();
         write_pictures(o.output, {{frame_name(f), drawn.picture, drawn.hits}});
         digests.push_back(drawn.json.at("digest"));
+        if (o.compare) comparison.add(drawn, film.request(), size, o.threads, progress);
     }
     json["digests"] = digests;
     return make_film(o.output, film.frames(), film.times().fps);
@@ -126,6 +143,9 @@ int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
+    if (o.compare && o.engine == "reference")
+        throw UserError("--compare needs --engine model or rtl: the reference is what it compares with");
+    const Limits limits = limits_of(o.limits);
     o.json.check();
     catch_interrupts();
     const Progress progress = stopping(terminal_progress());   // also for who waits for the file
@@ -141,23 +161,33 @@ int run(const Options& o) {
         check_picture_path(o.output);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     std::string said;
+    Comparison comparison;
     if (is_film) {
-        said = draw_all(o, film, size, progress, json);
+        said = draw_all(o, film, size, progress, comparison, json);
     } else {
         const Drawn drawn = draw_next(o, film, size, progress);
         stop_if_interrupted();
         write_picture(o.output, drawn.picture, drawn.hits, interrupted);
         json = drawn.json;
+        if (o.compare) comparison.add(drawn, film.request(), size, o.threads, progress);
     }
     const double seconds = watch.seconds();
     const Scene& scene = film.request().scene;
-    if (!o.json.is_alone())
-        fmt::print("{}: {}, {}x{}, {} -> {}\n{}", scene.name, primitives_text(scene), size.width, size.height,
-                   o.engine, printable(o.output), said.empty() ? "" : "  " + said + "\n");
+    if (!o.json.is_alone()) {
+        const std::string far = comparison.error ? far_from_reference(limits, *comparison.error) : "";
+        fmt::print("{}{}: {}, {}x{}, {} -> {}\n{}{}", far.empty() ? "" : far + "\n", scene.name,
+                   primitives_text(scene), size.width, size.height, o.engine, printable(o.output),
+                   said.empty() ? "" : "  " + said + "\n",
+                   comparison.error ? error_line("against the reference", *comparison.error) : "");
+    }
     nlohmann::ordered_json report{{"scene", scene_json(scene)},
                                   {"frame", {{"width", size.width}, {"height", size.height}}},
                                   {"engine", o.engine}};
     report.update(json);
+    if (comparison.error) {
+        report["error"] = error_json(comparison.error, std::nullopt);
+        report["limits"] = limits_json(limits, comparison.error);
+    }
     report["host"] = {{"seconds", seconds}};
     o.json.write(report);
     return 0;

@@ -40,6 +40,7 @@ struct Options {
     FramesOptions frames;
     TrafficOptions traffic;
     bool no_reference = false, no_judge = false;
+    LimitsChoice limits;
     int threads = 0;
     std::string report, output;
     JsonOutput json;
@@ -56,6 +57,7 @@ void declare(Parser& parser, Options& o) {
     frames_options(parser, o.frames);
     parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
     judge_option(parser, o.no_judge);
+    limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     parser.option("--report", o.report,
@@ -185,8 +187,10 @@ Totals totals_of(const Simulated& s) {
     return t;
 }
 
-void print(const Work& work, const Simulated& s, const Totals& t, double seconds) {
+void print(const Work& work, const Simulated& s, const Limits& limits, const Totals& t, double seconds) {
     const Config& config = work.request().config;
+    const std::string far = s.compared ? far_from_reference(limits, s.compared->error) : "";
+    if (!far.empty()) fmt::print("{}\n", far);
     fmt::print("{}\n{}{}\n{}\n{}", heading(work.request().scene, work.size, work.job()),
                clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
                unit_table(config, s.runs));
@@ -200,7 +204,8 @@ void print(const Work& work, const Simulated& s, const Totals& t, double seconds
     if (s.partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
 }
 
-nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Totals& t) {
+nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Limits& limits,
+                               const Totals& t) {
     const Config& config = work.request().config;
     const FrameRun& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
@@ -225,6 +230,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, s.runs[0].khz, frame)},
             {"error", error_json(s.error(), s.judgement())},
+            {"limits", limits_json(limits, s.error())},
             {"judge", judge_json(s.judgement())},
             {"host",
              {{"seconds", t.engine_seconds},
@@ -325,6 +331,7 @@ int run(const Options& o) {
     if (o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
+    const Limits limits = limits_of(o.limits);
     o.json.check();
     if (!o.output.empty()) check_picture_folder(o.output, {"picture.png", "reference.png", "difference.png"});
     if (!o.report.empty()) {
@@ -345,8 +352,8 @@ int run(const Options& o) {
     const double seconds = watch.seconds();
 
     const Totals totals = totals_of(simulated);
-    if (!o.json.is_alone()) print(work, simulated, totals, seconds);
-    nlohmann::ordered_json json = json_of(o, work, simulated, totals);
+    if (!o.json.is_alone()) print(work, simulated, limits, totals, seconds);
+    nlohmann::ordered_json json = json_of(o, work, simulated, limits, totals);
     if (!o.report.empty() && !simulated.partial) {
         const FrameCosts costs = watch_frame(work, simulated, traffic, nullptr, progress);
         json["work_by_kind"] = work_by_kind_json(costs);

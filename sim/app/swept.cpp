@@ -21,10 +21,12 @@ void sweep_outputs(Parser& parser, SweepOutputs& o) {
                   "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
     parser.option("--report", o.report,
                   "one HTML file: all points in linked charts, fronts, each axis alone");
+    limits_options(parser, o.limits);
     json_option(parser, o.json);
 }
 
 void check_outputs(const SweepOutputs& o) {
+    limits_of(o.limits);
     o.json.check();
     if (!o.table.empty()) check_writable(o.table);
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
@@ -41,7 +43,10 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
     const std::vector<sweep::Result>& results = swept.outcome.results;
     const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
     const std::string scene = swept.scene.at("name").get<std::string>();
+    const Limits limits = limits_of(o.limits);
+    const std::string far = sweep::far_points(axes, results, limits);
     if (!o.json.is_alone()) {
+        if (!far.empty()) write_output(far + "\n");
         write_output(fmt::format("{}, {}x{}: {}\n{}", printable(scene), swept.size.width, swept.size.height,
                                  how, sweep::text(axes, swept.outcome, front)));
         if (swept.outcome.partial)
@@ -52,7 +57,7 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
     if (!o.report.empty()) {
         std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
         for (auto& version : versions()) origin.push_back(std::move(version));
-        write_bytes(o.report, sweep::sweep_page(swept, front, origin));
+        write_bytes(o.report, sweep::sweep_page(swept, front, far, origin));
     }
     o.json.write({{"scene", swept.scene},
                   {"config", config_json_object(swept.config)},
@@ -65,6 +70,7 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
                     {"cost", front.measures[1].key},
                     {"speed", front.measures[2].key}}},
                   {"knee", sweep::knee_json(axes, results, front)},
+                  {"limits", sweep::far_json(axes, results, limits)},
                   {"points", sweep::points_json(axes, results, front)}});
 }
 

@@ -7,6 +7,7 @@ namespace rayclock {
 
 struct SweepOutputs {
     std::string table, plot, report;
+    LimitsChoice limits;
     JsonOutput json;
 };
 void sweep_outputs(Parser& parser, SweepOutputs& o);

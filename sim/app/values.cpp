@@ -92,7 +92,9 @@ std::uint64_t parse_rays(const std::string& text) {
                     " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
 }
 
-double parse_percent(const std::string& option, const std::string& typed, bool zero) {
+namespace {
+
+double percentage(const std::string& option, const std::string& typed) {
     std::string number = typed;
     if (!number.empty() && number.back() == '%')
         number.pop_back();
@@ -110,9 +112,22 @@ double parse_percent(const std::string& option, const std::string& typed, bool z
         used > 0 && used == number.size() && number.find_first_not_of("0123456789.e-") == std::string::npos;
     if (!is_number)
         throw UserError(fmt::format("{}: {} is not a percentage, for example 0.1%", option, shown(typed)));
+    return value;
+}
+
+}   // namespace
+
+double parse_percent(const std::string& option, const std::string& typed, bool zero) {
+    const double value = percentage(option, typed);
     if (!(value > 0 || (zero && value == 0)) || !(value < 100))
         throw UserError(fmt::format("{}: {} must lie {} 100 %", option, shown(typed),
                                     zero ? "from 0 to below" : "above 0 and below"));
+    return value;
+}
+
+double parse_any_percent(const std::string& option, const std::string& typed) {
+    const double value = percentage(option, typed);
+    if (!(value >= 0)) throw UserError(fmt::format("{}: {} must not be negative", option, shown(typed)));
     return value;
 }
 

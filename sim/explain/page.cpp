@@ -112,6 +112,7 @@ std::string explanation_page(const ordered_json& json, const std::string& text, 
     page.data = html::data_element("explanation", json) + html::data_element("data", {{"rays", rays}});
     page.scripts = page_explain;
     page.trees = true;
+    page.far = html::far_sentence(json);
     return framed(page);
 }
 

@@ -22,7 +22,9 @@ FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitF
         if (a.primitive != b.primitive) ++error.pixels_other_primitive;
         if (a.primitive != b.primitive || a.primitive == no_primitive || !std::isfinite(a.depth)) continue;
         ++error.depth_pixels;
-        error.max_abs_depth = std::max(error.max_abs_depth, double(std::fabs(a.depth - b.depth)));
+        const double off = std::fabs(double(a.depth) - double(b.depth));
+        error.max_abs_depth = std::max(error.max_abs_depth, off);
+        if (b.depth > 0) error.max_relative_depth = std::max(error.max_relative_depth, off / double(b.depth));
     }
     error.psnr_db = compare(picture, reference_picture).psnr_db;
     return error;
@@ -174,7 +176,8 @@ ordered_json error_json(const std::optional<FrameError>& e, const std::optional<
                       {"pixels_other_primitive", e->pixels_other_primitive},
                       {"psnr_db", decibel(e->psnr_db)},
                       {"depth_pixels", e->depth_pixels},
-                      {"max_abs_depth", e->max_abs_depth}};
+                      {"max_abs_depth", e->max_abs_depth},
+                      {"max_relative_depth", e->max_relative_depth}};
     if (!j) return json;
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);

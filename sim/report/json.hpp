@@ -27,6 +27,7 @@ struct FrameError {
     std::uint64_t depth_pixels = 0;   ///< hold a primitive, the same one in both pictures, and no plane
                                       ///< further away than the chip can say
     double max_abs_depth = 0;   ///< over these, scene units; of pixels with several samples the first one's
+    double max_relative_depth = 0;   ///< likewise, as a share of the reference's depth
 };
 FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference);
 /// The same for pictures that were made otherwise.

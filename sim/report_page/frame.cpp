@@ -15,7 +15,9 @@ std::string framed(const FramedPage& page) {
     std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" + title +
                       "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                       "<link rel=\"icon\" href=\"data:,\">\n<style>\n" +
-                      page_style + "</style></head>\n<body>\n<header><h1>" + title + "</h1>\n" + page.header +
+                      page_style + "</style></head>\n<body>\n<header>" +
+                      (page.far.empty() ? "" : "<p class=\"far\">" + html::escaped(page.far) + "</p>\n") +
+                      "<h1>" + title + "</h1>\n" + page.header +
                       "</header>\n<noscript><p class=\"note\">Without scripts this page has its pictures and "
                       "tables, and no "
                       "charts.</p></noscript>\n<main>\n" +

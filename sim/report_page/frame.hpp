@@ -19,6 +19,7 @@ struct FramedPage {
     std::string data;      ///< script elements with JSON; one is called data
     std::string scripts;   ///< what draws, after what all pages share
     bool trees = false;    ///< with Vega's trees
+    std::string far{};     ///< far_from_reference(): the page's first line, or empty
 };
 /// One HTML file. Throws UserError if the library that draws its charts is not installed.
 std::string framed(const FramedPage& page);

@@ -61,6 +61,12 @@ std::string figures(const std::vector<std::pair<const char*, std::string>>& figu
     return out + "</div>\n";
 }
 
+std::string far_sentence(const nlohmann::ordered_json& report) {
+    const auto limits = report.find("limits");
+    if (limits == report.end() || limits->is_null() || limits->at("sentence").is_null()) return {};
+    return limits->at("sentence").get<std::string>();
+}
+
 std::string base64(std::string_view bytes) {
     constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;

@@ -26,6 +26,9 @@ std::string chart(const char* id, const char* label);
 /// A row of figures in boxes: what each is, and its value as text.
 std::string figures(const std::vector<std::pair<const char*, std::string>>& figures);
 
+/// The sentence of a report's `limits`, or nothing: a page begins with it.
+std::string far_sentence(const nlohmann::ordered_json& report);
+
 std::string base64(std::string_view bytes);
 /// zlib's format; browsers know it as "deflate".
 std::string deflated(std::string_view bytes);

@@ -114,7 +114,7 @@ std::string report_page(const PageInput& input) {
          fmt::format("<p>{} x {} pixels, made by rayclock.</p>", input.costs.width, input.costs.height) +
              key_figures(input),
          body(input), html::data_element("report", input.report) + html::data_element("data", data),
-         std::string(page_viewer) + page_charts + page_machine});
+         std::string(page_viewer) + page_charts + page_machine, false, html::far_sentence(input.report)});
 }
 
 }   // namespace rayclock

@@ -63,7 +63,7 @@ std::string charts() {
 
 }   // namespace
 
-std::string sweep_page(const Merged& swept, const Front& front,
+std::string sweep_page(const Merged& swept, const Front& front, const std::string& far,
                        const std::vector<std::pair<std::string, std::string>>& origin) {
     const std::vector<Axis>& axes = swept.asked.axes;
     const std::vector<Result>& results = swept.outcome.results;
@@ -100,6 +100,7 @@ std::string sweep_page(const Merged& swept, const Front& front,
                       "<div class=\"scroll\">" + html::table("", {"what", "value"}, lines, 2) + "</div>");
     page.data = html::data_element("data", data);
     page.scripts = page_sweep;
+    page.far = far;
     return framed(page);
 }
 

@@ -5,9 +5,9 @@
 
 namespace rayclock::sweep {
 
-/// `origin`: command line and versions. Throws UserError if the library that draws the charts is not
-/// installed.
-std::string sweep_page(const Merged& swept, const Front& front,
+/// `far`: far_points(); `origin`: command line and versions. Throws UserError if the library that draws the
+/// charts is not installed.
+std::string sweep_page(const Merged& swept, const Front& front, const std::string& far,
                        const std::vector<std::pair<std::string, std::string>>& origin);
 
 }   // namespace rayclock::sweep

@@ -30,6 +30,7 @@ PictureFigures picture_of(const ordered_json& json) {
                                                    : json.at("psnr_db").get<double>();
     p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
     p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
+    p.error.max_relative_depth = json.at("max_relative_depth").get<double>();
     p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
     return p;

@@ -135,6 +135,35 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
     return text;
 }
 
+std::string far_points(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                       const Limits& limits) {
+    std::size_t far = 0;
+    const Result* farthest = nullptr;
+    for (const Result& r : results) {
+        if (!r.picture || far_from_reference(limits, r.picture->error).empty()) continue;
+        ++far;
+        if (!farthest || r.picture->error.psnr_db < farthest->picture->error.psnr_db) farthest = &r;
+    }
+    if (!farthest) return {};
+    return fmt::format("{} ({}; {} of {} points are far)",
+                       far_from_reference(limits, farthest->picture->error), name_of(axes, *farthest), far,
+                       results.size());
+}
+
+ordered_json far_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                      const Limits& limits) {
+    ordered_json points = ordered_json::array();
+    for (const Result& r : results)
+        points.push_back(r.picture ? ordered_json(!far_from_reference(limits, r.picture->error).empty())
+                                   : ordered_json(nullptr));
+    const std::string sentence = far_points(axes, results, limits);
+    ordered_json json = limit_values_json(limits);
+    json["far"] = !sentence.empty();
+    json["sentence"] = sentence.empty() ? ordered_json(nullptr) : ordered_json(sentence);
+    json["points"] = points;
+    return json;
+}
+
 ordered_json value_json(const std::string& value) {
     const char* const end = value.data() + value.size();
     long long whole = 0;

@@ -1,5 +1,6 @@
 #pragma once
 // A sweep's figures as table, CSV and JSON.
+#include "sim/report/limits.hpp"
 #include "sim/sweep/front.hpp"
 
 namespace rayclock::sweep {
@@ -14,6 +15,14 @@ nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vec
                                    const Front& front);
 nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                                  const Front& front);
+
+/// What is said of the point that is farthest from the reference, beyond the limits, and how many points are:
+/// far_from_reference(). Empty if none is.
+std::string far_points(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                       const Limits& limits);
+/// The limits, and for each point whether it is beyond one; null of a point without a picture.
+nlohmann::ordered_json far_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                                const Limits& limits);
 
 /// A value of an axis: a number if it is one, else the word.
 nlohmann::ordered_json value_json(const std::string& value);

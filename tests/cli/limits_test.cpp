@@ -1,4 +1,5 @@
-// How far a picture may be from the reference's: said by default, and a failure if the limit was typed.
+// How far a picture may be from the reference's: every command that compares says so in one sentence, and
+// verify fails.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -11,64 +12,124 @@ namespace {
 
 /// In this frame 14 of 432 pixels lie on edges that rings share: 3.2 % hold another primitive, and PSNR is 76
 /// dB.
-Outcome verify(std::vector<std::string> limits) {
-    std::vector<std::string> arguments{"verify", "rings:3", "--size", "24x18"};
-    arguments.insert(arguments.end(), limits.begin(), limits.end());
+const std::vector<std::string> frame{"rings:3", "--size", "24x18"};
+const std::string sentence =
+    "FAR FROM THE REFERENCE: 3.24 % of the pixels hold another primitive (limit 1 %, --max-other)";
+
+Outcome run(const std::string& command, std::vector<std::string> more) {
+    std::vector<std::string> arguments{command};
+    arguments.insert(arguments.end(), frame.begin(), frame.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments);
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool begins(const std::string& text, const std::string& part) { return text.rfind(part, 0) == 0; }
 
 }   // namespace
 
-TEST_CASE("a picture beyond the limits is said to be far, and fails only if a limit was typed") {
-    const Outcome untyped = verify({});
-    INFO(untyped.out);
-    CHECK(untyped.code == 0);
-    CHECK(has(untyped.out,
-              "FAR FROM THE REFERENCE: 3.24 % of the pixels hold another primitive, and 1 % is the limit "
-              "(--max-other)"));
-    CHECK(has(untyped.out, "VERIFIED, but far from the reference in"));
-
+TEST_CASE("verify fails beyond a limit, also beyond one that was not typed") {
     struct Typed {
         std::vector<std::string> limits;
-        int code;
-        std::vector<std::string> words;
+        std::string sentence;   ///< none: it is within
     };
-    const auto typed =
-        GENERATE(Typed{{"--max-other", "3.2%"},
-                       1,
-                       {"3.24 % of the pixels", "3.2 % is the limit (--max-other)", "FAILED in"}},
-                 Typed{{"--min-psnr", "200"},
-                       1,
-                       {"3.24 % of the pixels", "200 dB is the limit (--min-psnr)", "FAILED in"}},
-                 Typed{{"--max-other", "3.3%"}, 0, {"VERIFIED in"}},
-                 Typed{{"--max-other", "3.3%", "--min-psnr", "60"}, 0, {"VERIFIED in"}});
-    const Outcome outcome = verify(typed.limits);
+    const auto typed = GENERATE(
+        Typed{{}, sentence}, Typed{{"--max-other", "3.3%"}, {}},
+        Typed{{"--max-other", "3.3%", "--min-psnr", "60"}, {}},
+        Typed{
+            {"--max-other", "3.2%", "--min-psnr", "200"},
+            "FAR FROM THE REFERENCE: 3.24 % of the pixels hold another primitive (limit 3.2 %, --max-other); "
+            "PSNR 76.4 dB (limit 200 dB, --min-psnr)"});
+    const Outcome outcome = run("verify", typed.limits);
     INFO(outcome.out);
-    CHECK(outcome.code == typed.code);
-    for (const std::string& words : typed.words) {
-        INFO(words);
-        CHECK(has(outcome.out, words));
-    }
-    CHECK(has(outcome.out, "FAR") == (typed.code == 1));
+    CHECK(outcome.code == (typed.sentence.empty() ? 0 : 1));
+    CHECK(has(outcome.out, "FAR") == !typed.sentence.empty());
+    CHECK(begins(outcome.out, typed.sentence.empty() ? "rings" : typed.sentence + "\n"));
+    CHECK(has(outcome.out, typed.sentence.empty()
+                               ? "  VERIFIED in"
+                               : "  FAILED: model and RTL agree, and are far from the reference in"));
+}
+
+TEST_CASE("all commands that compare begin with the same sentence") {
+    const Folder folder;
+    const std::string picture = folder.name("p.png"), report = folder.name("r.json"),
+                      page = folder.name("r.html");
+    struct Command {
+        std::string name;
+        std::vector<std::string> more;
+    };
+    const auto command =
+        GENERATE_COPY(Command{"simulate", {}}, Command{"explain", {"12,9"}},
+                      Command{"render", {"--compare", "-o", picture}},
+                      Command{"sweep", {"--axis", "contexts=8,16", "--no-netlist", "--clock", "66"}});
+    std::vector<std::string> more = command.more;
+    more.insert(more.end(), {"--json", report});
+    if (command.name != "render") more.insert(more.end(), {"--report", page});
+    const Outcome far = run(command.name, more);
+    INFO(command.name << far.out << far.err);
+    CHECK(far.code == 0);
+    CHECK(begins(far.out, sentence));
+    const auto limits = nlohmann::json::parse(bytes_of(report)).at("limits");
+    CHECK(limits.at("far") == true);
+    CHECK(begins(limits.at("sentence").get<std::string>(), sentence));
+    if (command.name != "render") CHECK(has(bytes_of(page), "<header><p class=\"far\">" + sentence));
+
+    more.insert(more.end(), {"--max-other", "4%"});
+    const Outcome within = run(command.name, more);
+    CHECK(within.code == 0);
+    CHECK(!has(within.out, "FAR"));
+    CHECK(nlohmann::json::parse(bytes_of(report)).at("limits").at("sentence").is_null());
+    if (command.name != "render") CHECK(!has(bytes_of(page), "class=\"far\""));
+}
+
+TEST_CASE("a sweep says which of its points is farthest, and which points are far") {
+    const Folder folder;
+    const std::string report = folder.name("r.json");
+    const Outcome swept = run_program({"sweep", "tetra:2", "--size", "24x18", "--axis", "contexts=8,16",
+                                       "--axis", "coord_bits=12,18", "--no-netlist", "--clock", "66",
+                                       "--min-psnr", "60", "--json", report});
+    INFO(swept.out << swept.err);
+    CHECK(begins(swept.out, "FAR FROM THE REFERENCE: "));
+    CHECK(has(swept.out, "(limit 60 dB, --min-psnr) (contexts 8, coord_bits 12; 2 of 4 points are far)"));
+    CHECK(nlohmann::json::parse(bytes_of(report)).at("limits").at("points") ==
+          nlohmann::json{true, false, true, false});
+}
+
+TEST_CASE("a depth that is far off is told, and has a limit of its own") {
+    const std::vector<std::string> close{"cornell",      "--size", "24x18",       "--eye",
+                                         "0,0.000001,0", "--at",   "1,0.000001,0"};
+    std::vector<std::string> arguments{"simulate"};
+    arguments.insert(arguments.end(), close.begin(), close.end());
+    const Outcome far = run_program(arguments);
+    INFO(far.out);
+    CHECK(has(far.out, "FAR FROM THE REFERENCE: "));
+    CHECK(has(far.out, "--max-depth-error)"));
 }
 
 TEST_CASE("the report has the limits and what is beyond them") {
-    const Outcome outcome = verify({"--min-psnr", "200", "--max-other", "3.3%", "--json", "-"});
+    const Outcome outcome = run(
+        "verify", {"--min-psnr", "200", "--max-other", "3.3%", "--max-depth-error", "200%", "--json", "-"});
     CHECK(outcome.code == 1);
     const auto report = nlohmann::json::parse(outcome.out);
-    CHECK(report["limits"] == nlohmann::json{{"max_other_percent", 3.3},
-                                             {"min_psnr_db", 200.0},
-                                             {"fails", true},
-                                             {"beyond_other", false},
-                                             {"beyond_psnr", true}});
+    nlohmann::json limits = report["limits"];
+    CHECK(begins(limits["sentence"].get<std::string>(), "FAR FROM THE REFERENCE: PSNR 76"));
+    limits.erase("sentence");
+    CHECK(limits == nlohmann::json{{"max_other_percent", 3.3},
+                                   {"min_psnr_db", 200.0},
+                                   {"max_depth_error_percent", 200.0},
+                                   {"beyond_other", false},
+                                   {"beyond_psnr", true},
+                                   {"beyond_depth", false},
+                                   {"far", true}});
 }
 
 TEST_CASE("limits that are none are refused") {
-    check_refused(verify({"--max-other", "many"}), {"--max-other", "many"});
-    check_refused(verify({"--max-other", "-1%"}), {"--max-other", "-1"});
-    check_refused(verify({"--max-other", "3\xd4" + std::string(500, '7')}),
+    check_refused(run("verify", {"--max-other", "many"}), {"--max-other", "many"});
+    check_refused(run("simulate", {"--max-other", "-1%"}), {"--max-other", "-1"});
+    check_refused(run("explain", {"1,1", "--max-other", "3\xd4" + std::string(500, '7')}),
                   {"--max-other: '3\\xd477", "...", "is not a percentage"});
-    check_refused(verify({"--min-psnr", "nan"}), {"--min-psnr", "nan"});
+    check_refused(run("verify", {"--min-psnr", "nan"}), {"--min-psnr", "nan"});
+    check_refused(run("sweep", {"--axis", "contexts=8", "--max-depth-error", "0.1"}),
+                  {"--max-depth-error", "0.1"});
+    check_refused(run("render", {"--compare", "--engine", "reference", "-o", "never.png"}), {"--compare"});
 }
