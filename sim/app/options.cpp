@@ -80,25 +80,18 @@ void judge_option(Parser& parser, bool& no_judge) {
 
 void limits_options(Parser& parser, LimitsChoice& o) {
     constexpr const char* group = "Limits (a picture beyond one of them is FAR FROM THE REFERENCE)";
-    const Limits usual;
-    parser
-        .option(
-            "--max-other", o.max_other,
-            fmt::format("most pixels that hold another primitive than the reference's; {:g}% if not given",
-                        usual.max_other))
-        .under(group);
-    parser
-        .option("--min-psnr", o.min_psnr,
-                fmt::format("least PSNR of the picture against the reference's, in dB; {:g} if not given",
-                            usual.min_psnr))
-        .under(group);
-    parser
-        .option(
-            "--max-depth-error", o.max_depth_error,
-            fmt::format("most that the depth of a pixel with the right primitive may be off, as a share of "
-                        "the reference's depth; {:g}% if not given",
-                        usual.max_depth_error))
-        .under(group);
+    constexpr Limits usual;
+    static const std::string other = fmt::format(
+        "most pixels that hold another primitive than the reference's; {:g}% if not given", usual.max_other);
+    static const std::string psnr = fmt::format(
+        "least PSNR of the picture against the reference's, in dB; {:g} if not given", usual.min_psnr);
+    static const std::string depth = fmt::format(
+        "most that the depth of a pixel with the right primitive may be off, as a share of the "
+        "reference's depth; {:g}% if not given",
+        usual.max_depth_error);
+    parser.option("--max-other", o.max_other, other.c_str()).under(group);
+    parser.option("--min-psnr", o.min_psnr, psnr.c_str()).under(group);
+    parser.option("--max-depth-error", o.max_depth_error, depth.c_str()).under(group);
 }
 
 Limits limits_of(const LimitsChoice& o) {
