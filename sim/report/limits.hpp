@@ -13,7 +13,7 @@ namespace rayclock {
 struct Limits {
     double max_other = 1;         ///< pixels with another primitive, per cent
     double min_psnr = 30;         ///< dB
-    double max_depth_error = 5;   ///< of any pixel's depth, per cent of the reference's
+    double max_depth_error = 1;   ///< of any pixel's depth, per cent of the reference's
 };
 
 /// "FAR FROM THE REFERENCE: ..." with every limit that is exceeded; empty if none is.
