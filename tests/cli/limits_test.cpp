@@ -87,10 +87,11 @@ TEST_CASE("a sweep says which of its points is farthest, and which points are fa
     const std::string report = folder.name("r.json");
     const Outcome swept = run_program({"sweep", "tetra:2", "--size", "24x18", "--axis", "contexts=8,16",
                                        "--axis", "coord_bits=12,18", "--no-netlist", "--clock", "66",
-                                       "--min-psnr", "60", "--json", report});
+                                       "--max-depth-error", "0.01%", "--json", report});
     INFO(swept.out << swept.err);
-    CHECK(begins(swept.out, "FAR FROM THE REFERENCE: "));
-    CHECK(has(swept.out, "(limit 60 dB, --min-psnr) (contexts 8, coord_bits 12; 2 of 4 points are far)"));
+    CHECK(begins(swept.out, "FAR FROM THE REFERENCE: a pixel's depth is off by "));
+    CHECK(has(swept.out,
+              "(limit 0.01 %, --max-depth-error) (contexts 8, coord_bits 12; 2 of 4 points are far)"));
     CHECK(nlohmann::json::parse(bytes_of(report)).at("limits").at("points") ==
           nlohmann::json{true, false, true, false});
 }
