@@ -50,15 +50,19 @@ void set_material(const Material& m, Surface& s) {
     s.leave = fixed(index, index_frac, (1u << ratio_bits) - 1);
 }
 
-/// Corner normals, turned to the side of (b - a) x (c - a) as the scene has it.
+/// Corner normals, turned to the side of (b - a) x (c - a) as the scene has it; the longest of the three
+/// fills its bits.
 void set_normals(const Scene& scene, std::size_t i, Surface& s) {
     if (scene.normals.empty()) return;
     const auto& vertex = scene.triangles[i].vertex;
     const glm::dvec3 a = scene.vertices[vertex[0]];
     const glm::dvec3 flat = glm::cross(scene.vertices[vertex[1]] - a, scene.vertices[vertex[2]] - a);
     glm::dvec3 sum{0};
-    for (const std::uint32_t v : vertex) sum += scene.normals[v];
-    const double turn = glm::dot(sum, flat) < 0 ? -1 : 1, most = (1 << (corner_bits - 1)) - 1;
+    double longest = 0;
+    for (const std::uint32_t v : vertex)
+        sum += scene.normals[v], longest = std::max(longest, glm::length(scene.normals[v]));
+    const double turn = (glm::dot(sum, flat) < 0 ? -1 : 1) / (longest > 0 ? longest : 1),
+                 most = (1 << (corner_bits - 1)) - 1;
     for (std::size_t corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k)
             s.normal[3 * corner + std::size_t(k)] = std::int32_t(

@@ -131,7 +131,7 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
 namespace {
 
 /// One triangle of a block, in all lanes.
-RefBlock only(const RefBlock& block, int lane) {
+RefBlock only_lane(const RefBlock& block, int lane) {
     RefBlock one = block;
     for (int other = 0; other < ref_block_size; ++other) {
         one.primitive[other] = block.primitive[lane];
@@ -196,6 +196,19 @@ bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
     return closest_of_all(path, ray, limit, distance, NotCounted{}).depth < distance;
 }
 
+RefClosest RefGeometry::only(const RefPath& path, std::uint32_t primitive) const {
+    const RefRay ray(path.from, path.direction);
+    RefClosest found;
+    for (const RefBlock& block : blocks_)
+        for (int lane = 0; lane < ref_block_size; ++lane)
+            if (block.primitive[lane] == primitive) test_block(only_lane(block, lane), ray, found, path.left);
+    for (const RefPlane& plane : planes_)
+        if (plane.primitive == primitive) test_plane(plane, path, found);
+    for (const RefSphere& sphere : spheres_)
+        if (sphere.primitive == primitive) test_sphere(sphere, path, found);
+    return found;
+}
+
 std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double distance) const {
     const RefClosest limit{.depth = distance, .primitive = 0};
     const RefRay ray(path.from, path.direction);
@@ -209,7 +222,7 @@ std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double dis
         [&](std::uint32_t block, const RefClosest&) {
             for (int lane = 0; lane < ref_block_size; ++lane) {
                 RefClosest one = limit;
-                test_block(only(blocks_[block], lane), ray, one, path.left);
+                test_block(only_lane(blocks_[block], lane), ray, one, path.left);
                 keep(one);
             }
         },

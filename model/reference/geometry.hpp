@@ -45,6 +45,9 @@ public:
     /// Is there anything nearer than `distance`? Looks no further than the first thing that it finds.
     bool is_blocked(const RefPath& path, double distance) const;
 
+    /// Where the path meets this primitive alone. Looks through all of them.
+    RefClosest only(const RefPath& path, std::uint32_t primitive) const;
+
     /// All primitives that are nearer than `distance`, in no order.
     std::vector<std::uint32_t> blockers(const RefPath& path, double distance) const;
 

@@ -55,4 +55,11 @@ WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whit
     return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress, watch);
 }
 
+WhittedPixel Reference::pixel(const Camera& camera, FrameSize size, const Whitted& settings, std::uint32_t x,
+                              std::uint32_t y, RefSteer* steer) const {
+    return ref_pixel(impl_->geometry, impl_->scene, camera, size, settings, x, y, steer);
+}
+
+const RefGeometry& Reference::geometry() const { return impl_->geometry; }
+
 }   // namespace rayclock

@@ -17,6 +17,16 @@ struct WhittedFrame {
     std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
 };
 
+/// One pixel of it.
+struct WhittedPixel {
+    glm::dvec3 colour{0};
+    Hit first;
+    std::uint64_t signature = 0;
+};
+
+class RefGeometry;
+class RefSteer;
+
 /// A ray as a watcher sees it, in terms of the scene. `direction` is a unit vector. A ray that meets nothing
 /// has no end, HUGE_VAL; a shadow ray ends at the light.
 struct WatchedRay {
@@ -53,6 +63,13 @@ public:
     /// there, unchanged. Pixels and counts do not depend on `threads`.
     WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0,
                          const Progress& progress = {}, const RayWatch& watch = {}) const;
+
+    /// One pixel of the finished picture, by itself or led by `steer` (model/reference/steer.hpp).
+    WhittedPixel pixel(const Camera& camera, FrameSize size, const Whitted& settings, std::uint32_t x,
+                       std::uint32_t y, RefSteer* steer = nullptr) const;
+
+    /// What the tracer has made of the scene; empty of a folded scene.
+    const RefGeometry& geometry() const;
 
 private:
     struct Impl;

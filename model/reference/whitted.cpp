@@ -29,22 +29,12 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
-/// Where a ray met something, in the tracer's space.
-struct Surface {
-    glm::dvec3 position{0};
-    glm::dvec3 flat{0};     ///< unit, geometric, on the side that the ray came from
-    glm::dvec3 normal{0};   ///< unit, as it is shaded, on the same side
-    glm::dvec3 colour{0};
-    const Material* material = nullptr;
-    std::uint32_t primitive = no_primitive;
-    bool is_inside = false;   ///< the ray came from the inside
-};
-
 /// One pixel's rays, and how many there were.
 class Tracer {
 public:
-    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch)
-        : geometry_(geometry), scene_(scene), settings_(settings), watch_(watch) {}
+    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch,
+           RefSteer* steer = nullptr)
+        : geometry_(geometry), scene_(scene), settings_(settings), watch_(watch), steer_(steer) {}
 
     glm::dvec3 pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first);
     const RayCounts& counts() const { return counts_; }
@@ -56,26 +46,29 @@ private:
     glm::dvec3 sample(const RefPath& path, RefClosest& hit);
     void follow(const RefPath& path, double weight, int depth);
     void shade(const RefPath& path, const RefClosest& hit, double weight, int depth);
-    void reflect_and_refract(const RefPath& path, const Surface& surface, double weight, int depth);
-    glm::dvec3 light(const RefPath& path, const Surface& surface, const Light& light);
+    void reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth);
+    glm::dvec3 light(const RefPath& path, const RefSurface& surface, std::size_t number);
+    bool sends(RefBounce& bounce) const;
+    void follow_bounce(const RefBounce& bounce, int depth);
 
-    Surface surface_of(const RefPath& path, const RefClosest& hit) const;
-    void on_triangle(const RefPath& path, const RefClosest& hit, Surface& surface) const;
-    void on_sphere(const RefPath& path, const RefClosest& hit, Surface& surface) const;
-    void on_plane(const RefClosest& hit, Surface& surface) const;
+    RefSurface surface_of(const RefPath& path, const RefClosest& hit) const;
+    void on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
+    void on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
+    void on_plane(const RefClosest& hit, RefSurface& surface) const;
 
-    static RefPath leave(const Surface& surface, const glm::dvec3& direction, bool goes_through);
+    static RefPath leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through);
 
     const RefGeometry& geometry_;
     const Scene& scene_;
     const Whitted& settings_;
     const RayWatch& watch_;
+    RefSteer* const steer_;   ///< or null: the tracer goes by itself
     RayCounts counts_;
     glm::dvec3 sum_{0};         ///< of the sample under way
     PathSignature signature_;   ///< of the pixel
 };
 
-void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, Surface& surface) const {
+void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const Triangle& triangle = scene_.triangles[hit.primitive];
     const auto& vertex = triangle.vertex;
     const RefUnitSpace& space = geometry_.space();
@@ -85,15 +78,17 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, Surface& su
     surface.position = (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c;
     surface.flat = surface.normal = unit_or(glm::cross(b - a, c - a), -path.direction);
     if (scene_.normals.empty()) return;
-    const auto& n = scene_.normals;
-    surface.normal = unit_or((1 - hit.u - hit.v) * n[vertex[0]] + hit.u * n[vertex[1]] + hit.v * n[vertex[2]],
-                             surface.flat);
+    std::array<glm::dvec3, 3> n{scene_.normals[vertex[0]], scene_.normals[vertex[1]],
+                                scene_.normals[vertex[2]]};
+    RefClosest at = hit;
+    if (steer_) steer_->round_corners(at, n);
+    surface.normal = unit_or((1 - at.u - at.v) * n[0] + at.u * n[1] + at.v * n[2], surface.flat);
     // Corners whose normals are on the other side of the triangle than its order of vertices says: the order
     // decides.
     if (glm::dot(surface.normal, surface.flat) < 0) surface.normal = -surface.normal;
 }
 
-void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, Surface& surface) const {
+void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const Sphere& sphere = scene_.spheres[hit.primitive - scene_.triangles.size()];
     const glm::dvec3 centre = geometry_.space()(sphere.centre);
     surface.material = &scene_.materials[sphere.material];
@@ -101,7 +96,7 @@ void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, Surface& surf
     surface.position = centre + sphere.radius * geometry_.space().scale * surface.flat;
 }
 
-void Tracer::on_plane(const RefClosest& hit, Surface& surface) const {
+void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     const Plane& plane = scene_.planes[hit.primitive - scene_.triangles.size() - scene_.spheres.size()];
     const RefUnitSpace& space = geometry_.space();
     surface.material = &scene_.materials[plane.material];
@@ -111,10 +106,11 @@ void Tracer::on_plane(const RefClosest& hit, Surface& surface) const {
     const bool is_other =
         surface.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2) != 0;
     surface.colour = is_other ? surface.material->other : surface.material->colour;
+    if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-Surface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
-    Surface surface;
+RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
+    RefSurface surface;
     surface.primitive = hit.primitive;
     if (hit.primitive < scene_.triangles.size())
         on_triangle(path, hit, surface);
@@ -130,10 +126,11 @@ Surface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
         surface.flat = -surface.flat;
         surface.normal = -surface.normal;
     }
+    if (steer_) steer_->place(surface);
     return surface;
 }
 
-RefPath Tracer::leave(const Surface& surface, const glm::dvec3& direction, bool goes_through) {
+RefPath Tracer::leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through) {
     const glm::dvec3 size = glm::abs(surface.position);
     const double reach = 1 + std::max(size.x, std::max(size.y, size.z));
     const glm::dvec3 side = goes_through ? -surface.flat : surface.flat;
@@ -142,15 +139,19 @@ RefPath Tracer::leave(const Surface& surface, const glm::dvec3& direction, bool 
 }
 
 /// What one light adds, unless something is in between.
-glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Light& light) {
+glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::size_t number) {
+    const Light& light = scene_.lights[number];
     const Material& m = *surface.material;
     const bool is_turned = watch_.lights_outside_of_glass && m.transmit > 0 && surface.is_inside;
     const double side = is_turned ? -1 : 1;
     const glm::dvec3 position = geometry_.space()(light.position), to_light = position - surface.position;
-    if (!(glm::dot(side * surface.flat, to_light) > 0)) return glm::dvec3(0);
+    const double faces = glm::dot(side * surface.flat, to_light);
+    if (!(faces > 0) && !steer_) return glm::dvec3(0);
     const glm::dvec3 l = glm::normalize(to_light);
     const double lambert = side * glm::dot(surface.normal, l);
-    if (!(lambert > 0)) return glm::dvec3(0);
+    const bool counts =
+        steer_ ? steer_->counts(number, faces / glm::length(to_light), lambert) : faces > 0 && lambert > 0;
+    if (!counts) return glm::dvec3(0);
 
     ++counts_.shadow;
     RefPath shadow = leave(surface, l, is_turned);
@@ -160,14 +161,18 @@ glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Ligh
         return glm::dvec3(0);
     }
     shadow.direction = (position - shadow.from) / distance;
-    const bool is_blocked = geometry_.is_blocked(shadow, distance);
+    bool is_blocked = geometry_.is_blocked(shadow, distance);
+    if (steer_) is_blocked = steer_->is_blocked(number, shadow, distance, is_blocked);
     if (watch_.see) tell(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
     signature_.asked(is_blocked);
     if (is_blocked) return glm::dvec3(0);
 
-    const glm::dvec3 mirrored = 2 * lambert * side * surface.normal - l;
-    const double phong = std::pow(std::max(0.0, -glm::dot(mirrored, path.direction)), m.shine);
-    return light.colour * (m.diffuse * lambert * surface.colour + m.highlight * phong);
+    const glm::dvec3 mirrored = 2 * std::max(lambert, 0.0) * side * surface.normal - l;
+    double along = -glm::dot(mirrored, path.direction);
+    if (steer_ && glm::dot(surface.normal, path.direction) > 0)   // the machine's rule: docs/shading.md
+        along = glm::dot(l, path.direction);
+    const double phong = std::pow(std::max(0.0, along), m.shine);
+    return light.colour * (m.diffuse * std::max(lambert, 0.0) * surface.colour + m.highlight * phong);
 }
 
 /// Snell's law with the surrounding medium's index taken as 1; `cosine` between the normal and the way back.
@@ -177,7 +182,7 @@ struct Refraction {
         : ratio(is_inside ? index : 1 / index), rest(1 - ratio * ratio * (1 - cosine * cosine)) {}
     bool is_total() const { return rest < 0; }
     glm::dvec3 direction(const glm::dvec3& d, const glm::dvec3& normal, double cosine) const {
-        return glm::normalize(ratio * d + (ratio * cosine - std::sqrt(rest)) * normal);
+        return glm::normalize(ratio * d + (ratio * cosine - std::sqrt(std::max(rest, 0.0))) * normal);
     }
 };
 
@@ -187,7 +192,7 @@ double schlick(double index, double cosine) {
 }
 
 /// A total reflection counts as a refracted ray where one would have been sent (spd.md 6.2, rule 6).
-void Tracer::reflect_and_refract(const RefPath& path, const Surface& surface, double weight, int depth) {
+void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth) {
     const Material& m = *surface.material;
     // Near its outline a smooth surface may show its back; then it is seen from the side.
     const double cosine = std::clamp(-glm::dot(surface.normal, path.direction), 0.0, 1.0);
@@ -197,34 +202,58 @@ void Tracer::reflect_and_refract(const RefPath& path, const Surface& surface, do
            refracted = weight * m.transmit * (1 - fresnel);
     const bool transmits = m.transmit > 0;
     const Refraction refraction(transmits ? m.index : 1, surface.is_inside, cosine);
-    const bool is_total = transmits && refraction.is_total();
+    bool is_total = transmits && refraction.is_total();
+    if (steer_ && transmits) is_total = steer_->is_total(surface, refraction.ratio, cosine, is_total);
     if (is_total) {
         refracted = weight * m.transmit;
         reflected = weight * std::min(m.mirror + m.transmit, 1.0);
     }
-    if (weighs_enough(reflected, settings_.threshold)) {
-        const glm::dvec3 direction = glm::normalize(path.direction + 2 * cosine * surface.normal);
-        if (glm::dot(direction, surface.flat) > 0) {
-            ++counts_.reflection;
-            follow(leave(surface, direction, false), reflected, depth + 1);
-        }
+    RefBounce mirrored{RefBounce::Kind::reflected,
+                       surface,
+                       glm::normalize(path.direction + 2 * cosine * surface.normal),
+                       reflected,
+                       weighs_enough(reflected, settings_.threshold),
+                       cosine};
+    if (sends(mirrored)) {
+        ++counts_.reflection;
+        follow_bounce(mirrored, depth);
     }
-    if (!transmits || !weighs_enough(refracted, settings_.threshold)) return;
+    if (!transmits) return;
+    const bool is_called = weighs_enough(refracted, settings_.threshold);
     if (is_total) {
-        ++counts_.refraction;
+        counts_.refraction += is_called;
         return;
     }
-    const glm::dvec3 direction = refraction.direction(path.direction, surface.normal, cosine);
-    if (!(glm::dot(direction, surface.flat) < 0)) return;
+    RefBounce bent{RefBounce::Kind::refracted,
+                   surface,
+                   refraction.direction(path.direction, surface.normal, cosine),
+                   refracted,
+                   is_called,
+                   cosine,
+                   refraction.ratio};
+    if (!sends(bent)) return;
     ++counts_.refraction;
-    follow(leave(surface, direction, true), refracted, depth + 1);
+    follow_bounce(bent, depth);
+}
+
+bool Tracer::sends(RefBounce& bounce) const {
+    if (steer_) return steer_->goes(bounce);
+    const double side = glm::dot(bounce.direction, bounce.surface.flat);
+    return bounce.weighs_enough && (bounce.kind == RefBounce::Kind::reflected ? side > 0 : side < 0);
+}
+
+void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
+    if (steer_) steer_->enter(bounce.kind);
+    follow(leave(bounce.surface, bounce.direction, bounce.kind == RefBounce::Kind::refracted), bounce.weight,
+           depth + 1);
+    if (steer_) steer_->leave();
 }
 
 void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
-    const Surface surface = surface_of(path, hit);
+    const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
     glm::dvec3 local = m.ambient * surface.colour;
-    for (const Light& l : scene_.lights) local += light(path, surface, l);
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) local += light(path, surface, i);
     sum_ += weight * local;
     if (depth < settings_.depth && (m.mirror > 0 || m.transmit > 0))
         reflect_and_refract(path, surface, weight, depth);
@@ -237,7 +266,8 @@ void Tracer::tell(const RefPath& path, double reach, bool hits, std::vector<std:
 }
 
 RefClosest Tracer::closest(const RefPath& path) {
-    const RefClosest hit = geometry_.closest(path);
+    RefClosest hit = geometry_.closest(path);
+    if (steer_) hit = steer_->met(path, hit);
     const bool hits = hit.primitive != no_primitive;
     if (watch_.see) tell(path, hits ? hit.depth : HUGE_VAL, hits);
     return hit;
@@ -274,6 +304,7 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
         RefPath path;
         const bool is_ray =
             geometry_.find_path(rays.eye, rays.direction(x + offset.x / 256.0, y + offset.y / 256.0), path);
+        if (steer_) steer_->begin_sample(s, path);
         const glm::dvec3 colour = is_ray ? sample(path, hit) : scene_.background;
         if (s == 0) first = ref_hit(hit, geometry_.space());
         total += colour;
@@ -282,8 +313,9 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
         const glm::dvec3 difference = brightest - darkest;
         const bool is_even =
             std::max(difference.r, std::max(difference.g, difference.b)) <= settings_.contrast;
-        if (s + 1 == first_samples && settings_.contrast > 0 && is_even)
-            return total / static_cast<double>(first_samples);
+        bool ends = s + 1 == first_samples && settings_.contrast > 0 && is_even;
+        if (steer_ && s + 1 == first_samples && settings_.contrast > 0) ends = steer_->ends(s + 1, ends);
+        if (ends) return total / static_cast<double>(first_samples);
     }
     return total / static_cast<double>(samples);
 }
@@ -315,6 +347,16 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
         frame.rays += tracer.counts();
     });
     return frame;
+}
+
+WhittedPixel ref_pixel(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size,
+                       const Whitted& settings, std::uint32_t x, std::uint32_t y, RefSteer* steer) {
+    static const RayWatch nobody;
+    Tracer tracer(geometry, scene, settings, nobody, steer);
+    WhittedPixel pixel;
+    pixel.colour = tracer.pixel(pixel_rays(camera, size), x, y, pixel.first);
+    pixel.signature = tracer.signature();
+    return pixel;
 }
 
 }   // namespace rayclock

@@ -1,6 +1,7 @@
 #pragma once
 #include "model/reference/geometry.hpp"
 #include "model/reference/reference.hpp"
+#include "model/reference/steer.hpp"
 
 namespace rayclock {
 
@@ -15,5 +16,9 @@ inline Hit ref_hit(const RefClosest& found, const RefUnitSpace& space) {
 WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
                          FrameSize size, const Whitted& settings, int threads, const Progress& progress,
                          const RayWatch& watch = {});
+
+/// Reference::pixel().
+WhittedPixel ref_pixel(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size,
+                       const Whitted& settings, std::uint32_t x, std::uint32_t y, RefSteer* steer);
 
 }   // namespace rayclock

@@ -141,6 +141,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
     out.refracted = true;
     if (!found.goes) return;
     const std::optional<Vec3i> start = start_of(s, found.d, c);
+    out.passes_by = !start;
     if (!start) return see_background(s, found.weight, frame);
     out.push = true;
     out.pushed = bounced(s, *start, found, true);
@@ -153,6 +154,7 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     s.event = std::uint32_t(ShadeEvent::pop);
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
     const std::optional<Vec3i> start = start_of(s, found.d, c);
+    out.passes_by = !start;
     if (!start) return see_background(s, found.weight, frame);
     send_bounce(in, bounced(s, *start, found, false), out);
 }

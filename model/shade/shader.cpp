@@ -49,6 +49,9 @@ int Shader::run() {
             assert(stack_.size() < std::size_t(config_->bounces) && "a ray waits at most at each depth");
             stack_.push_back(out_.pushed);
         }
+        if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
+            Pending(out_.state.pending) == Pending::sure)
+            signature_.asked(false);   // nothing can be in its way, and no ray is sent
         if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);

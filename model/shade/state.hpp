@@ -147,6 +147,8 @@ struct PassOut {
     LightParts light;         ///< of a light event
     bool refracted = false;   ///< a refracted ray was called for, if only to be totally reflected: for
                               ///< counting
+    bool passes_by = false;   ///< a bounce passes by the lattice and takes the background; for whoever judges
+                              ///< it
 };
 
 }   // namespace rayclock

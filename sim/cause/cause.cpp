@@ -256,6 +256,7 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
                                                                          {"t_rounding", {0, 158, 115}},
                                                                          {"primitive_test", {204, 121, 167}},
                                                                          {"shading", {240, 228, 66}},
+                                                                         {"horizon", {128, 128, 160}},
                                                                          {"bug", {255, 255, 255}},
                                                                          {"none", {0, 0, 0}}}};
     return infos[std::size_t(cause)];

@@ -32,10 +32,11 @@ enum class PixelCause : std::uint8_t {
     t_rounding,
     primitive_test,
     shading,
+    horizon,
     bug,
     none
 };
-constexpr std::size_t pixel_causes = 7;   ///< without `none`
+constexpr std::size_t pixel_causes = 8;   ///< without `none`
 
 /// A cause's key in reports and its colour in the difference picture, sRGB.
 struct PixelCauseInfo {
@@ -59,6 +60,9 @@ struct Judgement {
     /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no
     /// precision decides there.
     std::uint64_t on_edge = 0;
+    /// Steps that doubles or a stated bound leave open, in which the reference followed the machine
+    /// (sim/cause/guide.hpp).
+    std::uint64_t ties = 0;
     double seams_apart = 0;   ///< of lines that make a seam: how far, at most, as a part of the bound
     double seconds = 0;       ///< of the host
     /// What must not be there: of another primitive test than the exact one wrong answers are a cause of

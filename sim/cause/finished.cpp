@@ -1,45 +1,42 @@
 #include "sim/cause/finished.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include <tbb/parallel_for.h>
+#include <tbb/enumerable_thread_specific.h>
 
-#include "model/accel/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/trace/record_shaded.hpp"
-#include "sim/cause/seam.hpp"
+#include "model/reference/tiles.hpp"
+#include "sim/cause/guide.hpp"
+#include "sim/cause/snapped.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {
 
 namespace {
 
-glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
+constexpr std::size_t most_faults = 20;
 
-void place_lights(const Frame& frame, Scene& snapped) {
-    for (std::size_t i = 0; i < snapped.lights.size(); ++i)
-        snapped.lights[i].position = {frame.shade.place[3 * i], frame.shade.place[3 * i + 1],
-                                      frame.shade.place[3 * i + 2]};
-}
+/// Several watches of one pixel.
+class Watches final : public ShadeWatch {
+public:
+    explicit Watches(std::vector<ShadeWatch*> all) : all_(std::move(all)) {}
+    void sent(const Ray& ray) override {
+        for (ShadeWatch* w : all_) w->sent(ray);
+    }
+    void answered(const Closest& hit) override {
+        for (ShadeWatch* w : all_) w->answered(hit);
+    }
+    void passed(const PassIn& in, const PassOut& out) override {
+        for (ShadeWatch* w : all_) w->passed(in, out);
+    }
 
-/// The scene as the machine has it, in lattice steps.
-Scene on_lattice(const Scene& scene, const Lattice& lattice, const Frame& frame) {
-    Scene snapped = scene;
-    for (glm::dvec3& v : snapped.vertices) v = point(lattice.snap(v));
-    snap_round(lattice, snapped);
-    place_lights(frame, snapped);
-    return snapped;
-}
+private:
+    std::vector<ShadeWatch*> all_;
+};
 
-Camera on_lattice(Camera camera, const Lattice& lattice, const Frame& frame) {
-    const glm::dvec3 view = (camera.at - camera.eye) / lattice.pitch;
-    camera.eye = point(frame.eye);
-    camera.at = camera.eye + view;
-    return camera;
-}
-
-/// What the rays of a pixel are found to be.
+/// What the rays of a pixel are found to be, in two levels.
 class SeamWatch final : public ShadeWatch {
 public:
     explicit SeamWatch(const Seams& seams) : seams_(seams) {}
@@ -59,54 +56,107 @@ private:
     Ray ray_;
 };
 
-/// Of two levels: pixels that are ray_quantisation so far, because every ray is rightly rounded. If one of
-/// them is a seam, the pixel is one.
-class SeamSearch {
+/// The rungs between the scene as given and the machine.
+class Ladder {
 public:
-    SeamSearch(const Asked& asked, const MemoryImage& image)
+    Ladder(const Asked& asked, const Whitted& settings, const PictureJudge& judge)
         : asked_(asked),
-          image_(image),
-          world_(asked, image),
-          seams_(world_, asked.config),
-          decoder_(image, asked.config) {}
-    Scene scene() const {
-        Scene snapped = flat_copy(world_.snapped());
-        place_lights(asked_.frame, snapped);
-        return snapped;
+          settings_(settings),
+          judge_(judge),
+          size_{int(asked.frame.width), int(asked.frame.height)},
+          world_(snapped_scene(asked, judge.placed())),
+          camera_(snapped_camera(asked)),
+          reference_(world_.scene) {
+        if (judge.placed()) seams_.emplace(*judge.placed(), asked.config);
     }
-    void look(const std::vector<std::size_t>& pixels, Judgement& j) const {
-        std::vector<SeamWatch> found(pixels.size(), SeamWatch(seams_));
-        tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
-            ShadedRecorder recorder(image_, asked_.frame, asked_.config, decoder_);
-            RecordScratch scratch(asked_.config);
-            recorder.follow(x(pixels[i]), y(pixels[i]), scratch, found[i]);
-        });
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            j.seams_apart = std::max(j.seams_apart, found[i].apart);
-            if (found[i].has_seam) j.pixels[pixels[i]] = PixelCause::seam;
-            if (!found[i].is_lost) continue;
-            j.pixels[pixels[i]] = PixelCause::bug;
-            ++j.wrong;
-            if (j.faults.size() < 20) j.faults.push_back({x(pixels[i]), y(pixels[i]), 0, no_finding});
+    const std::vector<std::string>& faults() const { return world_.faults; }
+
+    struct Found {
+        PixelCause cause = PixelCause::bug;
+        std::string fault;   ///< of a bug
+        std::uint32_t ties = 0;
+        double seams_apart = 0;
+    };
+    /// `reference`: signature of the pixel's rays in the scene as given; `mine`: of the machine's.
+    Found operator()(std::uint32_t x, std::uint32_t y, std::uint64_t reference, std::uint64_t mine,
+                     const glm::dvec3& colour) const {
+        Bench bench(judge_, asked_.config);
+        const GuideFinding last = last_rung(x, y, bench, colour);
+        Found found;
+        found.ties = last.ties;
+        if (!last.fault.empty()) {
+            found.fault = last.fault;
+        } else if (mine == reference) {
+            found.cause = PixelCause::shading;
+        } else if (last.has_horizon) {
+            found.cause = PixelCause::horizon;
+        } else if (mine == reference_.pixel(camera_, size_, settings_, x, y).signature) {
+            found.cause = PixelCause::snapping;
+        } else {
+            find_seam(x, y, bench, last, found);
         }
+        return found;
     }
 
 private:
-    std::uint32_t x(std::size_t pixel) const { return std::uint32_t(pixel % asked_.frame.width); }
-    std::uint32_t y(std::size_t pixel) const { return std::uint32_t(pixel / asked_.frame.width); }
+    struct Bench {
+        ShadedRecorder recorder;
+        RecordScratch scratch;
+        PathJudge judge;
+        MachinePath path;
+        Bench(const PictureJudge& picture, const Config& config)
+            : recorder(picture.recorder()), scratch(config), judge(picture.rules()) {}
+    };
+
+    /// The reference on the machine's rays.
+    GuideFinding last_rung(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
+        Watches both({&bench.judge, &bench.path});
+        bench.judge.start(x, y);
+        bench.path.start();
+        bench.recorder.follow(x, y, bench.scratch, both);
+        const GuideRules rules{asked_, world_.scene, reference_, judge_.placed(),
+                               seams_ ? &*seams_ : nullptr};
+        Guide guide(rules, bench.path);
+        const WhittedPixel pixel = reference_.pixel(camera_, size_, settings_, x, y, &guide);
+        GuideFinding found = guide.finding();
+        // What the bounds leave out: R0 of Schlick's term has unit_bits, which each bounce may add to a
+        // weight.
+        const double slack = unit_step * double(1 + bench.path.visits.size());
+        const std::array<Range, 3> bounds = bench.judge.bounds();
+        for (std::size_t k = 0; k < 3 && found.fault.empty() && !found.has_horizon; ++k)
+            if (bounds[k].wider(slack).holds(pixel.colour[int(k)]))
+                continue;
+            else if (found.has_lost)
+                found.has_horizon = true;
+            else
+                found.fault = "by the reference's rules its rays give another colour: " +
+                              std::to_string(pixel.colour[int(k)]) + " in channel " + std::to_string(k) +
+                              ", and the machine's is " + std::to_string(colour[int(k)]);
+        return found;
+    }
+
+    void find_seam(std::uint32_t x, std::uint32_t y, Bench& bench, const GuideFinding& last,
+                   Found& found) const {
+        found.cause = last.has_seam ? PixelCause::seam : PixelCause::ray_quantisation;
+        if (!seams_) return;
+        SeamWatch watch(*seams_);
+        bench.recorder.follow(x, y, bench.scratch, watch);
+        found.seams_apart = watch.apart;
+        if (watch.has_seam) found.cause = PixelCause::seam;
+        if (!watch.is_lost) return;
+        found.cause = PixelCause::bug;
+        found.fault = no_finding;
+    }
 
     const Asked& asked_;
-    const MemoryImage& image_;
-    PlacedWorld world_;
-    Seams seams_;
-    Decoder decoder_;
+    const Whitted& settings_;
+    const PictureJudge& judge_;
+    FrameSize size_;
+    SnappedScene world_;
+    Camera camera_;
+    Reference reference_;
+    std::optional<Seams> seams_;
 };
-
-/// The scene as the machine has it.
-Scene snapped_scene(const Asked& asked) {
-    const std::optional<Scene> moved = aligned(asked.scene, asked.lattice);
-    return on_lattice(moved ? *moved : asked.scene, asked.lattice, asked.frame);
-}
 
 }   // namespace
 
@@ -114,13 +164,9 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
                          const FinishedAnswer& answered, const HitFrame& hits, int threads,
                          const Progress& progress) {
     const Stopwatch watch;
-    const PictureJudgement judged = judge_picture(asked, image, settings, answered.given, threads, progress);
+    const PictureJudge judge(asked, image, settings);
+    const PictureJudgement judged = judge.judge(answered.given, threads, progress);
     const std::size_t pixels = hits.hits.size();
-    std::optional<SeamSearch> search;
-    if (asked.config.has_instances()) search.emplace(asked, image);
-    const Scene scene = search ? search->scene() : snapped_scene(asked);
-    const WhittedFrame snapped = Reference(scene).whitted(
-        on_lattice(asked.camera, asked.lattice, asked.frame), hits.size, settings, threads, progress);
     Judgement j;
     j.pixels.assign(pixels, PixelCause::none);
     j.other.assign(pixels, false);
@@ -129,22 +175,43 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
     j.colours = judged.colours;
     j.widest = judged.widest;
     j.faults = judged.faults;
-    std::vector<std::size_t> rounded;
+
+    const bool can_climb = !judge.placed() || judge.placed()->faults().empty();
+    std::optional<Ladder> ladder;
+    if (can_climb) ladder.emplace(asked, settings, judge);
+    std::vector<std::optional<Ladder::Found>> found(pixels);
+    const auto width = std::size_t(hits.size.width);
+    const auto climb_row = [&](const PixelTile& tile) {
+        const auto y = std::size_t(tile.rows().begin());
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            const bool is_other = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
+            const glm::vec3& mine = answered.picture.pixels[i];
+            const bool differs =
+                is_other || srgb_bytes(glm::vec3(answered.reference.pixels[i])) != srgb_bytes(mine);
+            if (!ladder || judged.pixels[i] || !differs) continue;
+            found[i] = (*ladder)(std::uint32_t(i % width), std::uint32_t(y), answered.reference.signatures[i],
+                                 answered.given.signatures[i], mine);
+        }
+    };
+    for_each_tile(hits.size, threads, "finding causes", progress, climb_row, {hits.size.width, 1});
+
+    const auto report = [&](std::size_t pixel, const std::string& sentence) {
+        ++j.wrong;
+        if (j.faults.size() < most_faults)
+            j.faults.push_back({std::uint32_t(pixel % width), std::uint32_t(pixel / width), 0, sentence});
+    };
+    if (ladder)
+        for (const std::string& sentence : ladder->faults()) report(0, sentence);
     for (std::size_t i = 0; i < pixels; ++i) {
         j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
-        const bool same_colour =
-            srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i]);
-        if (!judged.pixels[i] && !j.other[i] && same_colour) continue;
-        const std::uint64_t mine = answered.given.signatures[i];
-        const PixelCause cause = judged.pixels[i]                           ? PixelCause::bug
-                                 : mine == answered.reference.signatures[i] ? PixelCause::shading
-                                 : mine == snapped.signatures[i]            ? PixelCause::snapping
-                                                                            : PixelCause::ray_quantisation;
-        j.pixels[i] = cause;
-        if (search && cause == PixelCause::ray_quantisation) rounded.push_back(i);
-    }
-    if (search) search->look(rounded, j);
-    for (std::size_t i = 0; i < pixels; ++i) {
+        if (judged.pixels[i]) {
+            j.pixels[i] = PixelCause::bug;
+        } else if (found[i]) {
+            j.pixels[i] = found[i]->cause;
+            j.ties += found[i]->ties;
+            j.seams_apart = std::max(j.seams_apart, found[i]->seams_apart);
+            if (found[i]->cause == PixelCause::bug) report(i, found[i]->fault);
+        }
         if (j.pixels[i] == PixelCause::none) continue;
         ++j.causes[std::size_t(j.pixels[i])];
         if (j.other[i]) ++j.causes_other[std::size_t(j.pixels[i])];

@@ -1,16 +1,21 @@
 #pragma once
 // Why a finished picture is not the reference's, pixel by pixel.
 //
-// Every ray and every step of the pixel's path is judged first (sim/judge). If all is right, one of these
-// findings holds:
-//   the machine's rays met what the reference's did, in the same order: the colours differ by the chip's
-//   arithmetic, and lie within its proven bounds: `shading`; they met what the reference's meet on the scene
-//   as the machine has it, vertices, spheres, planes and lights on the lattice: `snapping`; they met what
-//   neither does, each ray having been found to meet what it must, and to begin and to lead where it must but
-//   for a rounding that is named and bounded: `ray_quantisation`.
-// With two levels such a pixel is a `seam` if one of its rays is: if no single line gives what it met
-// (seam.hpp), because each instance rounds the ray for itself.
-// What is not found right in every step is a `bug`, whether or not it shows.
+// Two readers look at the machine's pixels. The judge (sim/judge) follows every ray of every pixel, by exact
+// arithmetic and by the machine's rules. The ladder follows the pixels that differ, in the reference tracer
+// and by the reference's rules, while one thing after the other is changed from the scene as given to the
+// machine:
+//
+//   rung  the reference has                                                        cause
+//   0     the scene as given                                                       shading
+//   1     corners, spheres, planes, lights and eye on the lattice                  snapping
+//   2     each ray as the machine sent it, once it is found within the bound that  ray_quantisation, seam,
+//         is stated for it; colours and weights with the machine's bits            horizon
+//
+// A pixel's cause is the lowest rung at which the reference's rays meet what the machine's met. At the last
+// rung they must in any case, and the colour must lie within the judge's bounds: else the pixel is a `bug`,
+// as it is if the judge finds a fault. guide.hpp says what the reference lets pass at that rung, and how it
+// is counted: ties, seams of two levels, planes beyond the horizon.
 #include "model/reference/reference.hpp"
 #include "sim/cause/cause.hpp"
 

@@ -124,6 +124,9 @@ std::string cause_sentence(const ColourFinding& c) {
             return "all rays met what they must; the chip's colour arithmetic rounds, within its proven "
                    "bounds "
                    "(shading)";
+        case PixelCause::horizon:
+            return "a ray from a point of a plane beyond the lattice meets another plane there, and the chip "
+                   "does not look for it (horizon)";
         case PixelCause::bug: break;
     }
     return "something is wrong (bug)" + (c.fault.empty() ? std::string() : ": " + c.fault);

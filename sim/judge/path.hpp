@@ -53,6 +53,10 @@ public:
     double widest() const {
         return widest_;
     }   ///< half the widest range of a pixel's colour, in units of 2^-unit_bits
+    /// In which each channel of the last pixel's colour must lie.
+    std::array<Range, 3> bounds() const {
+        return {exact_pixel_[0].clamped(0, 1), exact_pixel_[1].clamped(0, 1), exact_pixel_[2].clamped(0, 1)};
+    }
 
 private:
     using Colour = std::array<std::uint32_t, 3>;

@@ -1,6 +1,7 @@
 #include "sim/judge/picture.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -45,27 +46,50 @@ void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at,
 
 }   // namespace
 
-PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings,
-                               const Given& given, int threads, const Progress& progress) {
-    const Stopwatch watch;
-    const bool is_placed = given_asked.config.has_instances();
-    const std::optional<Scene> moved =
-        is_placed ? std::nullopt : aligned(given_asked.scene, given_asked.lattice);
-    const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame,
-                      given_asked.lattice, given_asked.config};
-    const std::vector<oracle::Solid> primitives =
-        is_placed ? std::vector<oracle::Solid>{}
-                  : solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
-    const oracle::Solids solids(primitives);
+struct PictureJudge::World {
+    const MemoryImage& image;
+    const Whitted& settings;
+    std::optional<Scene> moved;   ///< of one level, with the corners of large triangles on coarser points
+    Asked asked;
+    std::vector<oracle::Solid> primitives;
+    oracle::Solids solids;
     std::optional<PlacedWorld> placed;
-    if (is_placed) placed.emplace(asked, image);
-    const PathRules rules{asked, settings, primitives, solids, placed ? &*placed : nullptr};
-    const Decoder decoder(image, asked.config);
+    PathRules rules;
+    Decoder decoder;
+
+    World(const Asked& given, const MemoryImage& memory, const Whitted& options)
+        : image(memory),
+          settings(options),
+          moved(given.config.has_instances() ? std::nullopt : aligned(given.scene, given.lattice)),
+          asked{moved ? *moved : given.scene, given.camera, given.frame, given.lattice, given.config},
+          primitives(given.config.has_instances()
+                         ? std::vector<oracle::Solid>{}
+                         : solids_of(asked.scene, asked.lattice, asked.config.coord_bits)),
+          solids(primitives),
+          placed(given.config.has_instances() ? std::make_optional<PlacedWorld>(asked, image) : std::nullopt),
+          rules{asked, settings, primitives, solids, placed ? &*placed : nullptr},
+          decoder(image, asked.config) {}
+};
+
+PictureJudge::PictureJudge(const Asked& asked, const MemoryImage& image, const Whitted& settings)
+    : world_(std::make_unique<World>(asked, image, settings)) {}
+PictureJudge::~PictureJudge() = default;
+
+const PathRules& PictureJudge::rules() const { return world_->rules; }
+const PlacedWorld* PictureJudge::placed() const { return world_->rules.placed; }
+ShadedRecorder PictureJudge::recorder() const {
+    return {world_->image, world_->asked.frame, world_->asked.config, world_->decoder};
+}
+
+PictureJudgement PictureJudge::judge(const Given& given, int threads, const Progress& progress) const {
+    const Stopwatch watch;
+    const Asked& asked = world_->asked;
+    const PlacedWorld* placed = world_->rules.placed;
     const std::uint32_t width = asked.frame.width, height = asked.frame.height;
 
     PictureJudgement j;
     std::vector<std::uint8_t> wrong(std::size_t(width) * height);
-    for (const std::string& sentence : judge_registers(asked, settings))
+    for (const std::string& sentence : judge_registers(asked, world_->settings))
         j.faults.push_back({0, 0, 0, sentence});
     if (placed)
         for (const std::string& sentence : placed->faults()) j.faults.push_back({0, 0, 0, sentence});
@@ -76,7 +100,8 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
         j.seconds = watch.seconds();
         return j;
     }
-    tbb::enumerable_thread_specific<Bench> benches([&] { return Bench(image, asked, decoder, rules); });
+    tbb::enumerable_thread_specific<Bench> benches(
+        [&] { return Bench(world_->image, asked, world_->decoder, world_->rules); });
     const FrameSize size{int(width), int(height)}, row{size.width, 1};
     const auto judge_row = [&](const PixelTile& tile) {
         const auto y = std::uint32_t(tile.rows().begin());
@@ -100,6 +125,11 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
     j.wrong += std::uint64_t(std::count(wrong.begin(), wrong.end(), 1));
     j.seconds = watch.seconds();
     return j;
+}
+
+PictureJudgement judge_picture(const Asked& asked, const MemoryImage& image, const Whitted& settings,
+                               const Given& given, int threads, const Progress& progress) {
+    return PictureJudge(asked, image, settings).judge(given, threads, progress);
 }
 
 }   // namespace rayclock

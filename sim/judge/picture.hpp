@@ -1,11 +1,12 @@
 #pragma once
 // A finished picture, judged: every ray of it, every step between two rays, every colour.
 #include <array>
-#include <span>
+#include <memory>
 
 #include "model/base/progress.hpp"
 #include "model/scene/whitted.hpp"
-#include "sim/judge/world.hpp"
+#include "model/trace/record_shaded.hpp"
+#include "sim/judge/path.hpp"
 
 namespace rayclock {
 
@@ -33,8 +34,28 @@ struct PictureJudgement {
     double seconds = 0;                 ///< of the host
 };
 
-/// Walks every pixel's rays again as the model does, and judges what it sees. `image` is the memory that the
-/// machine had.
+/// What a frame is judged by: the scene as the machine must have it, and the rules of the asked picture.
+class PictureJudge {
+public:
+    /// `image` is the memory that the machine had. All arguments must stay.
+    PictureJudge(const Asked& asked, const MemoryImage& image, const Whitted& settings);
+    ~PictureJudge();
+    PictureJudge(const PictureJudge&) = delete;
+
+    /// Walks every pixel's rays again as the model does, and judges what it sees.
+    PictureJudgement judge(const Given& given, int threads = 0, const Progress& progress = {}) const;
+
+    const PathRules& rules() const;
+    const PlacedWorld* placed() const;   ///< of two levels
+    /// What follows a pixel's rays again; one for each thread.
+    ShadedRecorder recorder() const;
+
+private:
+    struct World;
+    std::unique_ptr<World> world_;
+};
+
+/// The same in one call.
 PictureJudgement judge_picture(const Asked& asked, const MemoryImage& image, const Whitted& settings,
                                const Given& given, int threads = 0, const Progress& progress = {});
 

@@ -158,7 +158,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     if (config_.shading)
         if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
-    for (glm::dvec3& normal : made.scene.normals) normal = unit_or_zero(normal * of.lattice.pitch);
+    for (glm::dvec3& normal : made.scene.normals) normal *= of.lattice.pitch;
     made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,

@@ -58,10 +58,12 @@ void put_normals(const Scene& scene, const Triangle& t, Surface& s) {
     const glm::dvec3 flat =
         glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
     const bool away = glm::dot(scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]], flat) < 0;
-    const double most = std::exp2(corner_bits - 1) - 1;
+    double longest = 0;
+    for (const std::uint32_t corner : v) longest = std::max(longest, glm::length(scene.normals[corner]));
+    const double most = std::exp2(corner_bits - 1) - 1, scale = longest > 0 ? 1 / longest : 1;
     for (std::size_t corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k) {
-            const double x = std::clamp(scene.normals[v[corner]][k], -1.0, 1.0) * most;
+            const double x = std::clamp(scene.normals[v[corner]][k] * scale, -1.0, 1.0) * most;
             s.normal[3 * corner + std::size_t(k)] = std::int32_t(std::round(away ? -x : x));
         }
     s.smooth = 1;

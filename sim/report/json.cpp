@@ -182,6 +182,7 @@ ordered_json error_json(const std::optional<FrameError>& e, const std::optional<
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);
     json["causes_other_primitive"] = causes_json(j->causes_other);
+    json["ties"] = j->ties;
     json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
     return json;
 }

@@ -135,7 +135,8 @@ std::string cause_lines(const Judgement& j) {
         std::string text;
         for (std::size_t k = 0; k < pixel_causes; ++k) {
             const bool is_rare =
-                PixelCause(k) == PixelCause::primitive_test || PixelCause(k) == PixelCause::seam;
+                PixelCause(k) == PixelCause::primitive_test || PixelCause(k) == PixelCause::seam ||
+                PixelCause(k) == PixelCause::horizon;
             if (is_rare && causes[k] == 0) continue;
             std::string name = cause_info(PixelCause(k)).key;
             std::replace(name.begin(), name.end(), '_', ' ');
@@ -146,6 +147,7 @@ std::string cause_lines(const Judgement& j) {
     std::string text = fmt::format("  causes: {}\n    where another primitive is held: {}", list(j.causes),
                                    list(j.causes_other));
     if (j.on_edge) text += fmt::format("; {} of these rays meet an edge exactly", grouped(j.on_edge));
+    if (j.ties) text += fmt::format("; {} ties", grouped(j.ties));
     text += fmt::format("\n  judge: {} camera", grouped(j.rays.primary));
     const std::pair<const char*, std::uint64_t> kinds[] = {
         {"shadow", j.rays.shadow}, {"reflected", j.rays.reflection}, {"refracted", j.rays.refraction}};
