@@ -181,7 +181,10 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
     if (config.smooth && i < scene.triangles.size()) set_normals(scene, i, s);
     set_material(scene.materials[material_of(scene, i)], s);
     const std::size_t planes = scene.triangles.size() + scene.spheres.size();
-    if (i >= planes) set_checkers(plane_on_lattice(scene.planes[i - planes], lattice), config, s);
+    if (i >= planes)
+        set_checkers(plane_on_lattice(scene.planes[i - planes], lattice), config, s);
+    else
+        s.checkered = 0;   // planes alone have squares
     return s;
 }
 

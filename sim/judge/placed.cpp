@@ -81,7 +81,7 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
                     placed.mesh == own_round
                         ? make_round(scene)
                         : make(scene, placed.mesh == own_triangles ? own_mesh : scene.meshes[placed.mesh],
-                               lattices.classes[c]));
+                               lattices.classes[c], placed.place));
                 break;
             }
     read_maps(image);
@@ -149,7 +149,7 @@ PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
 
 /// The corners are moved as those of a flat scene are (aligned()), and normals as planes of the lattice.
 PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& mesh,
-                                    const LevelLattices::Class& of) const {
+                                    const LevelLattices::Class& of, const glm::dmat4& first) const {
     Scene part;
     part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
     Made made;
@@ -158,7 +158,17 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     if (config_.shading)
         if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
-    for (glm::dvec3& normal : made.scene.normals) normal *= of.lattice.pitch;
+    // Of unit length where the first instance takes it in the scene.
+    const std::array<long double, 9> back = inverse_of(of.before == glm::dmat4(1) ? first : glm::dmat4(1));
+    for (glm::dvec3& normal : made.scene.normals) {
+        long double square = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const long double at = back[k] * (long double)normal.x + back[3 + k] * (long double)normal.y +
+                                   back[6 + k] * (long double)normal.z;
+            square += at * at;
+        }
+        if (square > 0) normal *= of.lattice.pitch / double(std::sqrt(square));
+    }
     made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,

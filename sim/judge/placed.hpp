@@ -61,7 +61,9 @@ private:
     };
 
     void list_instances(const PlacedScene& scene, const LevelLattices& lattices);
-    Made make(const PlacedScene& scene, const SharedMesh& mesh, const LevelLattices::Class& of) const;
+    /// `first`: the place of the first instance of the class.
+    Made make(const PlacedScene& scene, const SharedMesh& mesh, const LevelLattices::Class& of,
+              const glm::dmat4& first) const;
     Made make_round(const PlacedScene& scene) const;
     void read_maps(const MemoryImage& image);
     void judge_map(const Placed& placed, const LevelLattices::Class& of, const Placement& map);

@@ -209,6 +209,7 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
         case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
     }
     put_material(material, s);
+    if (solid.kind != Solid::Kind::plane) s.checkered = 0;   // no other surface has squares
     return s;
 }
 

@@ -228,16 +228,18 @@ std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, co
     return all;
 }
 
-// Normals of corners are turned as planes are: by the transpose of what takes steps to the class's space.
+// Corner normals are turned as planes are: by the transpose of what takes steps to the class's space. In the
+// scene each has unit length again; the map's transpose takes all three there together, so their lengths are
+// set here.
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
     Scene part, scene;
     part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
     append(scene, part, made.before, {}, 0);
     if (!made.corners.empty()) scene.vertices = made.corners;
     for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
-    // Not made unit again: the map's transpose takes them back to the scene together, and their lengths weigh
-    // them there.
-    for (glm::dvec3& normal : scene.normals) normal *= made.lattice.pitch;
+    for (glm::dvec3& normal : scene.normals)
+        if (const double length = glm::length(made.normal_map * normal); length > 0)
+            normal *= made.lattice.pitch / length;
     scene.materials = materials;
     return scene;
 }

@@ -23,6 +23,26 @@ struct Needs {
     Seen seen;
 };
 
+/// Normals go by the cofactors of a place; what these make of a length is told by their square.
+glm::dmat3 cofactors_of(const glm::dmat4& place) {
+    const glm::dmat3 m(place);
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+/// Whether two maps stretch all directions alike, to 2^-12, but for a common factor. With a square of trace 1
+/// no eigenvalue is below the determinant.
+bool stretch_alike(const glm::dmat3& one, const glm::dmat3& other) {
+    const auto square_of = [](const glm::dmat3& m) {
+        const glm::dmat3 square = glm::transpose(m) * m;
+        return square * (1 / (square[0][0] + square[1][1] + square[2][2]));
+    };
+    const glm::dmat3 a = square_of(one), b = square_of(other);
+    double apart = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) apart = std::max(apart, std::abs(a[i][k] - b[i][k]));
+    return 3 * apart <= 0x1p-11 * glm::determinant(a);
+}
+
 class Mapper {
 public:
     Mapper(const LevelParts& parts, std::span<const Places> times, std::span<const glm::dvec3> eyes,
@@ -178,16 +198,20 @@ private:
             Needs own = needs_of(seen_at(i, 0));
             for (std::size_t t = 1; t < times; ++t) add(own, needs_of(seen_at(i, t)));
             std::vector<std::uint32_t>& known = of_mesh[instance.mesh];
+            const bool has_normals = config_.shading && !parts_.meshes[instance.mesh]->normals.empty();
+            const glm::dmat3 normal_map =
+                is_out_[i] || !has_normals ? glm::dmat3(1) : cofactors_of(times_[0][i]);
             const auto found =
                 is_out_[i] ? known.end() : std::find_if(known.begin(), known.end(), [&](std::uint32_t c) {
-                    return fits(needs_[c], own);
+                    return fits(needs_[c], own) && stretch_alike(maps_.classes[c].normal_map, normal_map);
                 });
             const std::uint32_t at = found != known.end() ? *found : std::uint32_t(needs_.size());
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back(own);
                 maps_.classes.push_back(
-                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}, false});
+                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}, false,
+                     normal_map});
             }
             add(needs_[at], own);
             class_.push_back(at);

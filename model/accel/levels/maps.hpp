@@ -39,7 +39,8 @@ struct CornerReach {
 };
 
 /// Instances of one mesh that share a lattice, and so a lower structure: none sees the scene's lattice more
-/// than twice as large as another on any axis. Or one that no map could place well: it is written out, its
+/// than twice as large as another on any axis. If corner normals count, all members stretch them alike, to
+/// 2^-12 of a length. Or one that no map could place well: it is written out, its
 /// mesh moved to its place beforehand, and its map is the identity.
 struct MeshClass {
     std::uint32_t mesh = 0;
@@ -50,6 +51,8 @@ struct MeshClass {
     std::int32_t longest = 0;          ///< component of an edge, in steps
     CornerReach reach;                 ///< of points
     bool deforms = false;              ///< what depends on the mesh's corners is of one frame
+    /// How its members stretch normals, but for a rotation and a factor: the cofactors of the first one's place.
+    glm::dmat3 normal_map{1};
 };
 
 struct InstanceMap {
