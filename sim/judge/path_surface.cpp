@@ -62,6 +62,12 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
                                                             // colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
+    if (place_.surface.smooth) {
+        const bool holds = rules_.placed ? rules_.placed->holds_normals(answer_.prim, in.surface)
+                                         : holds_normals(rules_.asked.scene, answer_.prim, in.surface);
+        demand(holds, "memory does not hold the corner normals of the triangle that was hit");
+        place_.surface.normal = in.surface.normal;
+    }
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
     judge_place(in, s);
     ambient(s);

@@ -288,6 +288,11 @@ Surface PlacedWorld::surface(std::uint32_t primitive) const {
     return expected_surface(made.scene, made.solids, config_, primitive - placed.first, material(primitive));
 }
 
+bool PlacedWorld::holds_normals(std::uint32_t primitive, const Surface& seen) const {
+    const Placed& placed = instances_[place_of(primitive)];
+    return rayclock::holds_normals(classes_[placed.mesh_class].scene, primitive - placed.first, seen);
+}
+
 const Plane& PlacedWorld::plane(std::uint32_t primitive) const {
     const Placed& placed = instances_[place_of(primitive)];
     const Scene& scene = classes_[placed.mesh_class].scene;

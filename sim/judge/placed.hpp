@@ -37,6 +37,7 @@ public:
     oracle::PlacedRay ray(const Ray& ray) const;
     const Material& material(std::uint32_t primitive) const;
     Surface surface(std::uint32_t primitive) const;
+    bool holds_normals(std::uint32_t primitive, const Surface& seen) const;
     const Plane& plane(std::uint32_t primitive) const;
     bool is_map_of(std::uint32_t place, const Placement& placement) const;
     /// Shared meshes on their lattices, in steps, where the maps in memory put them, in steps of the scene's

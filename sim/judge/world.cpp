@@ -52,23 +52,6 @@ void put_material(const Material& m, Surface& s) {
     s.leave = natural(index, index_frac, most);
 }
 
-/// Corner normals, all turned if their sum points away from the flat normal's side.
-void put_normals(const Scene& scene, const Triangle& t, Surface& s) {
-    const auto& v = t.vertex;
-    const glm::dvec3 flat =
-        glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
-    const bool away = glm::dot(scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]], flat) < 0;
-    double longest = 0;
-    for (const std::uint32_t corner : v) longest = std::max(longest, glm::length(scene.normals[corner]));
-    const double most = std::exp2(corner_bits - 1) - 1, scale = longest > 0 ? 1 / longest : 1;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-        for (int k = 0; k < 3; ++k) {
-            const double x = std::clamp(scene.normals[v[corner]][k] * scale, -1.0, 1.0) * most;
-            s.normal[3 * corner + std::size_t(k)] = std::int32_t(std::round(away ? -x : x));
-        }
-    s.smooth = 1;
-}
-
 /// The largest power of two, up to a limit, of which all components of the edges are multiples.
 std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
     const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
@@ -197,7 +180,7 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
         case Solid::Kind::triangle:
             s.kind = std::uint32_t(PrimKind::triangle);
             s.fine = fineness(solid.corners, config);
-            if (config.smooth && !scene.normals.empty()) put_normals(scene, scene.triangles[i], s);
+            s.smooth = config.smooth && !scene.normals.empty();
             break;
         case Solid::Kind::sphere:
             s.kind = std::uint32_t(PrimKind::sphere);
@@ -211,6 +194,24 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     put_material(material, s);
     if (solid.kind != Solid::Kind::plane) s.checkered = 0;   // no other surface has squares
     return s;
+}
+
+// Where a number lies half-way between two, either is right: the host works in doubles of its own.
+bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
+    const auto& v = scene.triangles[i].vertex;
+    const glm::dvec3 flat =
+        glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
+    const glm::dvec3 sum = scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]];
+    double longest = 0;
+    for (const std::uint32_t corner : v) longest = std::max(longest, glm::length(scene.normals[corner]));
+    const double turn = glm::dot(sum, flat) < 0 ? -1 : 1, most = std::exp2(corner_bits - 1) - 1,
+                 scale = longest > 0 ? turn * most / longest : 0;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int k = 0; k < 3; ++k)
+            if (std::abs(scene.normals[v[corner]][k] * scale - seen.normal[3 * corner + std::size_t(k)]) >
+                0.5 + 1e-9)
+                return false;
+    return true;
 }
 
 std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings) {

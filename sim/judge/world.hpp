@@ -27,12 +27,18 @@ void snap_round(const Lattice& lattice, Scene& scene);
 
 const Material& material_of(const Scene& scene, std::size_t primitive);
 
-/// Primitive i's surface: corners and material, each number the nearest that its format has.
+/// Primitive i's surface: corners and material, each number the nearest that its format has. Corner normals
+/// are left out: holds_normals().
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
                          std::size_t i);
 /// The same of another material.
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
                          std::size_t i, const Material& material);
+
+/// Whether a smooth triangle's surface has the scene's corner normals: the longest of the three fills its
+/// bits, each number is the nearest, and all are turned if their sum points away from the triangle's own
+/// side.
+bool holds_normals(const Scene& scene, std::size_t triangle, const Surface& seen);
 
 /// What is wrong with the frame's registers, a sentence each: eye, depth, samples, background, lights.
 std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings);

@@ -253,17 +253,17 @@ TEST_CASE("a pixel on an edge of the reference's triangle is counted apart", "[c
 }
 
 TEST_CASE("the picture of causes has a colour for each", "[cause]") {
-    const Picture reference{{3, 3}, std::vector<glm::vec3>(9, glm::vec3{1, 1, 1})};
+    const Picture reference{{5, 2}, std::vector<glm::vec3>(pixel_causes + 2, glm::vec3{1, 1, 1})};
     Judgement j;
     for (std::size_t k = 0; k <= pixel_causes; ++k) j.pixels.push_back(PixelCause(k));
     j.pixels.push_back(PixelCause::snapping);
     j.other.assign(pixel_causes, true);
-    j.other.resize(9);
+    j.other.resize(pixel_causes + 2);
     const Picture picture = cause_picture(reference, j);
     for (std::size_t k = 0; k < pixel_causes; ++k)
         CHECK(srgb_bytes(picture.pixels[k]) == cause_info(PixelCause(k)).colour);
-    CHECK(picture.pixels[7] == glm::vec3(0.25f));   // none: the reference, dimmed
-    CHECK(picture.pixels[8].r == Approx(picture.pixels[0].r / 3));
+    CHECK(picture.pixels[pixel_causes] == glm::vec3(0.25f));   // none: the reference, dimmed
+    CHECK(picture.pixels[pixel_causes + 1].r == Approx(picture.pixels[0].r / 3));
     for (std::size_t a = 0; a < pixel_causes; ++a)
         for (std::size_t b = 0; b < a; ++b)
             CHECK(cause_info(PixelCause(a)).colour != cause_info(PixelCause(b)).colour);

@@ -209,9 +209,15 @@ private:
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back(own);
-                maps_.classes.push_back(
-                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}, false,
-                     normal_map});
+                maps_.classes.push_back({instance.mesh,
+                                         is_out_[i] ? times_[0][i] : glm::dmat4(1),
+                                         {},
+                                         {},
+                                         {},
+                                         0,
+                                         {},
+                                         false,
+                                         normal_map});
             }
             add(needs_[at], own);
             class_.push_back(at);

@@ -1,6 +1,6 @@
 #pragma once
-// Small scenes drawn at random, to set the machine's rules against the reference's: spheres, planes and meshes of
-// every material, nested and touching, with lights and the eye on any side of them.
+// Small scenes drawn at random, to set the machine's rules against the reference's: spheres, planes and
+// meshes of every material, nested and touching, with lights and the eye on any side of them.
 #include <array>
 #include <cmath>
 #include <random>
@@ -46,7 +46,8 @@ public:
         }
         for (;;) {
             const glm::dvec3 v(real(-1, 1), real(-1, 1), real(-1, 1));
-            if (const double square = glm::dot(v, v); square > 0.01 && square <= 1) return v / std::sqrt(square);
+            if (const double square = glm::dot(v, v); square > 0.01 && square <= 1)
+                return v / std::sqrt(square);
         }
     }
 
@@ -112,15 +113,16 @@ private:
         const glm::dvec3 n = dice_.unit();
         const glm::dvec3 other = std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
         const glm::dvec3 u = glm::normalize(glm::cross(n, other));
-        out_.placed.own.planes.push_back(
-            {dice_.point(3), u * dice_.number(0.25, 2), glm::cross(n, u) * dice_.number(0.25, 2), material()});
+        out_.placed.own.planes.push_back({dice_.point(3), u * dice_.number(0.25, 2),
+                                          glm::cross(n, u) * dice_.number(0.25, 2), material()});
     }
 
     /// An octahedron or a cube of side 2, its normals radial if it is smooth.
     SharedMesh solid(bool is_cube, bool smooth) {
         SharedMesh mesh;
         if (is_cube) {
-            for (int i = 0; i < 8; ++i) mesh.vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+            for (int i = 0; i < 8; ++i)
+                mesh.vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
             const std::array<std::array<std::uint32_t, 4>, 6> sides{
                 {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
             for (const auto& s : sides) {
@@ -158,8 +160,8 @@ private:
                 shear[1][0] = dice_.number(-0.5, 0.5);
                 place = place * shear;
             }
-            Instance instance{"i" + std::to_string(n), std::uint32_t(dice_.below(int(scene.meshes.size()))), place,
-                              std::nullopt};
+            Instance instance{"i" + std::to_string(n), std::uint32_t(dice_.below(int(scene.meshes.size()))),
+                              place, std::nullopt};
             if (dice_.percent(50)) instance.material = material();
             scene.instances.push_back(instance);
         }
@@ -179,7 +181,8 @@ private:
         camera.at = dice_.point(0.5);
         const glm::dvec3 way = camera.at - camera.eye;
         if (glm::length(way) < 0.1) camera.at = camera.eye + glm::dvec3(0, 0, -1);
-        if (glm::length(glm::cross(camera.at - camera.eye, camera.up)) < 1e-3 * glm::length(camera.at - camera.eye))
+        if (glm::length(glm::cross(camera.at - camera.eye, camera.up)) <
+            1e-3 * glm::length(camera.at - camera.eye))
             camera.up = {1, 0, 0};
         camera.fov_degrees = dice_.number(20, 100);
         out_.placed.own.camera = camera;
