@@ -139,8 +139,8 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
         if (progress) progress("compiling " + name, 4, 4);
         return image;
     }
-    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0,
-                                        config.planes ? room_around_planes(config) : 1);
+    const Lattice lattice =
+        fit_lattice(given, eye, config.coord_bits, config.shading != 0, room_around_planes(given, config));
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     const std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);

@@ -1,5 +1,6 @@
 #include "model/accel/plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -74,11 +75,16 @@ void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& su
     }
 }
 
-double room_around_planes(const Config& config) {
+double room_around_planes(const Scene& scene, const Config& config) {
+    if (!config.planes) return 1;
     const double reach = std::ldexp(1.0, config.coord_bits - 1);
     const double step =
         std::ldexp(1.0, config.dir_bits - 2 + config.approach_shift() - config.origin_bits) / reach;
-    return 1 / (1 - step - 4 / reach);   // and a few steps for rounding
+    const bool transmits = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        return plane.material < scene.materials.size() && scene.materials[plane.material].transmit > 0;
+    });
+    const double room = config.shading && transmits && scene.planes.size() > 1 ? horizon_room : 1;
+    return room / (1 - step - 4 / reach);   // and a few steps for rounding
 }
 
 }   // namespace rayclock

@@ -1,5 +1,6 @@
 #include "sim/cause/guide.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -388,6 +389,22 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
     return look(path, distance) || any_moved(path, distance, look);
 }
 
+/// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies: what is seen
+/// through a plane that transmits may have another light (docs/origins.md, Points of a plane beyond the
+/// lattice).
+bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
+                                     const MachineVisit& at) const {
+    const Scene& scene = rules_.scene;
+    const bool transmits = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        return scene.materials[plane.material].transmit > 0;
+    });
+    if (!transmits || (!at.state.far && rules_.asked.frame.shade.near[light] != 0)) return false;
+    const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
+    return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
+        return primitive >= scene.triangles.size() + scene.spheres.size();
+    });
+}
+
 bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, bool own) {
     const MachineVisit* at = visit();
     if (!at || light >= at->lights.size()) return own;
@@ -418,6 +435,10 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
             finding_.has_seam = true;
             return machine;
         }
+    }
+    if (is_hidden_beyond_horizon(light, path, distance, *at)) {
+        finding_.has_horizon = true;
+        return machine;
     }
     fail(machine ? "a light is hidden that nothing hides by the reference's rules"
                  : "a light is seen through something that hides it by the reference's rules");

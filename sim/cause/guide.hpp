@@ -83,6 +83,8 @@ private:
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
+    bool is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
+                                  const MachineVisit& at) const;
     bool is_blocking_tied(const RefPath& path, double distance, bool wanted) const;
 
     const GuideRules& rules_;

@@ -156,7 +156,7 @@ private:
         corners.triangles = {{{0, 1, 1}, 0}};
         if (parts_.round) corners.planes = parts_.round->planes;
         return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading != 0,
-                           config_.planes ? room_around_planes(config_) : 1);
+                           parts_.round ? room_around_planes(*parts_.round, config_) : 1);
     }
 
     /// All of it; returns by how many steps boxes reach beyond what a node can say, at the worst time.
