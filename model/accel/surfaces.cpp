@@ -11,6 +11,7 @@
 #include "model/accel/encode.hpp"
 #include "model/accel/plane.hpp"
 #include "model/base/error.hpp"
+#include "model/isect/edges.hpp"
 
 namespace rayclock {
 
@@ -109,12 +110,17 @@ bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t
     return false;
 }
 
-/// No plane stands between the camera's eye and the point.
-bool is_clear(const Scene& scene, const glm::dvec3& point) {
+/// No plane stands between the camera's eye and the lattice point, and none holds the eye: exact. From an eye
+/// that lies in a plane both sides of it are seen.
+bool is_clear(const Scene& scene, const Lattice& lattice, const std::int32_t* place) {
     if (!scene.camera) return true;
-    return std::none_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
-        const glm::dvec3 n = glm::cross(glm::normalize(plane.u), glm::normalize(plane.v));
-        return glm::dot(n, point - plane.point) * glm::dot(n, scene.camera->eye - plane.point) < 0;
+    const Vec3i eye = lattice.snap(scene.camera->eye);
+    return std::all_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        const PlaneOnLattice on = plane_on_lattice(plane, lattice);
+        const Vec3l n = cross(minus(on.b, on.a), minus(on.c, on.a));
+        const Wide seen = dot<Wide>(n, minus(eye, on.a)),
+                   lit = dot<Wide>(n, minus({place[0], place[1], place[2]}, on.a));
+        return seen > 0 ? lit >= 0 : seen < 0 && lit <= 0;
     });
 }
 
@@ -276,7 +282,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
             frame.colour[3 * i + k] =
                 fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
         }
-        frame.clear[i] = is_clear(scene, scene.lights[i].position) &&
+        frame.clear[i] = is_clear(scene, image.lattice, &frame.place[3 * i]) &&
                          !(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]));
     }
     return frame;

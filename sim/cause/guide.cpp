@@ -398,7 +398,13 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
     const bool transmits = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
         return scene.materials[plane.material].transmit > 0;
     });
-    if (!transmits || (!at.state.far && rules_.asked.frame.shade.near[light] != 0)) return false;
+    const bool is_beyond = rules_.asked.frame.shade.near[light] == 0;
+    if (at.state.lost) return true;
+    if (at.state.far && is_beyond && !at.lights[light].is_lit) {
+        const RefClosest behind = rules_.reference.geometry().closest(path);
+        if (behind.primitive != no_primitive && behind.depth > distance) return true;
+    }
+    if (!transmits || (!at.state.far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
         return primitive >= scene.triangles.size() + scene.spheres.size();

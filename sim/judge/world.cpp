@@ -89,8 +89,11 @@ bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shu
     for (const Plane& plane : asked.scene.planes) {
         const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point,
                          to_light = light - plane.point;
-        const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light), least = 1e-9 * glm::length(n);
-        if (std::abs(eye) < least * glm::length(to_eye) || std::abs(other) < least * glm::length(to_light))
+        // By so much may the lattice move them and turn the plane.
+        const double turn = std::exp2(6 - asked.config.coord_bits), step = 2 * asked.lattice.coarsest();
+        const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light), size = glm::length(n);
+        if (std::abs(eye) <= size * (step + turn * glm::length(to_eye)) ||
+            std::abs(other) <= size * (step + turn * glm::length(to_light)))
             return true;
         clear = clear && (eye > 0) == (other > 0);
     }
