@@ -48,6 +48,10 @@ template <class Try> bool any_moved(const RefPath& path, double reach, const Try
     return false;
 }
 
+glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
+    return lattice.centre + lattice.pitch * steps;
+}
+
 std::string name_of(std::uint32_t primitive) {
     return primitive == no_primitive ? "nothing" : "primitive " + std::to_string(primitive);
 }
@@ -61,10 +65,9 @@ void Guide::fail(std::string what) {
 }
 
 glm::dvec3 Guide::point(const Vec3l& p, int frac) const {
-    const Lattice& lattice = rules_.asked.lattice;
-    glm::dvec3 at = lattice.centre;
-    for (std::size_t k = 0; k < 3; ++k) at[int(k)] += lattice.pitch[int(k)] * std::ldexp(double(p[k]), -frac);
-    return rules_.reference.geometry().space()(at);
+    const glm::dvec3 steps(std::ldexp(double(p[0]), -frac), std::ldexp(double(p[1]), -frac),
+                           std::ldexp(double(p[2]), -frac));
+    return rules_.reference.geometry().space()(units_of(rules_.asked.lattice, steps));
 }
 
 glm::dvec3 Guide::direction(const Vec3i& d) const {
@@ -148,6 +151,28 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     return std::nullopt;
 }
 
+/// Where a ray meets a sphere the machine rounds a root (model/isect/any.hpp): what is closer by less may
+/// win.
+double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
+    const Scene& scene = rules_.scene;
+    const Config& config = rules_.asked.config;
+    if (primitive < scene.triangles.size() || primitive >= scene.triangles.size() + scene.spheres.size())
+        return 0;
+    const Vec3i& d = at.ray.d;
+    const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
+                 radius = scene.spheres[primitive - scene.triangles.size()].radius /
+                          rules_.asked.lattice.coarsest();
+    return 9 * std::exp2(1 - config.dir_bits - config.t_frac_bits) * length +
+           2 * radius * std::exp2(1 - root_bits) + 3 * std::exp2(-config.origin_frac());
+}
+
+bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
+    if (!at.hit.found || own.primitive == no_primitive) return false;
+    const double most = (sphere_error(at, own.primitive) + sphere_error(at, at.hit.prim)) * step();
+    const RefClosest other = rules_.reference.geometry().only(path, at.hit.prim);
+    return most > 0 && other.primitive != no_primitive && other.depth - own.depth <= most;
+}
+
 /// From beyond the lattice the machine's ray begins where it comes into the lattice; what it passes before,
 /// or without coming in, is not looked for.
 bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
@@ -195,6 +220,10 @@ RefClosest Guide::met(const RefPath& path, const RefClosest& own) {
     if (const std::optional<RefClosest> hit = find_tie(path, own, wanted)) {
         tie();
         return *hit;
+    }
+    if (is_within_root(path, own, *at)) {
+        tie();
+        return rules_.reference.geometry().only(path, wanted);
     }
     if (is_beyond_horizon(path, own, *at)) {
         finding_.has_horizon = true;
@@ -327,10 +356,7 @@ void Guide::place(RefSurface& surface) {
         surface.position = machine;
         return;
     } else if (kind == PrimKind::sphere) {
-        const Sphere& s = rules_.scene.spheres[surface.primitive - rules_.scene.triangles.size()];
-        const double radius = s.radius / rules_.asked.lattice.coarsest();
-        // t is above the true one by 9 units at most and by a root's rounding (model/isect/any.hpp).
-        most = 9 * tick + 2 * radius * std::exp2(1 - root_bits) + 3 * grain;
+        most = sphere_error(*at, surface.primitive);
     } else {
         const double unit =
             std::exp2(-config.bary_bits) +
@@ -404,6 +430,13 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         const RefClosest behind = rules_.reference.geometry().closest(path);
         if (behind.primitive != no_primitive && behind.depth > distance) return true;
     }
+    const Vec3i& eye = rules_.asked.frame.eye;
+    const glm::dvec3 from = units_of(rules_.asked.lattice, {eye[0], eye[1], eye[2]});
+    const bool holds_eye = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
+        return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
+    });
+    if (holds_eye && at.state.far && !at.lights[light].is_lit) return true;
     if (!transmits || (!at.state.far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {

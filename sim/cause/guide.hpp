@@ -82,6 +82,8 @@ private:
     RefClosest as_machine(const RefPath& path, const MachineVisit& at);
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;
+    double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
+    bool is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
                                   const MachineVisit& at) const;
