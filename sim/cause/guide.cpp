@@ -15,8 +15,9 @@ namespace rayclock {
 
 namespace {
 
-/// Far above what doubles round by on the way of a ray, far below a step of any lattice.
-constexpr double tie_size = 0x1p-40;
+/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far below
+/// a step of any lattice.
+constexpr double tie_size = 0x1p-34;
 
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
 /// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
@@ -436,7 +437,7 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
         return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
     });
-    if (holds_eye && at.state.far && !at.lights[light].is_lit) return true;
+    if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
     if (!transmits || (!at.state.far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {

@@ -10,7 +10,7 @@
 //
 // The two may part where doubles cannot tell, or where a stated rounding decides. Then the reference follows
 // the machine, and the step is counted:
-//   tie      a ray moved by 2^-40 of its length, or a quantity within its stated bound, gives the machine's
+//   tie      a ray moved by 2^-34 of its length, or a quantity within its stated bound, gives the machine's
 //   answer horizon  a bounce from a point of a plane beyond the lattice meets another plane there: the
 //   machine does not
 //            look for it (docs/origins.md, Points of a plane beyond the lattice)
