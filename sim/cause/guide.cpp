@@ -15,8 +15,8 @@ namespace rayclock {
 
 namespace {
 
-/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far below
-/// a step of any lattice.
+/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far
+/// below a step of any lattice.
 constexpr double tie_size = 0x1p-34;
 
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
@@ -152,6 +152,19 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     return std::nullopt;
 }
 
+/// The machine's point is rounded: on a sphere it lies beside it, near a crease perhaps beyond the other
+/// surface. The path from where the reference has it, to the same end.
+RefPath Guide::from_own(const RefPath& path, double distance) const {
+    const std::size_t depth = std::isfinite(distance) ? at_.size() : at_.size() - 1;   // a bounce left the
+                                                                                       // one before
+    RefPath moved = path;
+    if (depth == 0 || depth > moved_.size()) return moved;
+    moved.from -= moved_[depth - 1];
+    if (std::isfinite(distance))
+        moved.direction = glm::normalize(path.from + distance * path.direction - moved.from);
+    return moved;
+}
+
 /// Where a ray meets a sphere the machine rounds a root (model/isect/any.hpp): what is closer by less may
 /// win.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
@@ -218,10 +231,11 @@ RefClosest Guide::met(const RefPath& path, const RefClosest& own) {
     const std::uint32_t wanted = at->hit.found ? at->hit.prim : no_primitive;
     is_substituted_ = false;
     if (own.primitive == wanted) return own;
-    if (const std::optional<RefClosest> hit = find_tie(path, own, wanted)) {
-        tie();
-        return *hit;
-    }
+    for (const RefPath& from : {path, from_own(path, HUGE_VAL)})
+        if (const std::optional<RefClosest> hit = find_tie(from, own, wanted)) {
+            tie();
+            return *hit;
+        }
     if (is_within_root(path, own, *at)) {
         tie();
         return rules_.reference.geometry().only(path, wanted);
@@ -333,6 +347,8 @@ void Guide::place(RefSurface& surface) {
     }
     const Config& config = rules_.asked.config;
     const glm::dvec3 machine = point(at->state.o, config.origin_frac());
+    moved_.resize(at_.size());
+    moved_.back() = machine - surface.position;
     if (is_substituted_) {
         surface.position = machine;
         return;
@@ -451,7 +467,8 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
     const MachineLight& seen = at->lights[light];
     const bool machine = !seen.is_lit;
     if (machine == own) return own;
-    if (is_blocking_tied(path, distance, machine)) {
+    if (is_blocking_tied(path, distance, machine) ||
+        is_blocking_tied(from_own(path, distance), distance, machine)) {
         tie();
         return machine;
     }

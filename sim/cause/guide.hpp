@@ -82,6 +82,7 @@ private:
     RefClosest as_machine(const RefPath& path, const MachineVisit& at);
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;
+    RefPath from_own(const RefPath& path, double distance) const;
     double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
     bool is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
@@ -93,7 +94,8 @@ private:
     const MachinePath& path_;
     GuideFinding finding_;
     std::vector<int> at_;
-    bool is_substituted_ = false;   ///< the last hit is the machine's, and not the reference's
+    std::vector<glm::dvec3> moved_;   ///< at each of them, from the reference's point to the machine's
+    bool is_substituted_ = false;     ///< the last hit is the machine's, and not the reference's
 };
 
 }   // namespace rayclock

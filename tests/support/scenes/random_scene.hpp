@@ -106,6 +106,8 @@ private:
             else
                 s.radius = other.radius * dice_.number(0.25, 0.75);
         }
+        for (const Sphere& other : spheres)   // the same points twice: either is right
+            if (other.centre == s.centre && other.radius == s.radius) return;
         spheres.push_back(s);
     }
 
