@@ -234,6 +234,7 @@ RefClosest Guide::met(const RefPath& path, const RefClosest& own) {
     for (const RefPath& from : {path, from_own(path, HUGE_VAL)})
         if (const std::optional<RefClosest> hit = find_tie(from, own, wanted)) {
             tie();
+            is_substituted_ = true;
             return *hit;
         }
     if (is_within_root(path, own, *at)) {
@@ -442,7 +443,7 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         return scene.materials[plane.material].transmit > 0;
     });
     const bool is_beyond = rules_.asked.frame.shade.near[light] == 0;
-    if (at.state.lost) return true;
+    if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
     if (at.state.far && is_beyond && !at.lights[light].is_lit) {
         const RefClosest behind = rules_.reference.geometry().closest(path);
         if (behind.primitive != no_primitive && behind.depth > distance) return true;
