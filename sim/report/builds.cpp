@@ -1,9 +1,6 @@
 #include "sim/report/builds.hpp"
 
 #include <cstdio>
-#include <mutex>
-#include <set>
-#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -24,28 +21,28 @@ void draw(const BuildStep& step) {
         draw_line(fmt::format("building {}: {}, {:.0f} s{}", step.what, step.stage, step.seconds, left));
 }
 
-/// One line for each build, at its beginning.
-class Lines {
-public:
-    void tell(const BuildStep& step) {
-        if (step.stage.empty())
-            said_.erase(step.what);
-        else if (said_.insert(step.what).second)
-            fmt::print(stderr, "rayclock: building {}, once for all runs; this may take a minute\n",
-                       step.what);
-    }
-
-private:
-    std::set<std::string> said_;
-};
-
 }   // namespace
+
+std::optional<std::string> BuildLines::line(const BuildStep& step) {
+    if (step.stage.empty()) {
+        minutes_.erase(step.what);
+        return {};
+    }
+    const auto [told, begins] = minutes_.try_emplace(step.what, 0);
+    if (begins) return fmt::format("building {}, once for all runs", step.what);
+    const int minutes = int(step.seconds / 60);
+    if (minutes <= told->second) return {};
+    told->second = minutes;
+    return fmt::format("still building {}: {}, {} min", step.what, step.stage, minutes);
+}
 
 void show_builds() {
     if (isatty(STDERR_FILENO))
         report_builds(draw);
     else
-        report_builds([lines = Lines()](const BuildStep& step) mutable { lines.tell(step); });
+        report_builds([lines = BuildLines()](const BuildStep& step) mutable {
+            if (const auto line = lines.line(step)) fmt::print(stderr, "rayclock: {}\n", *line);
+        });
 }
 
 }   // namespace rayclock

@@ -11,11 +11,19 @@ namespace {
 std::string counters_text(const LockstepResult& r) {
     if (r.counter) {
         const CounterDifference& c = *r.counter;
-        return fmt::format("DIFFER\n    {} was {} in {} cycles of the model and {} of the RTL{}", c.unit,
-                           c.cause, grouped(c.model), grouped(c.rtl),
-                           c.others ? fmt::format("; {} more counters differ", c.others) : "");
+        const std::string more = c.others == 0   ? ""
+                                 : c.others == 1 ? "; 1 more counter differs"
+                                                 : fmt::format("; {} more counters differ", c.others);
+        if (c.unit == "host")
+            return fmt::format(
+                "DIFFER\n    the frame took {} cycles in the model, and the RTL's register says {}",
+                grouped(c.model), grouped(c.rtl));
+        return fmt::format("DIFFER\n    {} was {} in {} cycles of the model and in {} of the RTL{}", c.unit,
+                           c.cause, grouped(c.model), grouped(c.rtl), more);
     }
-    return r.counters_compared ? "equal" : "not compared, since the machines parted";
+    if (r.counters_compared) return "equal";
+    return r.first && r.first->unit == "host" ? "not compared, since the RTL counts only while its frame runs"
+                                              : "not compared, since the machines parted";
 }
 
 }   // namespace
@@ -27,10 +35,12 @@ std::string lockstep_lines(const LockstepResult& r) {
         counters_text(r));
     if (!r.first) return text;
     const Divergence& d = *r.first;
-    text += fmt::format(
-        "  FIRST DIVERGENCE at cycle {}: unit {}, link {}, ray {}, pixel ({}, {})\n    expected {}\n    "
-        "got      {}\n",
-        grouped(d.cycle), d.unit, d.link, d.ray, d.x, d.y, d.expected, d.got);
+    text += fmt::format("  FIRST DIVERGENCE at cycle {}: unit {}, {}\n    expected {}\n    got      {}\n",
+                        grouped(d.cycle), d.unit,
+                        d.on ? fmt::format("link {}, ray {}, pixel ({}, {})", d.link, d.ray, d.x, d.y)
+                        : d.unit == "host" ? fmt::format("signal {}", d.link)
+                                           : "assertion",
+                        d.expected, d.got);
     if (!d.later.empty()) text += fmt::format("    {}\n", d.later);
     return text;
 }

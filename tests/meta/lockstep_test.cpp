@@ -11,6 +11,7 @@
 #include "model/trace/witness.hpp"
 #include "sim/load/load.hpp"
 #include "sim/lockstep/lockstep.hpp"
+#include "sim/report/builds.hpp"
 #include "sim/report/lockstep.hpp"
 
 using namespace rayclock;
@@ -190,6 +191,32 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     CHECK(result.first->y == 9);
     CHECK(result.value_mismatches == 1);   // a pixel of the sphere that never came out
     CHECK(result.cycle_gap > 0);
+}
+
+TEST_CASE("a build tells each of its minutes once") {
+    BuildLines lines;
+    const auto line = [&](double seconds, const char* stage = "Yosys") {
+        return lines.line({"the netlist of 'small'", stage, seconds, {}}).value_or("");
+    };
+    CHECK(line(0) == "building the netlist of 'small', once for all runs");
+    CHECK(line(59.9).empty());
+    CHECK(line(60.1) == "still building the netlist of 'small': Yosys, 1 min");
+    CHECK(line(61).empty());
+    CHECK(line(190, "Verilator") == "still building the netlist of 'small': Verilator, 3 min");
+    CHECK(line(200, "").empty());   // it is done
+    CHECK(line(0) == "building the netlist of 'small', once for all runs");
+}
+
+TEST_CASE("a wrong register of cycles is told in a sentence") {
+    LockstepResult result;
+    result.counter = CounterDifference{"host", "cycles", 24352, 24300, 0};
+    CHECK_THAT(
+        lockstep_lines(result),
+        Catch::Contains("the frame took 24,352 cycles in the model, and the RTL's register says 24,300"));
+    result.counter = CounterDifference{"box", "busy with work", 3, 4, 1};
+    CHECK_THAT(lockstep_lines(result),
+               Catch::Contains("box was busy with work in 3 cycles of the model and in 4 of "
+                               "the RTL; 1 more counter differs"));
 }
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
