@@ -125,8 +125,8 @@ mutant(normal_is_turned_as_a_direction FILE model/shade/surf.cpp TEST accel [sec
   OLD [[in.placement.a[3 * i + k]) * state.normal[i];]]
   NEW [[in.placement.a[3 * k + i]) * state.normal[i];]])
 mutant(corner_normals_scaled_as_points FILE model/accel/levels/compile.cpp TEST accel [secondary]
-  OLD [[unit_or_zero(normal * made.lattice.pitch);]]
-  NEW [[unit_or_zero(normal / made.lattice.pitch);]])
+  OLD [[normal *= made.lattice.pitch / length;]]
+  NEW [[normal /= made.lattice.pitch * length;]])
 mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/fit.cpp TEST accel [secondary]
   OLD [[if (config.shading && !map.is_same) map.off =]]
   NEW [[if (config.shading && made.longest < 0) map.off =]])

@@ -65,15 +65,14 @@ mutant(model_square_root_rounded_up FILE model/shade/square_root.cpp TEST unit [
 # ---- The reference's finished picture, its spheres and planes.
 mutant(none_in_whitted FILE model/reference/whitted.cpp TEST reference [whitted])
 mutant(whitted_weight_must_be_above_the_threshold QUICK FILE model/reference/whitted.cpp TEST reference "two mirrors*"
-  OLD [[if (weighs_enough(reflected, settings_.threshold)) {]]
-  NEW [[if (reflected > settings_.threshold || settings_.threshold == 0) {]])
+  OLD [[weighs_enough(reflected, settings_.threshold),]]
+  NEW [[reflected > settings_.threshold || settings_.threshold == 0,]])
 mutant(whitted_one_bounce_too_many FILE model/reference/whitted.cpp TEST reference "two mirrors*"
   OLD [[if (depth < settings_.depth &&]]
   NEW [[if (depth <= settings_.depth &&]])
 mutant(whitted_total_reflection_is_not_counted FILE model/reference/whitted.cpp TEST reference [whitted]
-  OLD [[        ++counts_.refraction;
-        return;]]
-  NEW [[        return;]])
+  OLD [[counts_.refraction += is_called;]]
+  NEW [[;]])
 mutant(whitted_total_reflection_is_dim FILE model/reference/whitted.cpp TEST reference "beyond the critical angle*"
   OLD [[reflected = weight * std::min(m.mirror + m.transmit, 1.0);]]
   NEW [[reflected = weight * m.mirror;]])
@@ -87,11 +86,11 @@ mutant(whitted_shadow_from_beyond_the_light FILE model/reference/whitted.cpp TES
   OLD [[geometry_.is_blocked(shadow, distance)]]
   NEW [[geometry_.is_blocked(shadow, 2 * distance)]])
 mutant(whitted_mirrors_only_what_has_a_mirror FILE model/reference/whitted.cpp TEST reference [spd]
-  OLD [[if (weighs_enough(reflected, settings_.threshold)) {]]
-  NEW [[if (m.mirror > 0 && weighs_enough(reflected, settings_.threshold)) {]])
+  OLD [[weighs_enough(reflected, settings_.threshold),]]
+  NEW [[m.mirror > 0 && weighs_enough(reflected, settings_.threshold),]])
 mutant(whitted_reflects_through_the_surface FILE model/reference/whitted.cpp TEST reference "smooth normals*"
-  OLD [[if (glm::dot(direction, surface.flat) > 0) {]]
-  NEW [[if (glm::dot(direction, surface.normal) > 0) {]])
+  OLD [[const double side = glm::dot(bounce.direction, bounce.surface.flat);]]
+  NEW [[const double side = glm::dot(bounce.direction, bounce.surface.normal);]])
 mutant(whitted_clips_the_mean FILE model/reference/whitted.cpp TEST reference "a sample is clipped*"
   OLD [[return glm::min(sum_, glm::dvec3(1));]]
   NEW [[return sum_;]])
