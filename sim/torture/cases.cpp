@@ -46,13 +46,16 @@ public:
         add_panes();
         add_ends();
         add_tiles();
+        if (config_.shading) add_lights(), add_axes();
+        if (config_.spheres) add_balls(), add_beads(), add_contacts();
+        if (config_.planes) add_planes();
+        if (config_.supersampling) add_contrast(), add_samples();
+        // What comes last changes no draw of the others.
         add_film();
         if (config_.is_list()) add_last_lines();
         if (config_.pixel_bits == max_pixel_bits && !config_.shading && !config_.has_instances()) add_large();
-        if (config_.shading) add_coarse(), add_lights(), add_axes();
-        if (config_.spheres) add_balls(), add_beads(), add_contacts();
-        if (config_.planes) add_planes();
-        if (config_.supersampling) add_contrast(), add_samples(), add_white();
+        if (config_.shading) add_coarse();
+        if (config_.supersampling) add_white();
         return std::move(cases_);
     }
 
