@@ -48,6 +48,12 @@ double last_time(const MotionNode& node) {
     return last;
 }
 
+bool is_bounded(const glm::dmat4& m) {
+    for (int i = 0; i < 3; ++i)
+        if (!(glm::length(glm::dvec3(m[i])) < 1e100) || !std::isfinite(m[3][i])) return false;
+    return true;
+}
+
 }   // namespace
 
 template <class Value> Value Track<Value>::at(double time, const Value& otherwise) const {
@@ -96,9 +102,8 @@ void pose(PlacedScene& scene, double time) {
     for (const Hung& hung : motion.hung) {
         Instance& instance = scene.instances[hung.instance];
         instance.place = places[hung.node] * hung.place;
-        if (is_singular(instance.place))
-            throw UserError(motion.nodes[hung.node].name + " at " + text_of(time) +
-                            " s flattens its mesh, or blows it up");
+        if (!is_bounded(instance.place))
+            throw UserError(motion.nodes[hung.node].name + " at " + text_of(time) + " s blows its mesh up");
     }
     for (const Deforming& deforming : motion.deforming)
         deform(deforming, time, places, scene.meshes[deforming.mesh]);

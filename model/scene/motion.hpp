@@ -73,8 +73,8 @@ std::vector<glm::dmat4> node_places(const Motion& motion, double time);
 struct PlacedScene;
 
 /// Sets the places of instances that move, the corners of meshes that deform, the camera and the lights to
-/// where they are at a time. Throws UserError with the node's name and the time if a place has become
-/// singular, or a number infinite.
+/// where they are at a time. An instance may become flat. Throws UserError with the node's name and the time
+/// if a number has become infinite, or larger than any use.
 void pose(PlacedScene& scene, double time);
 
 /// A map that makes solids flat, or has lengths that are beyond any use, or is not finite.

@@ -16,6 +16,17 @@ namespace {
 /// More characters are no number that anybody wrote; reading them takes a time that grows with the square.
 constexpr std::size_t longest_number = 1000;
 
+std::optional<double> parsed_number(std::string_view digits) {
+    if (digits.empty() || digits.size() > longest_number) return std::nullopt;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) return std::nullopt;
+    // Out of range leaves the value alone; strtod tells too large (inf) from too small (0 or subnormal).
+    if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
+    return value;
+}
+
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
 }   // namespace
@@ -44,10 +55,16 @@ std::string joined_words(std::string_view text) {
 }
 
 std::string_view take_line(std::string_view& rest) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    std::size_t end = 0;
+    while (end < rest.size() && rest[end] != '\n' && rest[end] != '\r') ++end;
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end);
+    // Some programs write two carriage returns.
+    for (const std::string_view ending : {"\n", "\r\n", "\r\r\n", "\r"})
+        if (rest.starts_with(ending)) {
+            rest.remove_prefix(ending.size());
+            break;
+        }
     return line;
 }
 
@@ -55,15 +72,15 @@ double any_number(std::string_view word, const Place& at) {
     if (word.empty()) at.refuse("a number is missing at the end");
     if (word.size() > longest_number)
         at.refuse(fmt::format("{} has {} characters, too many for a number", shown(word), word.size()));
-    std::string_view digits = word;
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-        at.refuse(shown(word) + " is not a number");
-    // Out of range leaves the value alone; strtod tells too large (inf) from too small (0 or subnormal).
-    if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
-    return value;
+    const std::optional<double> value = parsed_number(word);
+    if (!value) at.refuse(shown(word) + " is not a number");
+    return *value;
+}
+
+std::optional<float> float_of(std::string_view word) {
+    const std::optional<double> value = parsed_number(word);
+    if (!value || !(std::abs(*value) <= std::numeric_limits<float>::max())) return std::nullopt;
+    return static_cast<float>(*value);
 }
 
 double finite_number(std::string_view word, const Place& at) {

@@ -4,6 +4,7 @@
 // a 32-bit float, because that is what the importer keeps.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,11 +26,15 @@ std::string_view take_word(std::string_view& rest);
 /// The words, with single blanks between them.
 std::string joined_words(std::string_view text);
 
-/// Takes the next line off the front of `rest`, without its end (\n or \r\n). Only while `rest` is not empty.
+/// Takes the next line off the front of `rest`, without its end (\n, \r\n, or \r alone). Only while `rest` is
+/// not empty.
 std::string_view take_line(std::string_view& rest);
 
 /// A finite number that a 32-bit float can hold, or a refusal that names the word.
 double finite_number(std::string_view word, const Place& at);
+
+/// The same number, or nothing.
+std::optional<float> float_of(std::string_view word);
 
 /// Any number, nan and inf included.
 double any_number(std::string_view word, const Place& at);

@@ -108,8 +108,8 @@ GltfContainer open_gltf(const std::string& file, std::string_view bytes) {
 }
 
 GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path& path,
-                         const GltfContainer& container, Loading& loading)
-    : document_(document), path_(path), container_(container), loading_(loading) {
+                         const GltfContainer& container, Loading& loading, Warnings& warnings)
+    : document_(document), path_(path), container_(container), loading_(loading), warnings_(warnings) {
     if (const auto buffers = document.find("buffers")) inside_.resize(buffers->array().size());
 }
 
@@ -201,12 +201,13 @@ std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) 
 
     if (!loading_.may_make(count * width * sizeof(double))) accessor.refuse(loading_.too_much());
     const auto sparse = accessor.find("sparse");
-    if (sparse && !accessor.find("bufferView")) {
-        std::vector<double> numbers(count * width, 0.0);
-        put(*sparse, component, width, is_scaled, numbers);
-        return numbers;
-    }
-    std::vector<double> numbers = take(accessor, count, component, width, is_scaled);
+    std::vector<double> numbers;
+    if (accessor.find("bufferView"))
+        numbers = take(accessor, count, component, width, is_scaled);
+    else
+        numbers.assign(count * width, 0.0);
+    if (!sparse && !accessor.find("bufferView"))
+        warnings_.count("accessor", "without a buffer view, taken as zeros", 0, accessor.path());
     if (sparse) put(*sparse, component, width, is_scaled, numbers);
     return numbers;
 }

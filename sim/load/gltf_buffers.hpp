@@ -26,14 +26,14 @@ struct GltfComponent {
     double (*get)(const char*);
 };
 
-/// Reads accessors of the document. The bytes and the document must outlive it.
+/// Reads accessors of the document. The bytes, the document and the warnings must outlive it.
 class GltfBuffers {
 public:
     GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container,
-                Loading& loading);
+                Loading& loading, Warnings& warnings);
 
     /// All components one after the other, integers as they are or scaled if normalised. `width` is 1, 3,
-    /// 4 or 16.
+    /// 4 or 16. An accessor without data is all zeros.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
     /// The bytes of a picture of the document's list `images`.
     std::string image(std::uint64_t index);
@@ -53,6 +53,7 @@ private:
     std::filesystem::path path_;
     GltfContainer container_;
     Loading& loading_;
+    Warnings& warnings_;
     std::vector<std::string> inside_;              ///< buffers from data URIs, empty until asked for
     std::map<std::string, std::string> outside_;   ///< files, each read once
 };

@@ -1,14 +1,16 @@
 #include "sim/load/gltf_deform.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <fmt/format.h>
 
 namespace rayclock {
 namespace {
 
-// Weights of a vertex are rounded in files: to bytes at worst.
+// Weights of a vertex are rounded in files, to bytes at worst, which is no reason for a warning.
 constexpr double most_off = 0.02;
 
 /// The weights that a node or its mesh gives to the targets.
@@ -69,18 +71,39 @@ Deforming GltfDeformer::make(const JsonValue& node, const JsonValue& mesh, const
     return made;
 }
 
-/// Finite numbers that a float can hold.
-std::vector<glm::dvec3> GltfDeformer::triples(const JsonValue& attribute, std::size_t count) {
+/// Looked up when it is asked first, which is when a number makes no sense.
+GltfDeformer::Used GltfDeformer::used_by(const JsonValue& primitive) {
+    const auto indices = primitive.find("indices");
+    if (!indices) return [](std::size_t) { return true; };
+    auto all = std::make_shared<std::vector<double>>();
+    return [this, all, from = accessor_of(*indices)](std::size_t vertex) {
+        if (all->empty()) {
+            *all = buffers_.read(from, 1);
+            std::sort(all->begin(), all->end());
+        }
+        return std::binary_search(all->begin(), all->end(), double(vertex));
+    };
+}
+
+/// Finite numbers that a float can hold. What is none is a fault where a triangle uses the vertex; of a
+/// normal, it is as if there were none.
+std::vector<glm::dvec3> GltfDeformer::triples(const JsonValue& attribute, std::size_t count, bool are_normals,
+                                              const Used& used) {
     const std::uint64_t index = accessor_of(attribute);
-    const std::vector<double> numbers = buffers_.read(index, 3);
+    std::vector<double> numbers = buffers_.read(index, 3);
     if (numbers.size() != 3 * count)
         attribute.refuse(fmt::format("has {} elements for {} vertices", numbers.size() / 3, count));
-    std::vector<glm::dvec3> out;
-    out.reserve(count);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (!(std::abs(numbers[i]) <= std::numeric_limits<float>::max()))
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (std::abs(numbers[i]) <= std::numeric_limits<float>::max()) continue;
+        if (!are_normals && used(i / 3))
             accessor(index).refuse(
                 fmt::format("has {} at element {}, which is not a finite number", numbers[i], i / 3));
+        warnings_.count("value", "of normals or unused vertices, not finite, taken as 0", 0,
+                        accessor(index).path());
+        numbers[i] = 0;
+    }
+    std::vector<glm::dvec3> out;
+    out.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
         out.emplace_back(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
     return out;
@@ -95,21 +118,31 @@ void GltfDeformer::add_primitive(const JsonValue& in, bool is_skinned, bool smoo
         accessor(accessor_of(attributes.at("POSITION"))).at("count").whole(std::uint64_t{1} << 32);
     if (!loading_.may_make((2 * sizeof(glm::dvec3)) * count * (to.targets.size() + 2)))
         in.refuse(loading_.too_much());
-    append(to.rest, triples(attributes.at("POSITION"), count));
+    const Used used = used_by(in);
+    append(to.rest, triples(attributes.at("POSITION"), count, false, used));
     const std::vector<glm::dvec3> none(count, glm::dvec3(0));
     const auto normals = attributes.find("NORMAL");
-    if (smooth) append(to.normals, normals ? triples(*normals, count) : none);
+    if (smooth) append(to.normals, normals ? triples(*normals, count, true, used) : none);
     for (std::size_t i = 0; i < to.targets.size(); ++i) {
         const JsonValue target = in.at("targets")[i].object();
         const auto moves = target.find("POSITION"), turns = target.find("NORMAL");
-        append(to.targets[i].moves, moves ? triples(*moves, count) : none);
-        if (smooth) append(to.targets[i].turns, turns ? triples(*turns, count) : none);
+        append(to.targets[i].moves, moves ? triples(*moves, count, false, used) : none);
+        if (smooth) append(to.targets[i].turns, turns ? triples(*turns, count, true, used) : none);
     }
-    if (is_skinned) add_pulls(attributes, count, to);
+    if (is_skinned) add_pulls(attributes, count, used, to);
 }
 
-/// From JOINTS_0 and WEIGHTS_0 on, four of a vertex in each.
-void GltfDeformer::add_pulls(const JsonValue& attributes, std::size_t vertices, Deforming& to) {
+std::vector<double> GltfDeformer::fours(const JsonValue& attribute, std::size_t vertices) {
+    std::vector<double> all = buffers_.read(accessor_of(attribute), 4);
+    if (all.size() != 4 * vertices)
+        attribute.refuse(fmt::format("has {} elements for {} vertices", all.size() / 4, vertices));
+    return all;
+}
+
+/// From JOINTS_0 and WEIGHTS_0 on, four of a vertex in each. Weights need not sum to 1: their proportion
+/// counts, and without any the first joint has all.
+void GltfDeformer::add_pulls(const JsonValue& attributes, std::size_t vertices, const Used& used,
+                             Deforming& to) {
     std::vector<std::vector<double>> joints, weights;
     for (std::size_t set = 0;; ++set) {
         const auto joint = attributes.find(fmt::format("JOINTS_{}", set)),
@@ -118,15 +151,10 @@ void GltfDeformer::add_pulls(const JsonValue& attributes, std::size_t vertices, 
         if (!joint || !weight)
             attributes.refuse(
                 fmt::format("has no {}_{}, and {} has a skin", joint ? "WEIGHTS" : "JOINTS", set, to.name));
-        const std::uint64_t from = accessor_of(*joint);
-        const JsonValue type = accessor(from).at("componentType");
+        const JsonValue type = accessor(accessor_of(*joint)).at("componentType");
         if (type.raw() != 5121 && type.raw() != 5123) type.expected("5121 or 5123 for joints");
-        joints.push_back(buffers_.read(from, 4));
-        weights.push_back(buffers_.read(accessor_of(*weight), 4));
-        for (const auto* list : {&joints.back(), &weights.back()})
-            if (list->size() != 4 * vertices)
-                (list == &joints.back() ? joint : weight)
-                    ->refuse(fmt::format("has {} elements for {} vertices", list->size() / 4, vertices));
+        joints.push_back(fours(*joint, vertices));
+        weights.push_back(fours(*weight, vertices));
     }
     if (!loading_.may_make(4 * joints.size() * vertices * sizeof(Pull)))
         attributes.refuse(loading_.too_much());
@@ -135,23 +163,36 @@ void GltfDeformer::add_pulls(const JsonValue& attributes, std::size_t vertices, 
         double sum = 0;
         for (std::size_t k = 0; k < 4 * joints.size(); ++k) {
             const double joint = joints[k / 4][4 * v + k % 4], weight = weights[k / 4][4 * v + k % 4];
-            if (!(joint < double(to.joints.size())))
+            if (weight == 0) continue;
+            const bool is_good = weight > 0 && std::isfinite(weight),
+                       is_joint = joint < double(to.joints.size());
+            if (!is_good && used(v))
+                attributes.at(fmt::format("WEIGHTS_{}", k / 4))
+                    .refuse(fmt::format("has the weight {} at vertex {}; weights are 0 or more", weight, v));
+            if (is_good && !is_joint && used(v))
                 attributes.at(fmt::format("JOINTS_{}", k / 4))
                     .refuse(fmt::format("names joint {} at vertex {}, which is out of range: the skin has {}",
                                         joint, v, to.joints.size()));
-            if (!(weight >= 0 && weight <= 2))
-                attributes.at(fmt::format("WEIGHTS_{}", k / 4))
-                    .refuse(
-                        fmt::format("has the weight {} at vertex {}; weights lie within 0 and 1", weight, v));
+            if (!is_good || !is_joint) continue;
             sum += weight;
-            if (weight > 0) to.pulls.push_back({std::uint32_t(joint), weight});
+            to.pulls.push_back({std::uint32_t(joint), weight});
         }
-        if (!(std::abs(sum - 1) <= most_off))
-            attributes.at("WEIGHTS_0")
-                .refuse(fmt::format("sums to {} at vertex {}; the weights of a vertex sum to 1", sum, v));
-        for (std::size_t i = first; i < to.pulls.size(); ++i) to.pulls[i].weight /= sum;
-        to.first_pull.push_back(std::uint32_t(to.pulls.size()));
+        normalise(v, first, sum, joints[0][4 * v], to);
     }
+}
+
+void GltfDeformer::normalise(std::size_t vertex, std::size_t first, double sum, double joint, Deforming& to) {
+    const std::string place = fmt::format("vertex {}", vertex);
+    if (first == to.pulls.size()) {
+        warnings_.count("vertex", "of a skin without a weight, carried by the first joint", 0, place);
+        to.pulls.push_back({joint < double(to.joints.size()) ? std::uint32_t(joint) : 0, 1});
+        sum = 1;
+    } else if (!(std::abs(sum - 1) <= most_off)) {
+        warnings_.count("vertex", "of a skin with weights that do not sum to 1, taken by their proportion", 0,
+                        place);
+    }
+    for (std::size_t i = first; i < to.pulls.size(); ++i) to.pulls[i].weight /= sum;
+    to.first_pull.push_back(std::uint32_t(to.pulls.size()));
 }
 
 void GltfDeformer::add_joints(const JsonValue& skin, Deforming& to) {

@@ -15,9 +15,9 @@ void check_gltf_version(const JsonValue& document, const Place& at) {
         version.refuse("is \"1.0\": glTF 1.0 is not supported and must be converted to 2.0");
     if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
     const auto required = document.find("extensionsRequired");
-    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization",
-                                                       "KHR_texture_transform", "KHR_texture_basisu",
-                                                       "EXT_texture_webp"};
+    constexpr std::array<std::string_view, 6> harmless{"KHR_lights_punctual",     "KHR_mesh_quantization",
+                                                       "EXT_mesh_gpu_instancing", "KHR_texture_transform",
+                                                       "KHR_texture_basisu",      "EXT_texture_webp"};
     for (std::size_t i = 0; required && i < required->array().size(); ++i) {
         const std::string name = (*required)[i].string();
         if (!name.starts_with("KHR_materials_") &&

@@ -1,8 +1,11 @@
 #include "sim/load/gltf_material.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace rayclock {
@@ -13,7 +16,7 @@ float single(double x) { return static_cast<float>(x); }
 /// True if the object itself says how to find a texture.
 bool names_texture(const JsonValue& in) {
     for (const auto& [key, ignored] : in.object().raw().items())
-        if (key.ends_with("Texture") && key != "baseColorTexture") return true;
+        if (key.ends_with("Texture") && key != "baseColorTexture" && key != "diffuseTexture") return true;
     return false;
 }
 
@@ -25,6 +28,60 @@ bool numbers(const JsonValue& in, const char* key, std::array<float, count>& out
     if (!list->raw().is_array() || list->size() != count) list->expected(fmt::format("{} numbers", count));
     for (std::size_t i = 0; i < count; ++i) out[i] = single((*list)[i].number());
     return true;
+}
+
+float brightness(const glm::vec3& c) {
+    return std::sqrt(0.299f * c.r * c.r + 0.587f * c.g * c.g + 0.114f * c.b * c.b);
+}
+
+/// The metal whose mixture with a dielectric of 4 % reflects as much as given: the appendix of
+/// KHR_materials_pbrSpecularGlossiness has the quadratic equation.
+float metal_of(float diffuse, float specular, float rest) {
+    constexpr float least = 0.04f;
+    if (specular < least) return 0;
+    const float b = diffuse * rest / (1 - least) + specular - 2 * least, c = least - specular;
+    return std::clamp((-b + std::sqrt(std::max(b * b - 4 * least * c, 0.0f))) / (2 * least), 0.0f, 1.0f);
+}
+
+/// KHR_materials_pbrSpecularGlossiness as colour, metal and roughness.
+void specular_glossiness(const JsonValue& in, GltfMaterial& out) {
+    std::array<float, 4> diffuse{1, 1, 1, 1};
+    std::array<float, 3> specular{1, 1, 1};
+    numbers(in, "diffuseFactor", diffuse);
+    numbers(in, "specularFactor", specular);
+    const glm::vec3 scattered(diffuse[0], diffuse[1], diffuse[2]),
+        mirrored(specular[0], specular[1], specular[2]);
+    const float rest = 1 - std::max({mirrored.r, mirrored.g, mirrored.b});
+    const float metal = metal_of(brightness(scattered), brightness(mirrored), rest);
+    constexpr float least = 0.04f, tiny = 1e-6f;
+    const glm::vec3 of_dielectric = scattered * (rest / (1 - least) / std::max(1 - metal, tiny)),
+                    of_metal = (mirrored - least * (1 - metal)) / std::max(metal, tiny);
+    const glm::vec3 colour = glm::clamp(glm::mix(of_dielectric, of_metal, metal * metal), 0.0f, 1.0f);
+    out.surface.colour = {colour, diffuse[3]};
+    out.surface.metal = metal;
+    out.surface.rough = 1 - single(in.number_or("glossinessFactor", 1));
+    out.base_texture = in.find("diffuseTexture");
+}
+
+void extensions(const JsonValue& in, GltfMaterial& out) {
+    GltfSurface& surface = out.surface;
+    for (const auto& [key, value] : in.object().raw().items()) {
+        if (!value.is_object()) continue;
+        const JsonValue own = in.at(key);
+        out.has_textures = out.has_textures || names_texture(own);
+        if (key == "KHR_materials_transmission")
+            surface.transmission = single(own.number_or("transmissionFactor", 0));
+        else if (key == "KHR_materials_ior")
+            surface.index = own.number_or("ior", surface.index);
+        else if (key == "KHR_materials_emissive_strength")
+            surface.emission *= single(own.number_or("emissiveStrength", 1));
+        else if (key == "KHR_materials_unlit")
+            surface.is_unlit = true;
+        else if (key == "KHR_materials_pbrSpecularGlossiness")
+            specular_glossiness(own, out);
+        else
+            out.has_extensions = true;
+    }
 }
 
 void set_column(glm::dmat4& m, int column, float x, float y, float z) {
@@ -48,18 +105,15 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
         out.has_textures = out.has_textures || names_texture(*pbr);
         out.base_texture = pbr->find("baseColorTexture");
     }
+    std::array<float, 3> emission{};
+    if (numbers(in, "emissiveFactor", emission)) surface.emission = {emission[0], emission[1], emission[2]};
+    if (const auto given = in.find("extensions")) extensions(*given, out);
     // Only blending makes a surface show what is behind it.
     const auto mode = in.find("alphaMode");
     out.blends = mode && mode->string() == "BLEND";
+    out.is_masked = mode && mode->string() == "MASK";
+    out.is_invisible = out.is_masked && double(surface.colour.a) < in.number_or("alphaCutoff", 0.5);
     if (!out.blends) surface.colour.a = 1;
-    if (const auto given = in.find("extensions")) {
-        if (const auto transmission = given->find("KHR_materials_transmission"))
-            surface.transmission = single(transmission->number_or("transmissionFactor", 0));
-        if (const auto refraction = given->find("KHR_materials_ior"))
-            surface.index = refraction->number_or("ior", surface.index);
-        for (const auto& [key, value] : given->raw().items())
-            if (value.is_object()) out.has_textures = out.has_textures || names_texture(given->at(key));
-    }
     return out;
 }
 
@@ -110,17 +164,6 @@ PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place) {
     // A spot's cone is not in our lights.
     return {type == "directional", glm::vec3(colour) * single(intensity), glm::dvec3(place[3]),
             glm::dvec3(place[2])};
-}
-
-void GltfDropped::say(Loading& loading, const std::string& file) const {
-    const auto tell = [&](std::uint64_t count, const char* what, const char* sentence) {
-        if (count > 0) loading.note(file, counted(count, what) + sentence);
-    };
-    tell(odd, "material", " with values out of range, taken as the nearest within");
-    tell(averaged, "material", " with a texture of its colour, drawn in the mean of the texture");
-    tell(textures, "material", " with other textures, which are not drawn");
-    tell(colours, "primitive", " with vertex colours, which are not drawn");
-    tell(lines, "primitive", " of points or lines left out");
 }
 
 }   // namespace rayclock

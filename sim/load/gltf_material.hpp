@@ -4,7 +4,6 @@
 
 #include "model/scene/scene.hpp"
 #include "sim/files/json_value.hpp"
-#include "sim/load/loading.hpp"
 #include "sim/load/surface.hpp"
 
 namespace rayclock {
@@ -13,7 +12,10 @@ struct GltfMaterial {
     std::string name;
     GltfSurface surface;
     bool blends = false;                     ///< its opacity counts
+    bool is_masked = false;                  ///< its opacity decides what is seen at all
+    bool is_invisible = false;               ///< nothing of it is
     bool has_textures = false;               ///< others than that of the base colour
+    bool has_extensions = false;             ///< such as are not drawn
     std::optional<JsonValue> base_texture;   ///< how the file names that of the base colour
 };
 GltfMaterial gltf_material(const JsonValue& in, std::size_t number);
@@ -25,11 +27,5 @@ glm::dmat4 gltf_transform(const JsonValue& node);
 std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place);
 
 PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place);
-
-/// How much of a document is not drawn as it stands there.
-struct GltfDropped {
-    std::uint64_t averaged = 0, textures = 0, colours = 0, lines = 0, odd = 0;
-    void say(Loading& loading, const std::string& file) const;
-};
 
 }   // namespace rayclock

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "sim/load/gltf_deform.hpp"
 #include "sim/load/json_motion.hpp"
@@ -45,7 +44,7 @@ private:
                  [](const double* v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
         else
             target.at("path").expected("translation, rotation, scale or weights");
-        check_values(sampler, own);
+        check_turns(sampler, own.turns);
     }
 
     /// One track for each morph target; at a key their values stand one after the other.
@@ -120,20 +119,15 @@ private:
         return sampler.at(key).whole(document_.at("accessors").array().size());
     }
 
-    /// No key flattens a mesh, and every rotation is one.
-    static void check_values(const JsonValue& sampler, const GltfTracks& own) {
-        const auto each = [&](const auto& track, const auto& is_bad, const char* what) {
-            const std::size_t width = track.between == Between::cubic ? 3 : 1;
-            for (std::size_t k = 0; k < track.times.size(); ++k)
-                if (is_bad(track.values[width * k + width / 2]))
-                    sampler.refuse(fmt::format("has a {} at {} s", what, track.times[k]));
-        };
-        each(
-            own.scales, [](const glm::dvec3& s) { return is_singular(glm::scale(glm::dmat4(1), s)); },
-            "scale that flattens its mesh, or blows it up,");
-        each(
-            own.turns, [](const glm::dquat& q) { return !(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4); },
-            "rotation that is far from a unit quaternion");
+    /// Every rotation is one.
+    static void check_turns(const JsonValue& sampler, const Track<glm::dquat>& turns) {
+        const std::size_t width = turns.between == Between::cubic ? 3 : 1;
+        for (std::size_t k = 0; k < turns.times.size(); ++k) {
+            const glm::dquat& q = turns.values[width * k + width / 2];
+            if (!(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4))
+                sampler.refuse(
+                    fmt::format("has a rotation that is far from a unit quaternion at {} s", turns.times[k]));
+        }
     }
 
     const JsonValue& document_;
@@ -152,6 +146,42 @@ std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfB
         loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
     AnimationReader reader(document, (*list)[0], buffers);
     return reader.read();
+}
+
+std::vector<glm::dmat4> gltf_places(const JsonValue& attributes, GltfBuffers& buffers,
+                                    std::uint64_t accessors) {
+    std::optional<std::size_t> count;
+    const auto read = [&](const char* name, std::size_t width) -> std::vector<double> {
+        const auto own = attributes.find(name);
+        if (!own) return {};
+        std::vector<double> numbers = buffers.read(own->whole(accessors), width);
+        if (count && *count != numbers.size() / width)
+            own->refuse(fmt::format("has {} places, and the attribute before has {}", numbers.size() / width,
+                                    *count));
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!(std::abs(numbers[i]) <= 1e30))
+                own->refuse(
+                    fmt::format("has {} at place {}, which moves a mesh too far", numbers[i], i / width));
+        count = numbers.size() / width;
+        return numbers;
+    };
+    const std::vector<double> moves = read("TRANSLATION", 3), turns = read("ROTATION", 4),
+                              scales = read("SCALE", 3);
+    if (!count) attributes.refuse("has none of TRANSLATION, ROTATION and SCALE");
+    std::vector<glm::dmat4> places(*count, glm::dmat4(1));
+    for (std::size_t i = 0; i < *count; ++i) {
+        glm::dmat4& place = places[i];
+        if (!moves.empty()) place[3] = {moves[3 * i], moves[3 * i + 1], moves[3 * i + 2], 1};
+        if (!turns.empty()) {
+            const glm::dquat turn(turns[4 * i + 3], turns[4 * i], turns[4 * i + 1], turns[4 * i + 2]);
+            if (!(glm::dot(turn, turn) > 0.25))
+                attributes.at("ROTATION")
+                    .refuse(fmt::format("has a rotation at place {} that is far from a unit quaternion", i));
+            place = place * glm::mat4_cast(glm::normalize(turn));
+        }
+        for (int k = 0; k < 3 && !scales.empty(); ++k) place[k] *= scales[3 * i + std::size_t(k)];
+    }
+    return places;
 }
 
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks) {

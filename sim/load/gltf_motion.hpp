@@ -25,6 +25,10 @@ struct GltfTracks {
 std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers,
                                                 Loading& loading, const std::string& file);
 
+/// The places of EXT_mesh_gpu_instancing in the space of its node. `accessors`: how many the document has.
+std::vector<glm::dmat4> gltf_places(const JsonValue& attributes, GltfBuffers& buffers,
+                                    std::uint64_t accessors);
+
 /// A node of the document as a node of ours, with its tracks if it has any. `matrix` is gltf_transform() of
 /// it.
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks);

@@ -20,6 +20,8 @@ bool GltfTextures::tint(GltfMaterial& material) {
     if (is_new) found->second = average(image);
     if (!found->second) return false;
     material.surface.colour *= *found->second;
+    if (material.is_masked && material.surface.colour.a < 1)
+        warnings_.count("material", "with holes in its texture, drawn without them", 0, material.name);
     if (!material.blends) material.surface.colour.a = 1;
     return true;
 }

@@ -9,11 +9,14 @@
 
 namespace rayclock {
 
+constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
+
 class GltfTextures {
 public:
     /// The document and the buffers must outlive it.
-    GltfTextures(const JsonValue& document, GltfBuffers& buffers, Loading& loading, std::string file)
-        : in_(document), buffers_(buffers), loading_(loading), file_(std::move(file)) {}
+    GltfTextures(const JsonValue& document, GltfBuffers& buffers, Loading& loading, Warnings& warnings,
+                 std::string file)
+        : in_(document), buffers_(buffers), loading_(loading), warnings_(warnings), file_(std::move(file)) {}
 
     /// The base colour of a material with a texture is multiplied by the texture's mean. A mesh often travels
     /// without its pictures: one that cannot be read is told, and leaves the colour as it is. Returns true if
@@ -29,6 +32,7 @@ private:
     JsonValue in_;
     GltfBuffers& buffers_;
     Loading& loading_;
+    Warnings& warnings_;
     std::string file_;
     const Json empty_ = Json::array();
     std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images

@@ -63,12 +63,12 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
     Loading loading(progress, {}, average_colour);
     try {
         JsonLoad load = load_anything(spec, primitives, loading);
+        if (notes) *notes = loading.notes();
         if (primitive_count(load.scene) > most_unfolded)
             return folded_scene(std::move(load), printable(spec));
         Scene scene = flattened(std::move(load.scene));
         check_scene(scene, printable(spec));
         if (!load.has_lights) add_missing_lights(scene);
-        if (notes) *notes = loading.notes();
         return scene;
     } catch (const std::bad_alloc&) {
         Place{spec}.refuse("the scene does not fit in memory");

@@ -48,8 +48,32 @@ void Loading::note(const std::string& file, const std::string& sentence) {
     if (noted_.insert(whole).second) notes_.push_back(std::move(whole));
 }
 
-std::string counted(std::uint64_t count, const std::string& what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+std::string counted(std::uint64_t count, std::string_view what) {
+    if (count == 1) return fmt::format("1 {}", what);
+    if (what.ends_with("ex")) return fmt::format("{} {}ices", count, what.substr(0, what.size() - 2));
+    return fmt::format("{} {}s", count, what);
+}
+
+void Warnings::count(std::string_view what, std::string_view became, std::uint64_t line,
+                     std::string_view value) {
+    for (Kind& kind : kinds_)
+        if (kind.what == what && kind.became == became) {
+            ++kind.count;
+            return;
+        }
+    std::string first = line > 0 ? fmt::format("line {}", line) : std::string();
+    if (!value.empty()) (first += first.empty() ? "" : ", ") += shown(value);
+    kinds_.push_back({std::string(what), std::string(became), std::move(first), 1});
+}
+
+std::string Warnings::Kind::sentence() const {
+    std::string all = counted(count, what) + " " + became;
+    if (!first.empty()) all += (count == 1 ? " (" : " (the first: ") + first + ")";
+    return all;
+}
+
+void Warnings::say(Loading& loading) const {
+    for (const Kind& kind : kinds_) loading.note(file_, kind.sentence());
 }
 
 bool leaves_folder(const std::filesystem::path& name) {

@@ -72,8 +72,30 @@ private:
     std::unordered_set<std::string> noted_;   ///< the same, to be searched
 };
 
-/// "1 triangle", "2 triangles".
-std::string counted(std::uint64_t count, const std::string& what);
+/// "1 triangle", "2 triangles", "2 vertices".
+std::string counted(std::uint64_t count, std::string_view what);
+
+/// What the reader of one file repairs or leaves out. A kind gives one sentence, whatever its number:
+/// "a.obj: 3 lines skipped that are no statements of OBJ (the first: line 7, 'foo')". Call say() at the end
+/// of a file that is drawn.
+class Warnings {
+public:
+    explicit Warnings(std::string file) : file_(std::move(file)) {}
+    /// `what` is in the singular, and what has become of it follows. Of the first, `line` (0: none) and
+    /// `value` are shown.
+    void count(std::string_view what, std::string_view became, std::uint64_t line = 0,
+               std::string_view value = {});
+    void say(Loading& loading) const;
+
+private:
+    struct Kind {
+        std::string sentence() const;
+        std::string what, became, first;
+        std::uint64_t count;
+    };
+    std::string file_;
+    std::vector<Kind> kinds_;   ///< a handful, in the order in which they are met
+};
 
 /// True for a name that leads out of the folder that it is relative to: absolute, or by "..".
 bool leaves_folder(const std::filesystem::path& name);

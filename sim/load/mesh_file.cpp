@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/gunzip.hpp"
@@ -34,25 +36,25 @@ PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, 
     return scene;
 }
 
-void Assembly::face(PartBuilder& part, const std::vector<Corner>& corners, std::uint32_t material) {
-    if (corners.size() == 3) return part.add(corners[0], corners[1], corners[2], material);
+void Assembly::face(PartBuilder& part, const std::vector<Corner>& corners, std::uint32_t colour) {
+    if (corners.size() == 3) return part.add(corners[0], corners[1], corners[2], colour);
     points_.clear(), cut_.clear();
     for (const Corner& corner : corners) points_.push_back(corner.position);
     triangulate(points_, cut_);
-    for (const auto& [a, b, c] : cut_) part.add(corners[a], corners[b], corners[c], material);
+    for (const auto& [a, b, c] : cut_) part.add(corners[a], corners[b], corners[c], colour);
 }
 
 std::size_t Assembly::add(PartBuilder part) {
     dropped_ += part.dropped();
-    parts_.push_back(part.take());
-    if (!loading_.may_make(parts_.back())) Place{file_}.refuse(loading_.too_much());
+    parts_.push_back({part.take(), part.take_colours()});
+    if (!loading_.may_make(parts_.back().shape)) Place{file_}.refuse(loading_.too_much());
     return parts_.size() - 1;
 }
 
 void Assembly::make_alike(bool must_have) {
-    const auto is_smooth = [](const Scene& part) { return !part.normals.empty(); };
+    const auto is_smooth = [](const Part& part) { return !part.shape.normals.empty(); };
     if (must_have || std::any_of(parts_.begin(), parts_.end(), is_smooth))
-        for (Scene& part : parts_) make_smooth(part);
+        for (Part& part : parts_) make_smooth(part.shape);
 }
 
 void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t material,
@@ -67,17 +69,28 @@ void Assembly::gather(Scene& into, std::size_t number, std::uint64_t material,
 
 void Assembly::put(Scene& into, std::size_t number, const glm::dmat4& place, std::uint64_t material,
                    const std::function<Material()>& make) {
-    const Scene& part = parts_[number];
-    if (part.triangles.empty()) return;
-    const std::uint32_t number_of_material = this->material(material, make);
-    if (!loading_.may_make(part)) Place{file_}.refuse(loading_.too_much());
-    append(into, part, place, number_of_material, 0);
+    const Part& part = parts_[number];
+    if (part.shape.triangles.empty()) return;
+    if (!loading_.may_make(part.shape)) Place{file_}.refuse(loading_.too_much());
+    if (part.colours.empty()) return append(into, part.shape, place, this->material(material, make), 0);
+    Scene coloured = part.shape;
+    for (Triangle& t : coloured.triangles)
+        t.material =
+            this->material(material, make, t.material == 0 ? glm::vec3(1) : part.colours[t.material - 1]);
+    append(into, coloured, place, std::nullopt, 0);
 }
 
-std::uint32_t Assembly::material(std::uint64_t material, const std::function<Material()>& make) {
-    const auto [found, is_new] =
-        materials_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
-    if (is_new) scene_.materials.push_back(make());
+std::uint32_t Assembly::material(std::uint64_t material, const std::function<Material()>& make,
+                                 const glm::vec3& tint) {
+    const auto [found, is_new] = materials_.try_emplace({material, {tint.r, tint.g, tint.b}},
+                                                        static_cast<std::uint32_t>(scene_.materials.size()));
+    if (!is_new) return found->second;
+    auto base = made_.find(material);
+    if (base == made_.end()) base = made_.emplace(material, make()).first;
+    if (!loading_.may_make(sizeof(Material))) Place{file_}.refuse(loading_.too_much());
+    scene_.materials.push_back(base->second);
+    glm::dvec3& colour = scene_.materials.back().colour;
+    colour = glm::clamp(colour * glm::dvec3(tint), 0.0, 1.0);
     return found->second;
 }
 

@@ -57,21 +57,22 @@ struct MtlBlock {
     std::string name;
     MtlSurface surface;
     bool has_textures = false;
+    std::string fault;   ///< a sentence about the first value that makes no sense
 };
-std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text);
+std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text, Loading& loading);
 
 /// Gathers the parts of a file: polygons are cut, parts placed, materials numbered as they are met.
 class Assembly {
 public:
     Assembly(std::string file, Loading& loading) : file_(std::move(file)), loading_(loading) {}
 
-    /// Cuts a face of at least 3 corners into `part`.
-    void face(PartBuilder& part, const std::vector<Corner>& corners, std::uint32_t material = 0);
+    /// Cuts a face of at least 3 corners into `part`. `colour` is one of the part's.
+    void face(PartBuilder& part, const std::vector<Corner>& corners, std::uint32_t colour = 0);
     /// The part is finished; returns its number.
     std::size_t add(PartBuilder part);
     /// When all are added: if any part has normals, or `must_have`, all get some.
     void make_alike(bool must_have = false);
-    bool is_empty(std::size_t part) const { return parts_[part].triangles.empty(); }
+    bool is_empty(std::size_t part) const { return parts_[part].shape.triangles.empty(); }
     /// A copy of a part. `material` is any number that the caller knows it by, `make` gives it when it is met
     /// first.
     void place(std::size_t part, const glm::dmat4& place, std::uint64_t material,
@@ -79,8 +80,10 @@ public:
     /// The same into triangles that others will place: materials are those of the scene.
     void gather(Scene& into, std::size_t part, std::uint64_t material, const std::function<Material()>& make);
 
-    /// The scene's number of a material, which is made when it is met first.
-    std::uint32_t material(std::uint64_t material, const std::function<Material()>& make);
+    /// The scene's number of a material, which is made when it is met first; its colour is multiplied by
+    /// `tint`.
+    std::uint32_t material(std::uint64_t material, const std::function<Material()>& make,
+                           const glm::vec3& tint = glm::vec3(1));
 
     Scene& scene() { return scene_; }
     /// Says what was left out; refuses a scene without triangles, unless `may_be_empty`.
@@ -90,11 +93,17 @@ private:
     void put(Scene& into, std::size_t part, const glm::dmat4& place, std::uint64_t material,
              const std::function<Material()>& make);
 
+    struct Part {
+        Scene shape;
+        std::vector<glm::vec3> colours;   ///< see PartBuilder::take_colours()
+    };
+
     std::string file_;
     Loading& loading_;
-    std::vector<Scene> parts_;
+    std::vector<Part> parts_;
     Scene scene_;
-    std::map<std::uint64_t, std::uint32_t> materials_;
+    std::map<std::uint64_t, Material> made_;   ///< by the caller's numbers
+    std::map<std::pair<std::uint64_t, std::array<float, 3>>, std::uint32_t> materials_;   ///< tinted
     std::uint64_t dropped_ = 0;
     std::vector<glm::dvec3> points_;
     std::vector<std::array<std::uint32_t, 3>> cut_;

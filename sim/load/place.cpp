@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace rayclock {
@@ -31,6 +32,25 @@ glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
 }
 
 }   // namespace
+
+bool clamp_colour(glm::vec3& colour) {
+    const glm::vec3 given = colour;
+    colour = glm::clamp(colour, 0.0f, 1.0f);
+    return colour != given;
+}
+
+void FaceColour::add(const std::optional<glm::vec3>& colour) {
+    if (!colour) is_whole_ = false;
+    if (!is_whole_) return;
+    if (corners_++ == 0) first_ = *colour;
+    varies_ = varies_ || *colour != first_;
+    sum_ += glm::dvec3(*colour);
+}
+
+std::optional<glm::vec3> FaceColour::mean() const {
+    if (!is_whole_ || corners_ == 0) return std::nullopt;
+    return varies_ ? glm::vec3(sum_ / double(corners_)) : first_;
+}
 
 PartBuilder::PartBuilder(std::size_t triangles, bool is_smooth)
     : is_smooth_(is_smooth), table_(std::bit_ceil(2 * triangles + 16), no_vertex) {
@@ -62,6 +82,14 @@ std::uint32_t PartBuilder::vertex(const Corner& corner) {
     part_.vertices.push_back(corner.position);
     if (is_smooth_) part_.normals.push_back(corner.normal);
     return entry;
+}
+
+std::uint32_t PartBuilder::colour(const std::optional<glm::vec3>& colour) {
+    if (!colour) return 0;
+    const auto [found, is_new] =
+        colour_numbers_.try_emplace({colour->r, colour->g, colour->b}, std::uint32_t(colours_.size() + 1));
+    if (is_new) colours_.push_back(*colour);
+    return found->second;
 }
 
 void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material) {

@@ -39,7 +39,7 @@ PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& befo
     if (count < 0) at.refuse(fmt::format("{} elements of the kind '{}'", count, name));
     if (name == "vertex" && count > std::numeric_limits<std::uint32_t>::max())
         at.refuse(fmt::format("{} vertices, more than 2^32 - 1", count));
-    if (name == "face" && static_cast<std::uint64_t>(count) > max_triangles)
+    if ((name == "face" || name == "tristrips") && static_cast<std::uint64_t>(count) > max_triangles)
         at.refuse(fmt::format("{} faces; the most is {}", count, max_triangles));
     for (const PlyElement& other : before)
         if (other.name == name) at.refuse(fmt::format("'{}' is declared twice", name));
@@ -60,38 +60,64 @@ PlyProperty property_of(std::string_view rest, const Place& at) {
     return property;
 }
 
-/// The two elements that make a mesh; the importer takes for granted that they are as they should be.
+/// The elements that make a mesh.
 void check_mesh(const PlyHeader& header, const Place& at) {
-    const auto element = [&](std::string_view name) -> const PlyElement& {
-        for (const PlyElement& e : header.elements)
-            if (e.name == name) return e;
-        at.refuse(fmt::format("the header has no element '{}'", name));
+    const auto named = [&](const std::string& name) {
+        return [&name](const auto& e) { return e.name == name; };
     };
-    for (const char* axis : {"x", "y", "z"}) {
-        const auto& all = element("vertex").properties;
-        if (std::none_of(all.begin(), all.end(),
-                         [&](const PlyProperty& p) { return p.name == axis && !p.count; }))
+    const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), named("vertex"));
+    if (vertex == header.elements.end()) at.refuse("the header has no element 'vertex'");
+    for (const std::string axis : {"x", "y", "z"}) {
+        const auto& all = vertex->properties;
+        const auto found = std::find_if(all.begin(), all.end(), named(axis));
+        if (found == all.end() || found->count)
             at.refuse(fmt::format("vertices have no property '{}'", axis));
     }
-    const auto& all = element("face").properties;
-    const auto is_list = [](const PlyProperty& p) {
-        return (p.name == "vertex_indices" || p.name == "vertex_index") && p.count && p.type.kind != 'f';
-    };
-    if (std::count_if(all.begin(), all.end(), is_list) != 1)
-        at.refuse("faces need one list of whole numbers 'vertex_indices'");
-    if (element("face").count == 0) at.refuse("the file has no triangles");
+    std::uint64_t faces = 0;
+    bool has_faces = false;
+    for (const PlyElement& element : header.elements) {
+        if (!makes_faces(element)) continue;
+        const auto& all = element.properties;
+        if (std::count_if(all.begin(), all.end(), is_indices) != 1)
+            at.refuse(element.name == "face" ? "faces need one list of whole numbers 'vertex_indices'"
+                                             : "strips need one list of whole numbers 'vertex_indices'");
+        has_faces = true;
+        faces += element.count;
+    }
+    if (!has_faces) at.refuse("the header has no element 'face'");
+    if (faces == 0) at.refuse("the file has no triangles");
+}
+
+/// The next line of the header. Where lines end in a carriage return alone, a byte after it belongs to the
+/// data.
+std::string_view header_line(std::string_view& rest, bool ends_in_return) {
+    if (!ends_in_return) return take_line(rest);
+    const std::size_t end = std::min(rest.find('\r'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return line;
 }
 
 }   // namespace
 
-PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
+bool makes_faces(const PlyElement& element) { return element.name == "face" || element.name == "tristrips"; }
+
+bool is_indices(const PlyProperty& property) {
+    return (property.name == "vertex_indices" || property.name == "vertex_index") && property.count &&
+           property.type.kind != 'f';
+}
+
+PlyHeader read_ply_header(const std::string& file, std::string_view bytes, Warnings& warnings) {
     PlyHeader header{};
     Place at{file};
     std::string_view rest = bytes;
     bool has_form = false;
+    const std::size_t first_end = bytes.find_first_of("\r\n");
+    const bool ends_in_return =
+        first_end != bytes.npos && bytes[first_end] == '\r' && bytes.substr(first_end + 1, 1) != "\n";
     while (true) {
         if (rest.empty() || at.line > 10'000) at.refuse("the header does not end: end_header is missing");
-        std::string_view line = take_line(rest);
+        std::string_view line = header_line(rest, ends_in_return);
         ++at.line;
         check_text(line.substr(0, 200), at, "PLY");
         const std::string_view key = take_word(line);
@@ -112,7 +138,7 @@ PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
         } else if (key == "end_header") {
             break;
         } else if (key != "comment" && key != "obj_info" && !key.empty()) {
-            at.refuse(shown(key) + " is not a line of a PLY header");
+            warnings.count("line", "skipped: a PLY header has no such line", at.line, key);
         }
     }
     if (!has_form) at.refuse("the header names no format");

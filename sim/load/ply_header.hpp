@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/load/loading.hpp"
+
 namespace rayclock {
 
 enum class PlyForm { ascii, little_endian, big_endian };
@@ -34,7 +36,13 @@ struct PlyHeader {
     std::uint64_t lines;
 };
 
-/// Throws UserError unless the header is complete, with x, y, z in `vertex` and a list of indices in `face`.
-PlyHeader read_ply_header(const std::string& file, std::string_view bytes);
+/// A list of vertices that makes faces: "face" has a polygon in each, "tristrips" strips of triangles with -1
+/// between them.
+bool makes_faces(const PlyElement& element);
+bool is_indices(const PlyProperty& property);
+
+/// Throws UserError unless the header is complete, with x, y, z in `vertex` and one list of indices in each
+/// element that makes faces. Lines of an unknown kind are skipped with a warning.
+PlyHeader read_ply_header(const std::string& file, std::string_view bytes, Warnings& warnings);
 
 }   // namespace rayclock

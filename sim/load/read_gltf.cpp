@@ -1,7 +1,7 @@
-// glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
-// taken, and the first animation. A mesh that stands in several places, or moves, becomes instances. A
-// texture of the base colour is drawn as its mean. Other textures and vertex colours are left out. Both is
-// said.
+// glTF 2.0: the tree of nodes, the meshes in it, colours, cameras and lights are checked and taken, and the
+// first animation. A mesh that stands in several places, or moves, becomes instances. A texture of the base
+// colour is drawn as its mean, and so are the colours of a triangle's corners. Other textures are left out.
+// All this is said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "model/base/error.hpp"
 #include "sim/files/text.hpp"
@@ -33,23 +34,20 @@ public:
         : in_(document),
           at_{path.string()},
           loading_(loading),
-          buffers_(document, path, container, loading),
-          deformer_(in_, buffers_, loading, [this](std::uint64_t node) { return wheres_[node]; }),
-          textures_(in_, buffers_, loading, at_.file),
+          warnings_(at_.file),
+          buffers_(document, path, container, loading, warnings_),
+          deformer_(in_, buffers_, loading, warnings_, [this](std::uint64_t node) { return wheres_[node]; }),
+          textures_(in_, buffers_, loading, warnings_, at_.file),
           assembly_(at_.file, loading) {}
 
     PlacedScene read() {
-        const JsonValue meshes = list("meshes"), materials = list("materials");
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            loading_.tell("checking", i, meshes.size());
-            mesh(meshes[i]);
-        }
-        if (!loading_.may_make(materials.size() * sizeof(GltfMaterial))) at_.refuse(loading_.too_much());
-        for (std::size_t i = 0; i < materials.size(); ++i)
-            materials_.push_back(gltf_material(materials[i], i));
+        const std::size_t meshes = count_of("meshes");
+        if (!loading_.may_make(meshes * sizeof(Mesh) + count_of("materials") * sizeof(GltfMaterial)))
+            at_.refuse(loading_.too_much());
+        meshes_.resize(meshes), parts_.resize(meshes), materials_.resize(count_of("materials"));
         tracks_ = gltf_tracks(in_, buffers_, loading_, at_.file);
         tree();
-        if (triangles_ == 0) at_.refuse("the file has no triangles");
+        if (triangles_ == 0) return nothing_visible();
         for (const Copy& copy : copies_)
             if (!copy.deforms && parts_[copy.mesh].empty()) build(copy.mesh);
         assembly_.make_alike(has_normals_);
@@ -62,8 +60,8 @@ public:
                 share(copy);
             else
                 place(copy);
-        dropped_.say(loading_, at_.file);
         placed_.own = assembly_.take(!placed_.instances.empty());
+        warnings_.say(loading_);
         placed_.own.camera = camera_;
         pose(placed_, 0);
         if (!lights_.empty()) placed_.own.lights = lights_of(lights_, bounds(flat_copy(placed_)));
@@ -74,12 +72,27 @@ public:
 private:
     static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
 
+    /// Of an accessor, 0 where a number is not finite.
+    struct Vectors {
+        std::vector<glm::vec3> values;
+        std::vector<std::uint32_t> faults;   ///< elements with such a number
+    };
+    using Colours = std::vector<std::optional<glm::vec3>>;
     /// Triangles of a mesh with one material. `indices` may be missing.
     struct Primitive {
         const std::vector<glm::vec3>* positions;
         const std::vector<glm::vec3>* normals;
         const std::vector<std::uint32_t>* indices;
+        const Colours* colours;
         std::uint64_t mode, material, corners;
+    };
+    /// As far as it is drawn; read when a node has it first.
+    struct Mesh {
+        std::vector<Primitive> primitives;
+        std::uint64_t triangles = 0;
+        bool is_read = false;
+        std::optional<Bounds> invisible;   ///< of primitives that are not drawn
+                                           ///< drawn
     };
     struct Copy {
         std::uint64_t mesh, from;   ///< from: the document's node
@@ -87,18 +100,42 @@ private:
         bool deforms;
     };
 
-    const std::vector<glm::vec3>& vectors(const JsonValue& attribute, bool must_be_finite) {
+    const Vectors& vectors(const JsonValue& attribute) {
         const std::uint64_t index = attribute.whole(count_of("accessors"));
         const auto [found, is_new] = vectors_.try_emplace(index);
         if (!is_new) return found->second;
         const std::vector<double> numbers = buffers_.read(index, 3);
-        found->second.resize(numbers.size() / 3);
+        Vectors& made = found->second;
+        made.values.resize(numbers.size() / 3);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const bool fits = std::abs(numbers[i]) <= std::numeric_limits<float>::max();
-            if (!fits && must_be_finite)
-                in_.at("accessors")[index].refuse(
-                    fmt::format("has {} at element {}, which is not a finite number", numbers[i], i / 3));
-            found->second[i / 3][static_cast<int>(i % 3)] = fits ? static_cast<float>(numbers[i]) : 0.0f;
+            made.values[i / 3][static_cast<int>(i % 3)] = fits ? static_cast<float>(numbers[i]) : 0.0f;
+            const auto element = static_cast<std::uint32_t>(i / 3);
+            if (!fits && (made.faults.empty() || made.faults.back() != element))
+                made.faults.push_back(element);
+        }
+        return made;
+    }
+
+    /// Red, green and blue, with or without an opacity behind them.
+    const Colours& colours(const JsonValue& attribute) {
+        const std::uint64_t index = attribute.whole(count_of("accessors"));
+        const auto [found, is_new] = colours_.try_emplace(index);
+        if (!is_new) return found->second;
+        const std::uint64_t width = in_.at("accessors")[index].at("type").string() == "VEC4" ? 4 : 3;
+        const std::vector<double> numbers = buffers_.read(index, width);
+        if (!loading_.may_make(numbers.size() / width * sizeof(Colours::value_type)))
+            attribute.refuse(loading_.too_much());
+        found->second.resize(numbers.size() / width);
+        for (std::size_t i = 0; i < found->second.size(); ++i) {
+            glm::vec3 colour(numbers[width * i], numbers[width * i + 1], numbers[width * i + 2]);
+            const bool is_known = std::isfinite(colour.r + colour.g + colour.b);
+            if (!is_known)
+                warnings_.count("vertex", "with a colour that is not finite, drawn without it", 0,
+                                attribute.path());
+            else if (clamp_colour(colour))
+                warnings_.count("vertex", odd_colour, 0, attribute.path());
+            if (is_known) found->second[i] = colour;
         }
         return found->second;
     }
@@ -114,33 +151,82 @@ private:
         return found->second;
     }
 
-    void mesh(const JsonValue& in) {
-        std::vector<Primitive> primitives;
-        std::uint64_t triangles = 0;
-        const JsonValue list = in.at("primitives").array();
+    /// Reads a mesh that a node has.
+    const Mesh& mesh(std::uint64_t number) {
+        Mesh& made = meshes_[number];
+        if (made.is_read) return made;
+        made.is_read = true;
+        loading_.tell("checking", number, meshes_.size());
+        const JsonValue list = in_.at("meshes")[number].at("primitives").array();
         for (std::size_t i = 0; i < list.size(); ++i) {
             const std::uint64_t mode = list[i].whole_or("mode", 7, 4);
-            if (mode < 4) {   // points and lines
-                ++dropped_.lines;
-                continue;
-            }
-            primitives.push_back(primitive(list[i], mode));
-            triangles += mode == 4 ? primitives.back().corners / 3 : primitives.back().corners - 2;
+            if (!is_drawn(list[i], mode, made)) continue;
+            made.primitives.push_back(primitive(list[i], mode));
+            const std::uint64_t corners = made.primitives.back().corners;
+            made.triangles += mode == 4 ? corners / 3 : corners - 2;
         }
-        mesh_triangles_.push_back(triangles);
-        meshes_.push_back(std::move(primitives));
-        parts_.emplace_back();
+        return made;
+    }
+
+    static void widen(std::optional<Bounds>& bounds, const glm::dvec3& point) {
+        if (!bounds) bounds = Bounds{point, point};
+        bounds = Bounds{glm::min(bounds->lo, point), glm::max(bounds->hi, point)};
+    }
+
+    bool is_drawn(const JsonValue& in, std::uint64_t mode, Mesh& into) {
+        const auto left_out = [&](const char* what, const char* why) {
+            warnings_.count(what, why, 0, in.path());
+        };
+        if (mode < 4) {
+            left_out("primitive", "of points or lines left out");
+            return false;
+        }
+        if (!in.at("attributes").find("POSITION")) {
+            left_out("primitive", "without positions left out");
+            return false;
+        }
+        if (const auto material = in.find("material");
+            material && this->material(material->whole(materials_.size())).is_invisible) {
+            for (const glm::vec3& p : vectors(in.at("attributes").at("POSITION")).values)
+                widen(into.invisible, glm::dvec3(p));
+            left_out("invisible primitive", "left out: opacity below the cutoff of the material");
+            return false;
+        }
+        return true;
+    }
+
+    /// An empty picture. A triangle without area reaches from corner to corner of what would be seen, so that
+    /// the camera and the lights stand where they did.
+    PlacedScene nothing_visible() {
+        if (!invisible_) at_.refuse("the file has no triangles");
+        Scene& own = placed_.own;
+        own.vertices = {invisible_->lo, invisible_->hi};
+        own.triangles = {{{0, 1, 1}, 0}};
+        own.materials = {Material{.name = "default"}};
+        own.camera = camera_;
+        warnings_.say(loading_);
+        return std::move(placed_);
     }
 
     Primitive primitive(const JsonValue& in, std::uint64_t mode) {
-        const JsonValue attributes = in.at("attributes");
-        Primitive made{&vectors(attributes.at("POSITION"), true), nullptr, nullptr, mode, none, 0};
+        const JsonValue attributes = in.at("attributes"), position = attributes.at("POSITION");
+        refuse_compressed(in, position);
+        const Vectors& positions = vectors(position);
+        Primitive made{&positions.values, nullptr, nullptr, nullptr, mode, none, 0};
         const std::size_t vertices = made.positions->size();
         if (const auto normal = attributes.find("NORMAL")) {
-            made.normals = &vectors(*normal, false);
+            const Vectors& normals = vectors(*normal);
+            made.normals = &normals.values;
             if (made.normals->size() != vertices)
                 normal->refuse(fmt::format("has {} normals for {} vertices", made.normals->size(), vertices));
+            for (std::size_t i = 0; i < normals.faults.size(); ++i)
+                warnings_.count("normal", "with components that are not finite, left out", 0, normal->path());
             has_normals_ = true;
+        }
+        if (const auto colour = attributes.find("COLOR_0")) {
+            made.colours = &colours(*colour);
+            if (made.colours->size() != vertices)
+                colour->refuse(fmt::format("has {} colours for {} vertices", made.colours->size(), vertices));
         }
         made.corners = vertices;
         if (const auto reference = in.find("indices")) {
@@ -155,17 +241,40 @@ private:
         }
         if (made.corners < 3 || (mode == 4 && made.corners % 3 != 0))
             in.refuse(fmt::format("has {} corners, which do not make triangles", made.corners));
-        if (const auto material = in.find("material")) made.material = material->whole(count_of("materials"));
-        dropped_.colours += attributes.find("COLOR_0").has_value();
+        check_positions(position, positions.faults, made);
+        if (const auto material = in.find("material")) made.material = material->whole(materials_.size());
         return made;
+    }
+
+    /// Its accessors are without data then, which otherwise means zeros.
+    void refuse_compressed(const JsonValue& in, const JsonValue& position) const {
+        const auto extensions = in.find("extensions");
+        const JsonValue accessor = in_.at("accessors")[position.whole(count_of("accessors"))];
+        if (extensions && extensions->find("KHR_draco_mesh_compression") && !accessor.find("bufferView"))
+            in.refuse("is compressed by KHR_draco_mesh_compression, which is not supported");
+    }
+
+    /// A vertex without a place is only a fault where a triangle uses it.
+    void check_positions(const JsonValue& position, const std::vector<std::uint32_t>& faults,
+                         const Primitive& made) {
+        if (faults.empty()) return;
+        const auto check = [&](std::uint32_t vertex) {
+            if (!std::binary_search(faults.begin(), faults.end(), vertex)) return;
+            in_.at("accessors")[position.whole(count_of("accessors"))].refuse(fmt::format(
+                "has a number at element {} that is not finite as a 32-bit float, and a triangle uses it",
+                vertex));
+        };
+        each_triangle(
+            made, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { check(a), check(b), check(c); });
+        for (std::size_t i = 0; i < faults.size(); ++i)
+            warnings_.count("unused vertex", "with coordinates that are not finite, left out", 0,
+                            position.path());
     }
 
     void tree() {
         const std::size_t count = count_of("nodes");
         visited_.resize(count), wheres_.resize(count);
         for (const std::uint64_t root : gltf_roots(in_, count)) visit(root, 0, {});
-        if (triangles_ > max_triangles)
-            at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
     }
 
     /// Where a node stands whose parent stands there.
@@ -194,14 +303,15 @@ private:
         wheres_[index] = where;
         const glm::dmat4& place = where.place;
         if (const auto mesh = in.find("mesh")) {
-            const std::uint64_t number = mesh->whole(mesh_triangles_.size());
-            if (mesh_triangles_[number] > 0)
-                copies_.push_back({number, index, where,
-                                   GltfDeformer::deforms(in, in_.at("meshes")[number], tracks_of(index))});
-            triangles_ += mesh_triangles_[number];
+            const std::uint64_t number = mesh->whole(meshes_.size());
+            if (this->mesh(number).triangles > 0) add_copies(in, number, index, where);
+            if (const auto& box = meshes_[number].invisible)
+                for (const glm::dvec3& corner : {box->lo, box->hi})
+                    widen(invisible_, glm::dvec3(place * glm::dvec4(corner, 1)));
         }
         if (const auto camera = in.find("camera")) {
             const auto made = gltf_camera(in_.at("cameras")[camera->whole(count_of("cameras"))], place);
+            if (!made) warnings_.count("orthographic camera", "left out", 0, in.path());
             if (!camera_ && made && where.node) {
                 placed_.motion.camera.node = where.node;
                 placed_.motion.camera.seen = *made;
@@ -209,11 +319,12 @@ private:
             if (!camera_) camera_ = made;
         }
         if (const auto extensions = in.find("extensions")) {
-            if (extensions->find("EXT_mesh_gpu_instancing"))
-                in.refuse("uses EXT_mesh_gpu_instancing, which is not supported");
             if (const auto light = extensions->find("KHR_lights_punctual")) {
                 const JsonValue all = in_.at("extensions").at("KHR_lights_punctual").at("lights").array();
-                lights_.push_back(gltf_light(all[light->at("light").whole(all.size())], place));
+                const JsonValue given = all[light->at("light").whole(all.size())];
+                lights_.push_back(gltf_light(given, place));
+                if (given.at("type").string() == "spot")
+                    warnings_.count("spot light", "drawn as a point light", 0, in.path());
                 if (where.node && !lights_.back().is_directional) {
                     LightMotion moving{.light = static_cast<std::uint32_t>(lights_.size() - 1)};
                     moving.node = where.node;
@@ -226,6 +337,25 @@ private:
         if (!children) return;
         for (std::size_t i = 0; i < children->array().size(); ++i)
             visit((*children)[i].whole(visited_.size()), depth + 1, where);
+    }
+
+    /// A node's mesh in its place; or in many, by EXT_mesh_gpu_instancing.
+    void add_copies(const JsonValue& in, std::uint64_t number, std::uint64_t index, const Where& where) {
+        const bool deforms = GltfDeformer::deforms(in, in_.at("meshes")[number], tracks_of(index));
+        const auto extensions = in.find("extensions");
+        const auto many = extensions ? extensions->find("EXT_mesh_gpu_instancing") : std::nullopt;
+        std::vector<glm::dmat4> places{glm::dmat4(1)};
+        if (many && !in.find("skin"))
+            places = gltf_places(many->at("attributes"), buffers_, count_of("accessors"));
+        triangles_ += meshes_[number].triangles * places.size();
+        if (triangles_ > max_triangles) refuse_triangles();
+        if (!loading_.may_make(places.size() * sizeof(Copy))) in.refuse(loading_.too_much());
+        for (const glm::dmat4& place : places)
+            copies_.push_back({number, index, {where.place * place, where.node}, deforms});
+    }
+
+    [[noreturn]] void refuse_triangles() const {
+        at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
     }
 
     /// By the numbers of its vertices.
@@ -246,7 +376,7 @@ private:
 
     /// Makes the parts of a mesh, when it is placed first.
     void build(std::uint64_t mesh) {
-        for (const Primitive& primitive : meshes_[mesh]) {
+        for (const Primitive& primitive : meshes_[mesh].primitives) {
             if (!loading_.may_make(primitive.corners * sizeof(std::uint64_t)))
                 at_.refuse(loading_.too_much());
             PartBuilder builder(primitive.mode == 4 ? primitive.corners / 3 : primitive.corners - 2,
@@ -256,16 +386,26 @@ private:
                               primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
             };
             each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-                builder.add(corner(a), corner(b), corner(c), 0);
+                builder.add(corner(a), corner(b), corner(c), builder.colour(colour_of(primitive, a, b, c)));
             });
             parts_[mesh].push_back(assembly_.add(std::move(builder)));
         }
     }
 
+    std::optional<glm::vec3> colour_of(const Primitive& primitive, std::uint32_t a, std::uint32_t b,
+                                       std::uint32_t c) {
+        if (!primitive.colours) return std::nullopt;
+        FaceColour colour;
+        for (const std::uint32_t i : {a, b, c}) colour.add((*primitive.colours)[i]);
+        if (colour.varies()) warnings_.count("face", mixed_colours);
+        return colour.mean();
+    }
+
     void place(const Copy& copy) {
         for (std::size_t i = 0; i < parts_[copy.mesh].size(); ++i) {
-            const std::uint64_t number = meshes_[copy.mesh][i].material;
-            assembly_.place(parts_[copy.mesh][i], copy.where.place, number, [&] { return material(number); });
+            const std::uint64_t number = meshes_[copy.mesh].primitives[i].material;
+            assembly_.place(parts_[copy.mesh][i], copy.where.place, number,
+                            [&] { return made_material(number); });
         }
     }
 
@@ -276,8 +416,8 @@ private:
         if (is_new) {
             Scene mesh;
             for (std::size_t i = 0; i < parts_[copy.mesh].size(); ++i) {
-                const std::uint64_t number = meshes_[copy.mesh][i].material;
-                assembly_.gather(mesh, parts_[copy.mesh][i], number, [&] { return material(number); });
+                const std::uint64_t number = meshes_[copy.mesh].primitives[i].material;
+                assembly_.gather(mesh, parts_[copy.mesh][i], number, [&] { return made_material(number); });
             }
             placed_.meshes.push_back({fmt::format("meshes[{}]", copy.mesh), std::move(mesh.vertices),
                                       std::move(mesh.normals), std::move(mesh.triangles)});
@@ -289,20 +429,21 @@ private:
     /// skin is, and not the node that has it. Primitives without normals are facets where others have some.
     void deform(const Copy& copy) {
         const JsonValue node = in_.at("nodes")[copy.from];
-        const std::vector<Primitive>& primitives = meshes_[copy.mesh];
+        const std::vector<Primitive>& primitives = meshes_[copy.mesh].primitives;
         const bool is_smooth = std::any_of(primitives.begin(), primitives.end(),
                                            [](const Primitive& primitive) { return primitive.normals; });
         Deforming made = deformer_.make(node, in_.at("meshes")[copy.mesh], tracks_of(copy.from), is_smooth);
         SharedMesh mesh{fmt::format("meshes[{}]", copy.mesh), made.rest, made.normals, {}};
-        if (!loading_.may_make(mesh_triangles_[copy.mesh] * sizeof(Triangle)))
+        if (!loading_.may_make(meshes_[copy.mesh].triangles * sizeof(Triangle)))
             at_.refuse(loading_.too_much());
         std::uint32_t base = 0;
         std::vector<std::uint32_t> facets;
         for (const Primitive& primitive : primitives) {
-            const std::uint32_t own =
-                assembly_.material(primitive.material, [&] { return material(primitive.material); });
             each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
                 if (!primitive.normals) facets.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
+                const std::uint32_t own = assembly_.material(
+                    primitive.material, [&] { return made_material(primitive.material); },
+                    colour_of(primitive, a, b, c).value_or(glm::vec3(1)));
                 mesh.triangles.push_back({{base + a, base + b, base + c}, own});
             });
             base += static_cast<std::uint32_t>(primitive.positions->size());
@@ -326,13 +467,25 @@ private:
         placed_.instances.push_back({fmt::format("nodes[{}]", node), mesh, where.place, {}});
     }
 
-    Material material(std::uint64_t number) {
+    GltfMaterial& material(std::uint64_t number) {
+        auto& made = materials_[number];
+        if (!made) made = gltf_material(in_.at("materials")[number], number);
+        return *made;
+    }
+
+    Material made_material(std::uint64_t number) {
         if (number == none) return Material{.name = "default"};
-        GltfMaterial material = materials_[number];
-        if (material.base_texture) dropped_.averaged += textures_.tint(material);
-        dropped_.textures += material.has_textures;
-        dropped_.odd += is_out_of_range(material.surface);
-        return material_of(material.surface, material.name);
+        GltfMaterial material = this->material(number);
+        const auto tell = [&](bool is_so, const char* became) {
+            if (is_so) warnings_.count("material", became, 0, material.name);
+        };
+        tell(material.base_texture && textures_.tint(material), averaged_texture);
+        tell(material.has_textures, "with other textures, which are not drawn");
+        tell(material.has_extensions, "with extensions that are not drawn");
+        tell(is_out_of_range(material.surface), "with values out of range, taken as the nearest within");
+        Material made = material_of(material.surface, material.name);
+        tell(!add_emission(made, glm::dvec3(material.surface.emission)), mixed_emission);
+        return made;
     }
 
     JsonValue list(std::string_view key) const {
@@ -343,29 +496,30 @@ private:
     JsonValue in_;
     Place at_;
     Loading& loading_;
+    Warnings warnings_;
     GltfBuffers buffers_;
     GltfDeformer deformer_;
     GltfTextures textures_;
     Assembly assembly_;
     const Json empty_ = Json::array();
-    std::map<std::uint64_t, std::vector<glm::vec3>> vectors_;   // by accessor
+    std::map<std::uint64_t, Vectors> vectors_;   // by accessor
+    std::map<std::uint64_t, Colours> colours_;
     std::map<std::uint64_t, std::vector<std::uint32_t>> indices_;
     std::map<const void*, std::uint32_t> largest_;   // of indices
-    std::vector<std::vector<Primitive>> meshes_;
+    std::vector<Mesh> meshes_;
     std::vector<std::vector<std::size_t>> parts_;   // of meshes that are placed
-    std::vector<std::uint64_t> mesh_triangles_;
-    std::vector<GltfMaterial> materials_;
+    std::vector<std::optional<GltfMaterial>> materials_;
     std::vector<bool> visited_;
     std::vector<std::optional<Where>> wheres_;        // of nodes that stand in the scene
     std::map<std::uint64_t, GltfTracks> tracks_;      // by node
     std::map<std::uint64_t, std::uint32_t> shared_;   // meshes as meshes of ours
     PlacedScene placed_;
     std::vector<Copy> copies_;
+    std::optional<Bounds> invisible_;   // of what is not drawn
     std::vector<PlacedLight> lights_;
     std::optional<Camera> camera_;
     bool has_normals_ = false;
     std::uint64_t triangles_ = 0;
-    GltfDropped dropped_;
 };
 
 }   // namespace

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/mesh_file.hpp"
 
@@ -36,6 +37,8 @@ void statement(std::string_view key, std::string_view rest, const Place& at, Mtl
         colour(key, rest, at, surface.diffuse);
     else if (key == "Ks")
         colour(key, rest, at, surface.specular);
+    else if (key == "Ke")
+        colour(key, rest, at, surface.emission);
     else if (key == "Ns")
         surface.shine = static_cast<float>(single(rest, at));
     else if (key == "Ni")
@@ -54,9 +57,10 @@ void statement(std::string_view key, std::string_view rest, const Place& at, Mtl
 
 }   // namespace
 
-std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text) {
+std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text, Loading& loading) {
     std::vector<MtlBlock> blocks;
     Place at{path.string()};
+    Warnings warnings(at.file);
     for (std::string_view rest = without_mark(text); !rest.empty();) {
         const std::string_view whole = take_line(rest);
         ++at.line;
@@ -65,12 +69,20 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
         const std::string_view key = take_word(line);
         if (key == "newmtl") {
             std::string name = joined_words(line);
-            if (name.empty()) at.refuse("newmtl without a name");
-            blocks.push_back({.name = std::move(name), .surface = {}});
-        } else if (!blocks.empty()) {
-            statement(key, line, at, blocks.back());
+            if (name.empty()) {   // of an OBJ whose `usemtl` has no name either
+                warnings.count("material", "without a name, taken as the default", at.line);
+                name = "default";
+            }
+            blocks.push_back({.name = std::move(name), .surface = {}, .fault = {}});
+        } else if (!blocks.empty() && blocks.back().fault.empty()) {
+            try {
+                statement(key, line, at, blocks.back());
+            } catch (const UserError& error) {   // no fault unless a face has the material
+                blocks.back().fault = error.what();
+            }
         }
     }
+    warnings.say(loading);
     return blocks;
 }
 

@@ -1,6 +1,6 @@
 // OBJ: every statement is checked with its line number; positions, normals, faces and the materials of faces
-// are taken. Groups, objects, texture coordinates, curves, points and lines are dropped. Faces stay in the
-// order of the file.
+// are taken, and the colours of vertices. Groups, objects, texture coordinates, curves, points and lines are
+// dropped. Faces stay in the order of the file.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
@@ -24,7 +25,11 @@ constexpr std::array<std::string_view, 34> silent{
     "scrv",   "sp",         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",  "maplib",
     "usemap", "shadow_obj", "trace_obj", "ctech", "stech", "call",     "csh"};
 
-/// Counts one kind of element and keeps the indices that only a later line could make good.
+/// Statements of the format, and those that only programs of their own know.
+constexpr std::string_view unknown_statement = "skipped: OBJ has no such statement";
+
+/// Counts one kind of element and keeps what only matters if a face uses it: indices that only a later line
+/// could make good, and lines whose numbers make no sense.
 class Counted {
 public:
     explicit Counted(std::string_view what) : what_(what) {}
@@ -32,6 +37,7 @@ public:
         if (++count_ > std::numeric_limits<std::uint32_t>::max())
             at.refuse(fmt::format("more than 2^32 - 1 {} lines", what_));
     }
+    std::uint64_t count() const { return count_; }
     std::uint64_t absolute(std::string_view word, const Place& at) {
         const std::int64_t index = whole_number(word, at);
         if (index == 0) at.refuse(fmt::format("{} index 0: indices start at 1", what_));
@@ -43,6 +49,14 @@ public:
         if (forward > count_ && (maxima_.empty() || forward > maxima_.back().index))
             maxima_.push_back({forward, at.line});
         return forward;
+    }
+    /// The same of an index that may name nothing; then 0, or what is larger than the final count.
+    std::uint32_t absolute_or_none(std::string_view word, const Place& at) const {
+        const std::int64_t index = whole_number(word, at);
+        if (index < 0 && static_cast<std::uint64_t>(-(index + 1)) >= count_) return 0;
+        if (index < 0) return static_cast<std::uint32_t>(count_ - static_cast<std::uint64_t>(-(index + 1)));
+        return static_cast<std::uint32_t>(
+            std::min<std::int64_t>(index, std::numeric_limits<std::uint32_t>::max()));
     }
     void finish(const std::string& file) const {
         for (const auto& [index, line] : maxima_)
@@ -60,10 +74,29 @@ private:
     std::vector<Forward> maxima_;
 };
 
+/// Three numbers, or nothing if they are not all there, and finite as 32-bit floats.
+std::optional<glm::vec3> triple(std::string_view& rest) {
+    glm::vec3 point(0);
+    for (int i = 0; i < 3; ++i) {
+        const std::optional<float> value = float_of(take_word(rest));
+        if (!value) return std::nullopt;
+        point[i] = *value;
+    }
+    return point;
+}
+
+/// Says what is wrong with a line of which triple() makes nothing.
+[[noreturn]] void refuse_triple(std::string_view key, std::string_view rest, const Place& at) {
+    int count = 0;
+    for (std::string_view word = take_word(rest); !word.empty() && count < 3; word = take_word(rest), ++count)
+        finite_number(word, at);
+    at.refuse(fmt::format("{} needs 3 numbers and has {}", key, count));
+}
+
 class ObjReader {
 public:
     ObjReader(const std::filesystem::path& path, Loading& loading)
-        : path_(path), at_{path.string()}, loading_(loading) {}
+        : path_(path), at_{path.string()}, loading_(loading), warnings_(at_.file) {}
 
     void statement(std::string_view line, std::uint64_t number) {
         at_.line = number;
@@ -71,9 +104,9 @@ public:
         const std::string_view key = take_word(rest);
         if (key.empty()) return check_text(line, at_, "OBJ");
         if (key == "v")
-            numbers("v ", rest, vertices_, positions_);
+            vertex(rest);
         else if (key == "vn")
-            numbers("vn ", rest, normals_, directions_);
+            normal(rest);
         else if (key == "f" || key == "fo")
             face(rest);
         else if (key == "usemtl")
@@ -86,12 +119,26 @@ public:
             check_text(line, at_, "OBJ");
     }
 
+    /// After the last statement, while the text is there.
+    void check_end() {
+        at_.line = 0;
+        vertices_.finish(at_.file);
+        if (ends_.empty() && unknown_.line > 0) refuse_unknown();
+        if (ends_.empty()) at_.refuse("the file has no triangles");
+        check_positions();
+        for (Run& run : runs_) run.is_smooth = false;
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            const std::size_t begin = corner_of_face(runs_[i].first_face),
+                              end = corner_of_face(end_of_run(i));
+            for (std::size_t k = begin; k < end; ++k) check_normal(corners_[k], runs_[i]);
+        }
+    }
+
     ObjShape finish_shape() {
-        check_end();
+        warnings_.say(loading_);
         ObjShape shape{{}, {}, {}, {}, {}, read_materials()};
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            const std::size_t end = i + 1 < runs_.size() ? runs_[i + 1].first_face : ends_.size();
-            shape.materials.resize(end, static_cast<std::uint32_t>(runs_[i].material));
+            shape.materials.resize(end_of_run(i), static_cast<std::uint32_t>(runs_[i].material));
         }
         shape.positions = std::move(positions_), shape.normals = std::move(directions_);
         shape.corners = std::move(corners_), shape.ends = std::move(ends_);
@@ -99,7 +146,6 @@ public:
     }
 
     Scene finish() {
-        check_end();
         const std::vector<Material> materials = read_materials();
         Assembly assembly(at_.file, loading_);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -109,7 +155,9 @@ public:
         assembly.make_alike();
         for (std::size_t i = 0; i < runs_.size(); ++i)
             assembly.place(i, glm::dmat4(1), runs_[i].material, [&] { return materials[runs_[i].material]; });
-        return assembly.take();
+        Scene scene = assembly.take();
+        warnings_.say(loading_);
+        return scene;
     }
 
 private:
@@ -119,40 +167,94 @@ private:
         bool is_smooth = false;
     };
     using Index = ObjShape::Corner;
+    static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();   ///< none is named
 
-    void check_end() {
-        at_.line = 0;
-        vertices_.finish(at_.file);
-        normals_.finish(at_.file);
-        if (ends_.empty()) at_.refuse("the file has no triangles");
+    /// A vertex whose place makes no sense, and the words after its `v`.
+    struct Fault {
+        std::uint32_t index;   ///< counted from 1
+        std::uint64_t line;
+        std::string_view rest;   ///< of the text, until check_end()
+    };
+
+    std::size_t end_of_run(std::size_t run) const {
+        return run + 1 < runs_.size() ? runs_[run + 1].first_face : ends_.size();
+    }
+    std::size_t corner_of_face(std::size_t face) const { return face == 0 ? 0 : ends_[face - 1]; }
+
+    /// A vertex without a place is only a fault where a face has it for a corner.
+    void check_positions() {
+        if (faults_.empty()) return;
+        const auto by_index = [](const Fault& fault, std::uint32_t index) { return fault.index < index; };
+        for (const Index& corner : corners_) {
+            const auto fault = std::lower_bound(faults_.begin(), faults_.end(), corner.position, by_index);
+            if (fault != faults_.end() && fault->index == corner.position)
+                refuse_triple("v", fault->rest, Place{at_.file, fault->line});
+        }
+        for (const Fault& fault : faults_)
+            warnings_.count("unused vertex", "with coordinates that are not finite, left out", fault.line,
+                            joined_words(fault.rest));
     }
 
-    void numbers(std::string_view key, std::string_view rest, Counted& counted,
-                 std::vector<glm::vec3>& list) {
-        counted.add(at_);
-        glm::vec3 point(0);
-        // Beyond the third there may be a weight or a colour; they are checked and not used.
-        int count = 0;
-        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            const auto value = static_cast<float>(finite_number(word, at_));
-            if (count < 3) point[count] = value;
-            ++count;
+    void check_normal(Index& corner, Run& run) {
+        if (corner.normal == no_normal) {
+            corner.normal = 0;
+        } else if (corner.normal == 0 || corner.normal > directions_.size()) {
+            warnings_.count("corner", "with a normal that is not in the file, drawn flat", 0,
+                            std::to_string(corner.normal));
+            corner.normal = 0;
+        } else {
+            run.is_smooth = true;
         }
-        if (count < 3) at_.refuse(fmt::format("{}needs 3 numbers and has {}", key, count));
-        list.push_back(point);
+    }
+
+    void vertex(std::string_view rest) {
+        vertices_.add(at_);
+        const std::string_view all = rest;
+        const std::optional<glm::vec3> place = triple(rest);
+        if (!place) faults_.push_back({static_cast<std::uint32_t>(vertices_.count()), at_.line, all});
+        positions_.push_back(place.value_or(glm::vec3(0)));
+        vertex_colour(rest);
+    }
+
+    /// Three numbers after the place. One number there is a weight, which nothing uses.
+    void vertex_colour(std::string_view rest) {
+        std::string_view words = rest;
+        int count = 0;
+        while (count < 3 && !take_word(words).empty()) ++count;
+        std::optional<glm::vec3> colour;
+        if (count == 3) {
+            const std::string_view given = rest;
+            colour = triple(rest);
+            if (!colour)
+                warnings_.count("vertex", "with a colour that is not finite, drawn without it", at_.line,
+                                joined_words(given));
+        }
+        if (colour && clamp_colour(*colour)) warnings_.count("vertex", odd_colour, at_.line);
+        if (!colour && colours_.empty()) return;
+        colours_.resize(positions_.size());
+        colours_.back() = colour;
+    }
+
+    /// A normal without a direction is none.
+    void normal(std::string_view rest) {
+        normals_.add(at_);
+        const std::string_view all = rest;
+        const std::optional<glm::vec3> direction = triple(rest);
+        if (!direction)
+            warnings_.count("normal", "with components that are not finite, left out", at_.line,
+                            joined_words(all));
+        directions_.push_back(direction.value_or(glm::vec3(0)));
     }
 
     void face(std::string_view rest) {
         const std::size_t start = corners_.size();
         if (runs_.empty()) use("default");
-        const bool was_smooth = runs_.back().is_smooth;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) corner(word);
         const std::size_t corners = corners_.size() - start;
         if (corners > max_corners)
             at_.refuse(fmt::format("a face with {} corners; the most is {}", corners, max_corners));
         if (corners < 3) {   // a point or a line
             corners_.resize(start);
-            runs_.back().is_smooth = was_smooth;
             return;
         }
         if ((triangles_ += corners - 2) > max_triangles)
@@ -163,15 +265,13 @@ private:
     void corner(std::string_view word) {
         const std::size_t first = word.find('/');
         const std::size_t second = first == word.npos ? word.npos : word.find('/', first + 1);
-        Index index{static_cast<std::uint32_t>(vertices_.absolute(word.substr(0, first), at_)), 0};
+        Index index{static_cast<std::uint32_t>(vertices_.absolute(word.substr(0, first), at_)), no_normal};
         if (first != word.npos) {
             const std::string_view texture = word.substr(first + 1, second - first - 1);
             if (!texture.empty()) whole_number(texture, at_);
         }
-        if (second != word.npos && second + 1 != word.size()) {
-            index.normal = static_cast<std::uint32_t>(normals_.absolute(word.substr(second + 1), at_));
-            runs_.back().is_smooth = true;
-        }
+        if (second != word.npos && second + 1 != word.size())
+            index.normal = std::min(normals_.absolute_or_none(word.substr(second + 1), at_), no_normal - 1);
         corners_.push_back(index);
     }
 
@@ -218,57 +318,77 @@ private:
             if (leaves_folder(name))
                 loading_.note(from,
                               "the material file " + shown(name) + " lies outside the folder of the mesh");
-            for (MtlBlock& block : read_mtl(path, loading_.read(path, from)))
+            Warnings unused(path.string());
+            for (MtlBlock& block : read_mtl(path, loading_.read(path, from), loading_)) {
+                if (!block.fault.empty() && !used_.contains(block.name))
+                    unused.count("unused material", "with values that make no sense, left out", 0,
+                                 block.name);
                 defined.try_emplace(block.name, std::move(block));
+            }
+            unused.say(loading_);
         }
         return defined;
     }
+
+    /// The vertices' colours stand for those of materials that the file lacks.
+    glm::vec3 unknown_colour() const { return glm::vec3(colours_.empty() ? 0.8f : 1.0f); }
 
     /// All materials in use; the first definition of a name counts, and one that has none is plain grey.
     std::vector<Material> read_materials() {
         const std::map<std::string, MtlBlock> defined = read_libraries();
         if (!loading_.may_make(used_.size() * sizeof(Material))) at_.refuse(loading_.too_much());
         std::vector<Material> materials(used_.size());
-        std::uint64_t odd = 0, textured = 0;
         for (const auto& [name, number] : used_) {
             const auto found = defined.find(name);
-            const bool is_known = found != defined.end();
-            materials[number] =
-                material_of(is_known ? found->second.surface : MtlSurface{.diffuse = glm::vec3(0.8f)}, name);
-            odd += is_known && is_out_of_range(found->second.surface);
-            textured += is_known && found->second.has_textures;
+            if (found == defined.end()) {
+                materials[number] = material_of(MtlSurface{.diffuse = unknown_colour()}, name);
+                continue;
+            }
+            const MtlBlock& block = found->second;
+            if (!block.fault.empty()) throw UserError(block.fault);
+            const auto tell = [&](bool is_so, const char* became) {
+                if (is_so) warnings_.count("material", became, 0, name);
+            };
+            materials[number] = material_of(block.surface, name);
+            tell(is_out_of_range(block.surface), "with values out of range, taken as the nearest within");
+            tell(!add_emission(materials[number], glm::dvec3(block.surface.emission)), mixed_emission);
+            tell(block.has_textures, "with textures, which are not drawn");
         }
-        if (odd > 0)
-            loading_.note(at_.file, counted(odd, "material") +
-                                        " with values out of range, taken as the nearest within");
-        if (textured > 0)
-            loading_.note(at_.file, counted(textured, "material") + " with textures, which are not drawn");
         return materials;
     }
 
-    PartBuilder part(std::size_t number, Assembly& assembly) const {
-        const std::size_t begin = runs_[number].first_face,
-                          end = number + 1 < runs_.size() ? runs_[number + 1].first_face : ends_.size();
+    PartBuilder part(std::size_t number, Assembly& assembly) {
+        const std::size_t begin = runs_[number].first_face, end = end_of_run(number);
         PartBuilder builder(end - begin, runs_[number].is_smooth);
         std::vector<Corner> corners;
         for (std::size_t f = begin; f < end; ++f) {
             corners.clear();
-            for (std::size_t k = f == 0 ? 0 : ends_[f - 1]; k < ends_[f]; ++k) {
+            FaceColour colour;
+            for (std::size_t k = corner_of_face(f); k < ends_[f]; ++k) {
                 const Index& index = corners_[k];
                 corners.push_back(
                     {glm::dvec3(positions_[index.position - 1]),
                      index.normal == 0 ? glm::dvec3(0) : glm::dvec3(directions_[index.normal - 1])});
+                colour.add(index.position <= colours_.size() ? colours_[index.position - 1] : std::nullopt);
             }
-            assembly.face(builder, corners);
+            if (colour.varies()) warnings_.count("face", mixed_colours);
+            assembly.face(builder, corners, builder.colour(colour.mean()));
         }
         return builder;
     }
 
-    [[noreturn]] void unknown(std::string_view line, std::string_view key) const {
+    void unknown(std::string_view line, std::string_view key) {
         check_text(line, at_, "OBJ");
+        if (unknown_.line == 0) unknown_ = {std::string(key), at_.line};
+        warnings_.count("line", unknown_statement, at_.line, key);
+    }
+
+    /// There is nothing else in the file.
+    [[noreturn]] void refuse_unknown() const {
         std::vector<std::string> known(silent.begin(), silent.end());
         known.insert(known.begin(), {"v", "vn", "f", "usemtl", "mtllib"});
-        at_.refuse(shown(key) + " is not an OBJ statement" + did_you_mean(key, known));
+        Place{at_.file, unknown_.line}.refuse(shown(unknown_.name) + " is not an OBJ statement" +
+                                              did_you_mean(unknown_.name, known));
     }
 
     struct Library {
@@ -279,14 +399,18 @@ private:
     std::filesystem::path path_;
     Place at_;
     Loading& loading_;
+    Warnings warnings_;
     Counted vertices_{"vertex"}, normals_{"normal"};
     std::vector<glm::vec3> positions_, directions_;
+    std::vector<std::optional<glm::vec3>> colours_;   ///< of the first vertices, up to the last that has one
+    std::vector<Fault> faults_;
     std::vector<Index> corners_;
     std::vector<std::size_t> ends_;   ///< of each face, in `corners_`
     std::vector<Run> runs_;
     std::uint64_t triangles_ = 0;
     std::map<std::string, std::size_t> used_;
     std::vector<Library> libraries_;
+    Library unknown_{{}, 0};   ///< the first unknown statement
 };
 
 /// Joins lines that end in a backslash with the next, in place; line breaks inside become marks of their own
@@ -295,8 +419,9 @@ constexpr char joined_break = '\v';
 
 void join_lines(std::string& text) {
     for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
-        const std::size_t end = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;
-        if (end >= text.size() || text[end] != '\n') continue;
+        std::size_t end = at + 1;
+        if (text.compare(end, 2, "\r\n") == 0) ++end;
+        if (end >= text.size() || (text[end] != '\n' && text[end] != '\r')) continue;
         for (std::size_t i = at; i < end; ++i) text[i] = ' ';
         text[end] = joined_break;
     }
@@ -312,6 +437,7 @@ void read_statements(ObjReader& reader, std::string text, Loading& loading) {
         breaks = static_cast<std::uint64_t>(std::count(statement.begin(), statement.end(), joined_break));
         reader.statement(statement, line);
     }
+    reader.check_end();
 }
 
 }   // namespace

@@ -20,7 +20,7 @@ public:
         for (std::uint64_t i = 0; i < faces_; ++i) face(i);
         at_.line = 0;
         if (colours_) loading_.note(at_.file, "its colours are not drawn");
-        return scene_of(mesh_, at_, loading_);
+        return scene_of(mesh_, at_, loading_, Warnings(at_.file));
     }
 
 private:

@@ -1,10 +1,11 @@
-// PLY, text and binary of both byte orders: every element is walked as the header says, coordinates must be
-// finite, indices in range, and the file as long as its counts.
+// PLY, text and binary of both byte orders: every element is walked as the header says. Coordinates that
+// faces use must be finite, indices in range, and the file as long as its counts.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,9 +36,14 @@ public:
             check_text(line_, at_, "PLY");
         } while (std::all_of(line_.begin(), line_.end(), [](char c) { return c == ' ' || c == '\t'; }));
     }
-    void end() {
+    void end(Warnings& warnings) {
         if (const std::string_view more = take_word(line_); !more.empty())
-            at_.refuse(shown(more) + " is one word too many");
+            warnings.count("line", "with more words than the header declares, which are skipped", at_.line,
+                           more);
+    }
+    std::uint64_t line() const { return at_.line; }
+    void skip(PlyType) {
+        if (take_word(line_).empty()) at_.refuse("a number is missing at the end");
     }
     double number(PlyType type) {
         const std::string_view word = take_word(line_);
@@ -58,14 +64,13 @@ public:
         : rest_(rest), swap_(header.form == PlyForm::big_endian), at_{file} {}
 
     void begin(const PlyElement& element, std::uint64_t index) { element_ = &element, index_ = index; }
-    void end() {}
+    void end(Warnings&) {}
+    std::uint64_t line() const { return 0; }
+    void skip(PlyType type) { take(type); }
     double number(PlyType type) {
-        if (rest_.size() < type.bytes)
-            at_.refuse(fmt::format("the file is cut off: it ends inside {} {} of {}", element_->name, index_,
-                                   element_->count));
+        const std::string_view bytes = take(type);
         char raw[8];
-        std::memcpy(raw, rest_.data(), type.bytes);
-        rest_.remove_prefix(type.bytes);
+        std::memcpy(raw, bytes.data(), bytes.size());
         if (swap_) std::reverse(raw, raw + type.bytes);
         return decode(raw, type);
     }
@@ -75,6 +80,14 @@ public:
     }
 
 private:
+    std::string_view take(PlyType type) {
+        if (rest_.size() < type.bytes)
+            at_.refuse(fmt::format("the file is cut off: it ends inside {} {} of {}", element_->name, index_,
+                                   element_->count));
+        const std::string_view bytes = rest_.substr(0, type.bytes);
+        rest_.remove_prefix(type.bytes);
+        return bytes;
+    }
     template <class T> static double as(const char* raw) {
         T value;
         std::memcpy(&value, raw, sizeof value);
@@ -98,78 +111,166 @@ private:
     std::uint64_t index_ = 0;
 };
 
-/// Which of the six numbers of a vertex that are kept; -1: none.
+/// Which of the nine numbers of a vertex or a face that are kept; -1: none.
 int place_of(const std::string& name) {
-    static const std::vector<std::string> kept{"x", "y", "z", "nx", "ny", "nz"};
-    const auto found = std::find(kept.begin(), kept.end(), name);
-    return found == kept.end() ? -1 : static_cast<int>(found - kept.begin());
+    static const std::map<std::string, int> kept{{"x", 0},           {"y", 1},
+                                                 {"z", 2},           {"nx", 3},
+                                                 {"ny", 4},          {"nz", 5},
+                                                 {"red", 6},         {"green", 7},
+                                                 {"blue", 8},        {"r", 6},
+                                                 {"g", 7},           {"b", 8},
+                                                 {"diffuse_red", 6}, {"diffuse_green", 7},
+                                                 {"diffuse_blue", 8}};
+    const auto found = kept.find(name);
+    return found == kept.end() ? -1 : found->second;
+}
+
+/// Whole numbers are the fractions of the largest one, and those of more than two bytes of 255.
+double colour_scale(PlyType type) {
+    if (type.kind == 'f') return 1;
+    return type.bytes == 2 ? 1 / 65535.0 : 1 / 255.0;
+}
+
+const glm::vec3 no_colour(std::numeric_limits<float>::quiet_NaN());
+
+bool has_all(const PlyElement& element, int first) {
+    int found = 0;
+    for (const PlyProperty& p : element.properties) {
+        const int place = p.count ? -1 : place_of(p.name);
+        if (place >= first && place < first + 3) found |= 1 << (place - first);
+    }
+    return found == 7;
 }
 
 template <class Body> class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Body body, Loading& loading)
-        : header_(header), body_(body), loading_(loading) {
+    PlyReader(const PlyHeader& header, Body body, Loading& loading, Warnings warnings)
+        : header_(header), body_(body), loading_(loading), warnings_(std::move(warnings)) {
         for (const PlyElement& e : header.elements)
             if (e.name == "vertex") {
                 vertices_ = e.count;
-                mesh_.has_normals = std::count_if(e.properties.begin(), e.properties.end(),
-                                                  [](const auto& p) { return place_of(p.name) >= 3; }) == 3;
+                mesh_.has_normals = has_all(e, 3);
             }
     }
 
     Scene read(const Place& at) {
         for (const PlyElement& element : header_.elements) elements(element);
-        return scene_of(mesh_, at, loading_);
+        return scene_of(mesh_, at, loading_, std::move(warnings_));
     }
 
 private:
     void elements(const PlyElement& element) {
-        const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+        const bool is_vertex = element.name == "vertex", is_face = makes_faces(element);
+        const bool has_colour = (is_vertex || is_face) && has_all(element, 6);
+        std::vector<int> places;
+        for (const PlyProperty& p : element.properties) {
+            const int place = is_vertex || is_face ? place_of(p.name) : -1;
+            places.push_back(is_face && place < 6 ? -1 : place);
+        }
         for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             if (i % 65'536 == 0) loading_.tell("checking", i, element.count);
             body_.begin(element, i);
-            for (const PlyProperty& property : element.properties)
-                if (property.count)
-                    list(element, i, property, is_face && property.name.starts_with("vertex_ind"));
+            has_fault_ = false;
+            const std::size_t faces = mesh_.ends.size();
+            for (std::size_t k = 0; k < element.properties.size(); ++k)
+                if (const PlyProperty& property = element.properties[k]; property.count)
+                    list(element, i, property, is_face && is_indices(property));
+                else if (places[k] >= 0)
+                    number(property, places[k]);
                 else
-                    number(element, i, property, is_vertex ? place_of(property.name) : -1);
-            body_.end();
-            if (!is_vertex) continue;
-            mesh_.positions.emplace_back(row_[0], row_[1], row_[2]);
-            if (mesh_.has_normals) mesh_.normals.emplace_back(row_[3], row_[4], row_[5]);
+                    body_.skip(property.type);
+            body_.end(warnings_);
+            glm::vec3 colour(row_[6], row_[7], row_[8]);
+            if (has_colour && std::isfinite(colour.r + colour.g + colour.b) && clamp_colour(colour))
+                warnings_.count(element.name, odd_colour, body_.line());
+            if (has_colour && is_face) {
+                mesh_.face_colours.resize(faces, no_colour);
+                mesh_.face_colours.resize(mesh_.ends.size(), colour);
+            }
+            if (is_vertex) vertex(i, has_colour ? &colour : nullptr);
         }
     }
 
-    void number(const PlyElement& element, std::uint64_t i, const PlyProperty& property, int place) {
-        const double value = body_.number(property.type);
-        if (place < 0) return;
-        const bool is_position = place < 3, fits = std::abs(value) <= std::numeric_limits<float>::max();
-        if (is_position && !fits)
-            body_.refuse(element, i,
-                         fmt::format("{} is {}, {}", property.name, value,
-                                     std::isfinite(value) ? "larger than a 32-bit float can hold"
-                                                          : "which is not a finite number"));
-        row_[place] = fits ? static_cast<float>(value) : 0.0f;   // a normal of zero counts as none
+    void vertex(std::uint64_t i, const glm::vec3* colour) {
+        if (has_fault_) mesh_.faults.push_back({static_cast<std::uint32_t>(i), body_.line()});
+        mesh_.positions.emplace_back(row_[0], row_[1], row_[2]);
+        if (mesh_.has_normals) {
+            glm::vec3 normal(row_[3], row_[4], row_[5]);
+            if (!std::isfinite(normal.x) || !std::isfinite(normal.y) || !std::isfinite(normal.z)) {
+                warnings_.count("normal", "with components that are not finite, left out", body_.line());
+                normal = glm::vec3(0);   // counts as none
+            }
+            mesh_.normals.push_back(normal);
+        }
+        if (colour) mesh_.colours.push_back(*colour);
     }
 
-    void list(const PlyElement& element, std::uint64_t i, const PlyProperty& property, bool is_face) {
+    void number(const PlyProperty& property, int place) {
+        const double value = body_.number(property.type);
+        const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
+        has_fault_ = has_fault_ || (place < 3 && !fits);
+        if (place >= 6 && !fits)
+            warnings_.count("colour", "with a value that is not finite, left out", body_.line(),
+                            property.name);
+        const double scale = place < 6 ? 1 : colour_scale(property.type);
+        row_[place] =
+            static_cast<float>(fits || std::isnan(value) ? value * scale : std::copysign(HUGE_VAL, value));
+    }
+
+    void list(const PlyElement& element, std::uint64_t i, const PlyProperty& property, bool is_indices) {
         const double length = body_.number(*property.count);
         if (length < 0) body_.refuse(element, i, fmt::format("a list of {} entries", length));
-        if (is_face && length > max_corners)
+        if (is_indices && element.name == "face") return face(element, i, property, length);
+        if (is_indices) return strips(element, i, property, length);
+        for (double k = 0; k < length; ++k) body_.skip(property.type);
+    }
+
+    std::uint32_t vertex_of(const PlyElement& element, std::uint64_t i, double index) const {
+        if (!(index >= 0 && index < static_cast<double>(vertices_)))
+            body_.refuse(element, i,
+                         fmt::format("vertex index {} is out of range: the file has {} (0 is the first)",
+                                     index, vertices_));
+        return static_cast<std::uint32_t>(index);
+    }
+
+    void face(const PlyElement& element, std::uint64_t i, const PlyProperty& property, double length) {
+        if (length > max_corners)
             body_.refuse(element, i,
                          fmt::format("a face with {} corners; the most is {}", length, max_corners));
-        const bool is_kept = is_face && length >= 3;   // the others are points and lines
+        const bool is_kept = length >= 3;   // the others are points and lines
+        for (double k = 0; k < length; ++k)
+            if (is_kept)
+                mesh_.indices.push_back(vertex_of(element, i, body_.number(property.type)));
+            else
+                body_.skip(property.type);
+        if (is_kept) add_triangles(element, i, static_cast<std::uint64_t>(length) - 2);
+    }
+
+    /// Each vertex from a strip's third on makes a triangle with the two before it, every second one turned
+    /// over. A negative number ends a strip.
+    void strips(const PlyElement& element, std::uint64_t i, const PlyProperty& property, double length) {
+        const double none = property.type.kind == 'u' ? std::exp2(8.0 * double(property.type.bytes)) - 1 : -1;
+        std::uint32_t a = 0, b = 0;
+        std::uint64_t corners = 0;
         for (double k = 0; k < length; ++k) {
             const double index = body_.number(property.type);
-            if (is_face && !(index >= 0 && index < static_cast<double>(vertices_)))
-                body_.refuse(element, i,
-                             fmt::format("vertex index {} is out of range: the file has {} (0 is the first)",
-                                         index, vertices_));
-            if (is_kept) mesh_.indices.push_back(static_cast<std::uint32_t>(index));
+            if (index < 0 || index == none) {
+                corners = 0;
+                continue;
+            }
+            const std::uint32_t c = vertex_of(element, i, index);
+            if (++corners > 2) {
+                const bool is_even = corners % 2 != 0;
+                mesh_.indices.insert(mesh_.indices.end(), {is_even ? a : b, is_even ? b : a, c});
+                add_triangles(element, i, 1);
+            }
+            a = b, b = c;
         }
-        if (!is_kept) return;
+    }
+
+    void add_triangles(const PlyElement& element, std::uint64_t i, std::uint64_t count) {
         mesh_.end_face();
-        triangles_ += static_cast<std::uint64_t>(length) - 2;
+        triangles_ += count;
         if (triangles_ > max_triangles)
             body_.refuse(element, i, fmt::format("more than {} triangles", max_triangles));
     }
@@ -178,7 +279,9 @@ private:
     Body body_;
     Loading& loading_;
     std::uint64_t vertices_ = 0, triangles_ = 0;
-    float row_[6] = {};
+    float row_[9] = {};
+    bool has_fault_ = false;   ///< the vertex that is being read
+    Warnings warnings_;
     IndexedMesh mesh_;
 };
 
@@ -186,11 +289,12 @@ private:
 
 Scene read_ply(const std::filesystem::path& path, std::string bytes, Loading& loading) {
     const Place at{path.string()};
-    const PlyHeader header = read_ply_header(at.file, bytes);
+    Warnings warnings(at.file);
+    const PlyHeader header = read_ply_header(at.file, bytes, warnings);
     const std::string_view rest = std::string_view(bytes).substr(header.bytes);
     if (header.form == PlyForm::ascii)
-        return PlyReader(header, TextBody(header, rest, at.file), loading).read(at);
-    return PlyReader(header, BinaryBody(header, rest, at.file), loading).read(at);
+        return PlyReader(header, TextBody(header, rest, at.file), loading, warnings).read(at);
+    return PlyReader(header, BinaryBody(header, rest, at.file), loading, warnings).read(at);
 }
 
 }   // namespace rayclock

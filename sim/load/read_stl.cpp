@@ -1,6 +1,8 @@
-// STL, text and binary. Whether it is one or the other is decided by the length, which in the binary form
-// follows from the count; many binary files begin with "solid" all the same. Normals only repeat the facets
-// and are not read.
+// STL, text and binary. Many binary files begin with "solid" as well, so their length decides, which follows
+// from the count of facets, and the bytes of the count, which no text has. Normals only repeat the facets and
+// are not read.
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -53,9 +55,9 @@ Corners binary_corners(const std::string& bytes, const Place& at, const Loading&
 /// One pass over the text form: facet (normal) / outer loop / three of vertex / endloop / endfacet.
 class TextStl {
 public:
-    TextStl(std::string_view text, const Place& at) : text_(text), at_(at) {}
+    TextStl(std::string_view text, const Place& at) : text_(text), at_(at), warnings_(at.file) {}
 
-    Corners read(const Loading& loading) {
+    Corners read(Loading& loading) {
         for (std::string_view rest = text_; !rest.empty();) {
             if (++at_.line % 65'536 == 0) loading.tell("checking", text_.size() - rest.size(), text_.size());
             line(take_line(rest));
@@ -63,6 +65,7 @@ public:
         if (state_ != State::outside) at_.refuse("the file is cut off: endsolid is missing");
         at_.line = 0;
         if (facets_ == 0) at_.refuse("the file has no triangles");
+        warnings_.say(loading);
         return std::move(corners_);
     }
 
@@ -88,8 +91,16 @@ private:
             endloop();
         else if (key == "endfacet" && state_ == State::after_loop)
             endfacet();
-        else
+        else if (is_keyword(key) || state_ == State::loop || state_ == State::after_loop)
             at_.refuse(shown(word) + " is out of place in a text STL");
+        else   // such as colours
+            warnings_.count("line", "skipped: STL has no such statement", at_.line, word);
+    }
+
+    static bool is_keyword(std::string_view key) {
+        constexpr std::array<std::string_view, 7> known{"solid",  "endsolid", "facet",   "outer",
+                                                        "vertex", "endloop",  "endfacet"};
+        return std::find(known.begin(), known.end(), key) != known.end();
     }
 
     void expect(std::string_view& rest, std::string_view wanted, State next) {
@@ -100,8 +111,6 @@ private:
 
     void facet(std::string_view rest) {
         expect(rest, "normal", State::facet);
-        for (int i = 0; i < 3; ++i)
-            any_number(take_word(rest), at_);   // facets without area often carry "nan"; nobody reads it
         first_ = corners_.size();
     }
 
@@ -109,7 +118,8 @@ private:
         glm::vec3 corner(0);
         for (int i = 0; i < 3; ++i) corner[i] = static_cast<float>(finite_number(take_word(rest), at_));
         if (const std::string_view more = take_word(rest); !more.empty())
-            at_.refuse(shown(more) + " after the third coordinate");
+            warnings_.count("line", "with more than three coordinates, of which the rest is skipped",
+                            at_.line, more);
         corners_.push_back(corner);
     }
 
@@ -130,19 +140,26 @@ private:
     std::size_t first_ = 0;   ///< corner of the facet that is open
     std::uint32_t facets_ = 0;
     Corners corners_;
+    Warnings warnings_;
 };
+
+/// The count of a binary file has a byte that is none of text: it would be of 150 million facets otherwise.
+bool is_binary(const std::string& bytes) {
+    const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+    if (start == bytes.npos || lower(std::string_view(bytes).substr(start, 5)) != "solid") return true;
+    if (bytes.size() < header_bytes) return false;
+    if (bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)}) return true;
+    return std::any_of(bytes.begin() + 80, bytes.begin() + header_bytes, [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';
+    });
+}
 
 }   // namespace
 
 Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading) {
     const Place at{path.string()};
-    const bool is_binary_length =
-        bytes.size() >= header_bytes &&
-        bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)};
-    const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-    const bool says_solid = start != bytes.npos && lower(std::string_view(bytes).substr(start, 5)) == "solid";
-    const Corners corners = says_solid && !is_binary_length ? TextStl(bytes, at).read(loading)
-                                                            : binary_corners(bytes, at, loading);
+    const Corners corners =
+        is_binary(bytes) ? binary_corners(bytes, at, loading) : TextStl(bytes, at).read(loading);
     Assembly assembly(at.file, loading);
     PartBuilder builder(corners.size() / 3, false);
     for (std::size_t k = 0; k + 2 < corners.size(); k += 3)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace rayclock {
@@ -46,8 +47,9 @@ Material material_of(const MtlSurface& in, const std::string& name) {
 }
 
 bool is_out_of_range(const MtlSurface& s) {
-    return !are_fractions(s.diffuse) || !are_fractions(s.specular) || !(s.shine >= 0) ||
-           !is_fraction(s.opacity) || !(s.index > 0) || s.illumination < 0 || s.illumination > 10;
+    return !are_fractions(s.diffuse) || !are_fractions(s.specular) || !are_fractions(s.emission) ||
+           !(s.shine >= 0) || !is_fraction(s.opacity) || !(s.index > 0) || s.illumination < 0 ||
+           s.illumination > 10;
 }
 
 Material material_of(const GltfSurface& in, const std::string& name) {
@@ -62,15 +64,44 @@ Material material_of(const GltfSurface& in, const std::string& name) {
     // The Phong exponent whose lobe is as wide as that of the roughness squared.
     out.shine = std::clamp(2 / std::max(1e-6, std::pow(rough, 4)) - 2, 1.0, 1000.0);
     out.transmit = std::max(1 - fraction(finite_or(in.colour.a, 1)), fraction(finite_or(in.transmission, 0)));
-    out.index = in.index > 0 ? in.index : 1;
+    // Blending is no refraction.
+    out.index = in.transmission > 0 && in.index > 0 ? in.index : 1;
     share(out);
+    if (in.is_unlit) make_unlit(out);
     return out;
 }
 
 bool is_out_of_range(const GltfSurface& s) {
     const bool is_index = s.index >= 1 || s.index == 0;   // the format gives 0 a meaning of its own
     return !are_fractions(glm::vec3(s.colour)) || !is_fraction(s.colour.a) || !is_fraction(s.metal) ||
-           !is_fraction(s.rough) || !is_fraction(s.transmission) || !is_index;
+           !is_fraction(s.rough) || !is_fraction(s.transmission) || !are_fractions(s.emission) || !is_index;
+}
+
+void make_unlit(Material& material) {
+    material.ambient = 1 - material.transmit;
+    material.diffuse = material.highlight = material.mirror = 0;
+}
+
+bool add_emission(Material& material, const glm::dvec3& emission) {
+    const glm::dvec3 light = glm::clamp(emission, 0.0, 1.0);
+    const double most = std::max({light.x, light.y, light.z});
+    if (most == 0) return true;
+    glm::dvec3& colour = material.colour;
+    const double strongest = std::max({colour.x, colour.y, colour.z});
+    if (strongest == 0 || material.diffuse + material.ambient == 0) {
+        colour = light;
+        material.ambient = 1, material.diffuse = 0;
+        return true;
+    }
+    const double ratio = most / strongest;
+    const glm::dvec3 off = glm::abs(light - ratio * colour);
+    if (std::max({off.x, off.y, off.z}) > 1e-6 * most) return false;   // files hold 32-bit floats
+    // A weight above 1 goes into the colour.
+    const double ambient = material.ambient + ratio, scale = std::max(ambient, 1.0);
+    colour = glm::min(colour * scale, 1.0);
+    material.ambient = ambient / scale;
+    material.diffuse /= scale;
+    return true;
 }
 
 std::vector<Light> lights_of(const std::vector<PlacedLight>& placed, const Bounds& bounds) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -13,7 +14,7 @@ namespace rayclock {
 
 /// What MTL says of a material, as 32-bit floats, and what holds where it says nothing.
 struct MtlSurface {
-    glm::vec3 diffuse{0.6f}, specular{0};
+    glm::vec3 diffuse{0.6f}, specular{0}, emission{0};
     float shine = 0, opacity = 1, index = 1;
     int illumination = 1;
 };
@@ -25,10 +26,21 @@ bool is_out_of_range(const MtlSurface& surface);
 struct GltfSurface {
     glm::vec4 colour{1};
     float metal = 1, rough = 1, transmission = 0;
-    double index = 1.5;
+    double index = 1.5;   ///< counts if light is transmitted
+    glm::vec3 emission{0};
+    bool is_unlit = false;
 };
 Material material_of(const GltfSurface& surface, const std::string& name);
 bool is_out_of_range(const GltfSurface& surface);
+
+/// What becomes of a "material" of which add_emission() makes nothing.
+constexpr const char* mixed_emission =
+    "giving off light of a colour other than that of the surface, which is not drawn";
+/// A surface with a colour of its own, whatever falls on it.
+void make_unlit(Material& material);
+/// Adds light that a surface gives off. Ours gives off ambient light, which has the surface's colour. So
+/// false, and nothing is added, if the emission has another colour than a surface that also scatters light.
+bool add_emission(Material& material, const glm::dvec3& emission);
 
 /// A light of glTF and the place of its node.
 struct PlacedLight {

@@ -66,7 +66,7 @@ TEST_CASE("bad names") {
 }
 
 TEST_CASE("bad OBJ") {
-    check({{"a.obj", png, {"line 1", "PNG"}},
+    check({{"a.obj", png, {"line 2", "this is not OBJ"}},
            {"a.obj", "# only words\n", {"no triangles"}},
            {"a.obj", v3, {"no triangles"}},
            {"a.obj", v3 + "l 1 2 3\np 1\nf 1 2\n", {"no triangles"}},
@@ -80,19 +80,18 @@ TEST_CASE("bad OBJ") {
            {"a.obj", v3 + "f 1 2 three\n", {"line 4", "'three'"}},
            {"a.obj", v3 + "f 1 2 2.5\n", {"line 4", "'2.5'"}},
            {"a.obj", v3 + "f 1/x 2 3\n", {"line 4", "'x'"}},
-           {"a.obj", v3 + "f 1//1 2//1 3//1\n", {"line 4", "normal index 1", "has 0"}},
-           {"a.obj", v3 + "vn 0 0 1\nf 1//1 2//0 3//1\n", {"line 5", "normal index 0"}},
+           {"a.obj", v3 + "f 1//x 2//1 3//1\n", {"line 4", "'x'"}},
            {"a.obj", std::string("v 0 0 nan\n") + v3 + "f 1 2 3\n", {"line 1", "'nan'", "finite"}},
-           {"a.obj", v3 + "v 0 -inf 0\nf 1 2 3\n", {"line 4", "'-inf'", "finite"}},
-           {"a.obj", v3 + "v 0 1e39 0\nf 1 2 3\n", {"line 4", "'1e39'", "32-bit"}},
-           {"a.obj", v3 + "v 0 1e999 0\nf 1 2 3\n", {"line 4", "'1e999'", "32-bit"}},
-           {"a.obj", v3 + "v 0 1,5 0\nf 1 2 3\n", {"line 4", "'1,5'"}},
-           {"a.obj", v3 + "v 0 0x1 0\nf 1 2 3\n", {"line 4", "'0x1'"}},
-           {"a.obj", v3 + "v 0 1\nf 1 2 3\n", {"line 4", "has 2"}},
-           {"a.obj", v3 + "\\\n\nf 1 \\\n 2 3\nfoo 1 2 3\n", {"line 8", "'foo'"}},
+           {"a.obj", v3 + "v 0 -inf 0\nf 1 2 4\n", {"line 4", "'-inf'", "finite"}},
+           {"a.obj", v3 + "v 0 1e39 0\nf 1 2 4\n", {"line 4", "'1e39'", "32-bit"}},
+           {"a.obj", v3 + "v 0 1e999 0\nf 1 2 4\n", {"line 4", "'1e999'", "32-bit"}},
+           {"a.obj", v3 + "v 0 1,5 0\nf 1 2 4\n", {"line 4", "'1,5'"}},
+           {"a.obj", v3 + "v 0 0x1 0\nf 1 2 4\n", {"line 4", "'0x1'"}},
+           {"a.obj", v3 + "v 0 1\nf 1 2 4\n", {"line 4", "has 2"}},
+           {"a.obj", v3 + "\\\n\nf 1 \\\n 2 3\nf 1 2 foo\n", {"line 8", "'foo'"}},
            {"a.obj", v3 + "F 1 2 3\n", {"line 4", "'F'"}},
-           {"a.obj", std::string("newmtl x\n") + v3 + "f 1 2 3\n", {"line 1", "'newmtl'"}},
-           {"a.obj", v3 + "vt 0 0\nparam 1\nf 1 2 3\n", {"line 5", "'param'", "did you mean 'parm'"}},
+           {"a.obj", std::string("newmtl x\n") + v3, {"line 1", "'newmtl'"}},
+           {"a.obj", v3 + "vt 0 0\nparam 1\n", {"line 5", "'param'", "did you mean 'parm'"}},
            {"a.obj", v3 + std::string("f 1 2 3\0\n", 9), {"line 4", "\\x00"}}});
     const Folder folder;
     folder.write("bad.mtl", "newmtl a\nKd 1 2 blue\n");
@@ -134,7 +133,6 @@ TEST_CASE("bad PLY") {
            {"a.ply", with(text, "float y", "float x"), {"line 6", "'x'", "twice"}},
            {"a.ply", with(text, "3 0.25 0\n", "3 nan 0\n"), {"y is nan"}},
            {"a.ply", with(text, "3 0.25 0\n", "3 0.25\n"), {"line 11", "missing"}},
-           {"a.ply", with(text, "3 0.25 0\n", "3 0.25 0 7\n"), {"line 11", "'7'"}},
            {"a.ply", with(text, "3 0.25 0\n", "3 0.25 zero\n"), {"line 11", "'zero'"}},
            {"a.ply", with(text, "3 0 2 4\n", "3 0 2 6\n"), {"line 17", "6", "out of range"}},
            {"a.ply", with(text, "3 0 2 4\n", "3 0 2 -1\n"), {"line 17", "-1", "out of range"}},
@@ -156,8 +154,6 @@ TEST_CASE("bad STL") {
     none.replace(80, 4, raw(std::uint32_t{0}));
     check({{"a.stl", png, {"cut off, or not STL"}},
            {"a.stl", "short", {"5 bytes"}},
-           {"a.stl", binary.substr(0, binary.size() - 1), {"line 1"}},   // says "solid", so it is read as
-                                                                         // text
            {"a.stl",
             std::string("x") + binary.substr(1, binary.size() - 2),
             {"cut off", "8 triangles take 484 bytes and there are 483"}},
@@ -168,7 +164,6 @@ TEST_CASE("bad STL") {
            {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25"), {"line 4", "missing"}},
            {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 nan"), {"line 4", "'nan'"}},
            {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 1e60 0"), {"line 4", "'1e60'"}},
-           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 0 9"), {"line 4", "'9'"}},
            {"a.stl", with(text, "vertex 3 0.25 0\n", "\n"), {"line 7", "2 vertices"}},
            {"a.stl", with(text, "endloop", "endlop"), {"line 7", "'endlop'"}},
            {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
@@ -189,7 +184,7 @@ TEST_CASE("bad glTF") {
            {"a.glb", glb.substr(0, glb.size() - 4), {"cut off", std::to_string(glb.size())}},
            {"a.glb", with(glb, raw(2), raw(7)), {"version 7"}},
            {"a.glb", with(glb, "JSON", "JSOM"), {"JSON"}},
-           {"a.glb", glb_of(o.gltf(""), nan), {"accessors[0]", "nan", "element 1"}},
+           {"a.glb", glb_of(o.gltf(""), nan), {"accessors[0]", "element 1", "not finite"}},
            {"a.glb", glb_of(o.gltf(""), index), {"indices", "6", "out of range"}},
            {"a.gltf", text.substr(0, 100), {"line 1", "column 101"}},
            {"a.gltf", changed("\"2.0\"", "\"1.0\""), {"asset.version", "\"1.0\""}},

@@ -246,12 +246,16 @@ TEST_CASE("a small file cannot ask for more than its size allows") {
         json["accessors"].push_back(
             {{"bufferView", 2}, {"componentType", 5121}, {"count", 133'332}, {"type", "VEC3"}});
         json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", 2 + i}}}}}}});
+        json["nodes"].push_back({{"mesh", 1 + i}});
+        json["scenes"][0]["nodes"].push_back(1 + i);
     }
     check_says(complaint(folder.write("a.glb", glb_of(json.dump(), bin))), {"accessors[", much});
     // One list of indices, drawn many times: nothing is left of it, but it takes its time.
     json["accessors"].push_back(
         {{"bufferView", 2}, {"componentType", 5121}, {"count", 99'999}, {"type", "SCALAR"}});
     json["meshes"] = {{{"primitives", Json::array()}}};
+    json["nodes"] = {{{"mesh", 0}}};
+    json["scenes"][0]["nodes"] = {0};
     for (int i = 0; i < 2500; ++i)
         json["meshes"][0]["primitives"].push_back(
             {{"attributes", {{"POSITION", 0}}}, {"indices", json["accessors"].size() - 1}});
@@ -271,7 +275,9 @@ TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
     const Folder folder;
     const std::string ones(10'000'000, '1'), letters(10'000'000, 'x');
     for (const std::string& word : {ones, "0." + ones, letters, "-" + ones}) {
-        check_says(quick(folder.write("a.obj", "v 0 " + word + " 0\n")), {"a.obj: line 1", "...'"});
+        check_says(quick(folder.write("a.obj", "v 0 " + word + " 0\n" + v3 + "f 1 2 3\n")),
+                   {"a.obj: line 1", "...'"});
+        CHECK(quick(folder.write("a.obj", v3 + "v 0 " + word + " 0\nf 1 2 3\n")).empty());
         check_says(quick(folder.write("a.obj", v3 + "f 1 2 " + word + "\n")), {"a.obj: line 4", "...'"});
         check_says(quick(folder.write("a.stl",
                                       "solid x\nfacet normal 0 0 1\nouter loop\nvertex " + word + " 0 0\n")),
@@ -304,8 +310,9 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     const Notes odd = notes_of(
         "odd.obj", "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
     CHECK(odd == Notes{folder.name("odd.obj") +
-                           ": 2 materials with values out of range, taken as the nearest within",
-                       folder.name("odd.obj") + ": 1 material with textures, which are not drawn"});
+                           ": 2 materials with values out of range, taken as the nearest within (the "
+                           "first: 'a')",
+                       folder.name("odd.obj") + ": 1 material with textures, which are not drawn ('c')"});
     std::filesystem::create_directory(folder.name("in"));
     CHECK(notes_of("in/a.obj", "mtllib ../m.mtl\n" + v3 + "usemtl c\nf 1 2 3\n").at(0) ==
           folder.name("in/a.obj") +
@@ -324,10 +331,12 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     const std::string file = folder.name("all.glb") + ": ";
     CHECK(notes_of("all.glb", glb(json)) ==
           Notes{file + "2 animations beside the first left out",
-                file + "1 material with values out of range, taken as the nearest within",
-                file + "1 material with other textures, which are not drawn",
-                file + "1 primitive with vertex colours, which are not drawn",
-                file + "1 primitive of points or lines left out"});
+                file + "6 vertices with a colour out of range, taken as the nearest within (the first: "
+                       "'meshes[0].primitives[0].attributes.COLOR...')",
+                file + "1 primitive of points or lines left out ('meshes[0].primitives[1]')",
+                file + "8 faces with corners of different colours, drawn in their mean",
+                file + "1 material with other textures, which are not drawn ('material 0')",
+                file + "1 material with values out of range, taken as the nearest within ('material 0')"});
     // glTF 1.0 is another format.
     check_says(complaint(folder.write("one.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})")),
                {"glTF 1.0 is not supported", "2.0"});

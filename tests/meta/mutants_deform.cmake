@@ -45,17 +45,17 @@ mutant(gltf_weights_of_targets_change_places FILE sim/load/gltf_motion.cpp TEST 
   OLD [=[own.weights[i % targets]]=]
   NEW [=[own.weights[i / (numbers.size() / targets)]]=])
 mutant(gltf_skins_stand_at_their_node FILE sim/load/read_gltf.cpp TEST motion [deform]
-  OLD [[made.joints.empty() ? copy.where : Where{};]]
+  OLD [[made.joints.empty() ? copy.where : in_the_scene;]]
   NEW [[copy.where;]])
 mutant(gltf_matrices_begin_with_rows FILE sim/load/gltf_deform.cpp TEST motion [deform]
   OLD [=[joint.inverse_bind[k / 4][k % 4]]=]
   NEW [=[joint.inverse_bind[k % 4][k / 4]]=])
-mutant(gltf_weights_need_not_sum_to_one FILE sim/load/gltf_deform.cpp TEST motion [deform]
-  OLD [[if (!(std::abs(sum - 1) <= most_off))]]
-  NEW [[if (false)]])
+mutant(gltf_weights_are_not_normalised FILE sim/load/gltf_deform.cpp TEST load "gltf: weights of a skin*"
+  OLD [=[to.pulls[i].weight /= sum;]=]
+  NEW [=[to.pulls[i].weight /= 1;]=])
 mutant(gltf_joints_may_be_out_of_range FILE sim/load/gltf_deform.cpp TEST motion [deform]
-  OLD [[if (!(joint < double(to.joints.size())))]]
-  NEW [[if (!(joint <= double(to.joints.size())))]])
+  OLD [[is_joint = joint < double(to.joints.size());]]
+  NEW [[is_joint = joint <= double(to.joints.size());]])
 mutant(gltf_sparse_values_are_left_out FILE sim/load/gltf_buffers.cpp TEST motion [deform]
   OLD [[    if (sparse) put(*sparse, component, width, is_scaled, numbers);]]
   NEW [[    if (false) put(*sparse, component, width, is_scaled, numbers);]])

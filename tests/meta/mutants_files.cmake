@@ -27,8 +27,41 @@ mutant(load_buffer_from_anywhere FILE sim/load/gltf_buffers.cpp TEST load "a glT
   OLD [[if (leaves_folder(name))]]
   NEW [[if (name.empty())]])
 mutant(load_textures_not_said FILE sim/load/read_gltf.cpp TEST load "what a file holds*"
-  OLD [[dropped_.textures += material.has_textures;]]
+  OLD [[tell(material.has_textures, "with other textures, which are not drawn");]]
   NEW [[]])
+mutant(load_returns_end_no_line FILE sim/files/text.cpp TEST load "lines may end*"
+  OLD [[rest[end] != '\n' && rest[end] != '\r']]
+  NEW [[rest[end] != '\n']])
+mutant(load_unused_vertices_are_faults FILE sim/load/read_obj.cpp TEST load "obj: a vertex without a place*"
+  OLD [[fault->index == corner.position]]
+  NEW [[true]])
+mutant(load_used_faults_are_drawn FILE sim/load/indexed.cpp TEST load "ply: what no face uses*"
+  OLD [[fault->vertex == i]]
+  NEW [[fault->vertex + 1 == i]])
+mutant(load_strips_keep_their_side FILE sim/load/read_ply.cpp TEST load "ply: strips*"
+  OLD [[const bool is_even = corners % 2 != 0;]]
+  NEW [[const bool is_even = true;]])
+mutant(load_strips_never_end FILE sim/load/read_ply.cpp TEST load "ply: strips*"
+  OLD [[                corners = 0;]]
+  NEW [[]])
+mutant(load_header_takes_a_byte_of_data FILE sim/load/ply_header.cpp TEST load "ply: of binary data*"
+  OLD [[    if (!ends_in_return) return take_line(rest);]]
+  NEW [[    if (!rest.empty()) return take_line(rest);]])
+mutant(load_colour_of_the_first_corner FILE sim/load/place.cpp TEST load "obj: colours*"
+  OLD [[varies_ ? glm::vec3(sum_ / double(corners_)) : first_]]
+  NEW [[first_]])
+mutant(load_solid_is_text FILE sim/load/read_stl.cpp TEST load "stl: a binary file*"
+  OLD [[bytes.begin() + 80, bytes.begin() + header_bytes]]
+  NEW [[bytes.begin() + 80, bytes.begin() + 80]])
+mutant(load_emission_is_left_out FILE sim/load/surface.cpp TEST load "mtl: a surface gives off*"
+  OLD [[material.ambient = ambient / scale;]]
+  NEW [[]])
+mutant(gltf_cutoff_is_forgotten FILE sim/load/gltf_material.cpp TEST load "gltf: a constant opacity*"
+  OLD [[out.is_invisible = out.is_masked &&]]
+  NEW [[out.is_invisible = false &&]])
+mutant(gltf_instances_are_scaled_first FILE sim/load/gltf_motion.cpp TEST load "gltf: EXT_mesh*"
+  OLD [[place[k] *= scales]]
+  NEW [[place[k] += scales]])
 mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"
   OLD [[++dropped_;]]
   NEW [[]])

@@ -14,7 +14,7 @@ mutant(motion_parents_go_last FILE model/scene/motion.cpp TEST motion [motion]
   OLD [=[places[*node.parent] * local]=]
   NEW [=[local * places[*node.parent]]=])
 mutant(motion_takes_singular_places FILE model/scene/motion.cpp TEST motion [motion]
-  OLD [[if (is_singular(instance.place))]]
+  OLD [[if (!is_bounded(instance.place))]]
   NEW [[if (false)]])
 mutant(keyframes_may_stand_still FILE sim/load/json_motion.cpp TEST motion [motion]
   OLD [[!(t > times.back())]]

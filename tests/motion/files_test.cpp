@@ -182,8 +182,7 @@ TEST_CASE("glTF: bad animations are refused with the accessor and the value", "[
     CHECK_THAT(says("translation", {0, 1}, {0, 0, 0, NAN, 0, 0}),
                Catch::Contains("nan") && Catch::Contains("element 1"));
     CHECK_THAT(says("translation", {0, 1, 2}, two), Catch::Contains("2 values for 3 times"));
-    CHECK_THAT(says("scale", {0, 1}, {1, 1, 1, 1, 0, 1}),
-               Catch::Contains("flattens") && Catch::Contains("1 s"));
+    CHECK(says("scale", {0, 1}, {1, 1, 1, 1, 0, 1}).empty());
     CHECK_THAT(says("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, 0, 0}), Catch::Contains("unit quaternion"));
     Animated twice;
     twice.channel(0, "translation", {0, 1}, two);

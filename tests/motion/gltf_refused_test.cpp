@@ -18,11 +18,8 @@ TEST_CASE("glTF: bad skins are refused with the vertex, the joint and the value"
         });
     };
     CHECK(weights(0.5f, 0.5f).empty());
-    CHECK(weights(0.5f, 0.49f).empty());   // rounded, as bytes are
-    check_says(weights(0.5f, 0.25f),
-               {"a.glb", "meshes[0].primitives[0].attributes.WEIGHTS_0", "0.75", "vertex 3"});
-    check_says(weights(0, 0), {"sums to 0", "vertex 3"});
-    check_says(weights(-0.5f, 1.5f), {"weight -0.5", "vertex 3"});
+    check_says(weights(-0.5f, 1.5f),
+               {"a.glb", "meshes[0].primitives[0].attributes.WEIGHTS_0", "weight -0.5", "vertex 3"});
     check_says(weights(NAN, 1), {"weight nan", "vertex 3"});
     check_says(says(Skinned{}, [&](Skinned& f) { attributes(f).erase("JOINTS_0"); }),
                {"attributes", "JOINTS_0", "nodes[3]", "skin"});
@@ -31,7 +28,7 @@ TEST_CASE("glTF: bad skins are refused with the vertex, the joint and the value"
     check_says(says(Skinned{},
                     [&](Skinned& f) {
                         std::string joints(24, '\0');
-                        joints[10] = '\2';
+                        joints[9] = '\2';
                         attributes(f)["JOINTS_0"] = f.byte_accessor(joints);
                     }),
                {"JOINTS_0", "joint 2", "vertex 2", "out of range", "has 2"});

@@ -35,12 +35,12 @@ void gltf(std::string_view bytes) { check_mesh(read_gltf, "fuzzed.gltf", bytes, 
 void mtl(std::string_view bytes) {
     check_reader(
         bytes,
-        [&](Loading&) {
+        [&](Loading& loading) {
             Scene scene;
             scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
             scene.materials.emplace_back();
             scene.triangles.push_back({{0, 1, 2}, 0});
-            for (const MtlBlock& block : read_mtl(file("fuzzed.mtl"), bytes)) {
+            for (const MtlBlock& block : read_mtl(file("fuzzed.mtl"), bytes, loading)) {
                 scene.materials.push_back(material_of(block.surface, block.name));
                 const Material& m = scene.materials.back();
                 demand(m.mirror + m.transmit <= 1 + 1e-9, "no more light leaves a surface than has come");
