@@ -69,6 +69,12 @@ void view_options(Parser& parser, ViewChoice& o) {
     parser.option("--fov", o.fov, "angle between the picture's upper and lower edge, degrees").under(group);
     parser.option("--orbit", o.orbit, "turn the camera about that point, around the up axis, degrees")
         .under(group);
+    parser
+        .option(
+            "--material", o.material,
+            "NAME|key=value,...: the material of what has none in its file, by the name of one of the scene "
+            "spheres (mirror, glass, gold, blue, chalk), or by keys of a JSON material (mirror=0.5)")
+        .under(group);
     parser.flag("--ground", o.ground, "lay a grey square under the scene, four times as wide as the scene")
         .under(group);
 }

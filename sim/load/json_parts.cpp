@@ -103,11 +103,9 @@ Light light_of_keys(const JsonValue& in) {
     return light;
 }
 
-Material material_of(const JsonValue& in, const std::string& name) {
+Material material_of(const JsonValue& in, Material material) {
     in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index",
                   "checkered", "other", "schlick"});
-    Material material;
-    material.name = name;
     if (const auto colour = in.find("colour")) material.colour = colour_of(*colour);
     if (const auto other = in.find("other")) material.other = colour_of(*other);
     weight(in, "ambient", material.ambient);
@@ -117,8 +115,8 @@ Material material_of(const JsonValue& in, const std::string& name) {
     weight(in, "mirror", material.mirror);
     weight(in, "transmit", material.transmit);
     at_least(in, "index", material.index, 0.01);
-    material.checkered = flag_or(in, "checkered", false);
-    material.schlick = flag_or(in, "schlick", false);
+    material.checkered = flag_or(in, "checkered", material.checkered);
+    material.schlick = flag_or(in, "schlick", material.schlick);
     return material;
 }
 

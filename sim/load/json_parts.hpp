@@ -13,7 +13,8 @@ Light light_of(const JsonValue& in);
 /// The same whatever other keys there are.
 Camera camera_of_keys(const JsonValue& in);
 Light light_of_keys(const JsonValue& in);
-Material material_of(const JsonValue& in, const std::string& name);
+/// The material with the keys that are given.
+Material material_of(const JsonValue& in, Material material);
 
 /// Without their materials, which the file's names decide.
 Sphere sphere_of(const JsonValue& in);

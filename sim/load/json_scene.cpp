@@ -58,7 +58,7 @@ public:
             for (const auto& [name, ignored] : materials->object().raw().items()) {
                 make_room(*materials, sizeof(Material));
                 material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
-                scene_.materials.push_back(material_of(materials->at(name), name));
+                scene_.materials.push_back(material_of(materials->at(name), {.name = name}));
             }
         // Whoever has spheres or planes needs no mesh.
         const bool has_others = in_.find("spheres") || in_.find("planes");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/request/material.hpp"
+
 namespace rayclock {
 
 namespace {
@@ -59,8 +61,14 @@ std::vector<std::string> idle_settings(const Config& config, const std::vector<s
     return sentences;
 }
 
-std::vector<std::string> idle_finish(const Finish& f, const Whitted& settings) {
+std::vector<std::string> idle_finish(const Finish& f, const Whitted& settings, const Scene& scene) {
     std::vector<std::string> sentences;
+    if (f.depth && settings.depth > 0 && !has_bounces(scene))
+        sentences.push_back(
+            "--depth " + std::to_string(settings.depth) +
+            " draws no reflected or refracted ray, since no material reflects or transmits light" +
+            (may_give_material(scene) ? "; --material mirror=0.5 lets reflect what has no material of its own"
+                                      : ""));
     if (f.threshold && settings.depth == 0) sentences.push_back("--threshold has no effect with --depth 0");
     if (f.contrast && settings.aa * settings.aa <= int(first_samples))
         sentences.push_back("--contrast has no effect with --aa " + std::to_string(settings.aa) +

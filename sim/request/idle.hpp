@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/core/config.hpp"
+#include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/request/finish.hpp"
 
@@ -12,7 +13,7 @@ namespace rayclock {
 /// dram=ddr3".
 std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set);
 
-/// The same of the options of a finished picture.
-std::vector<std::string> idle_finish(const Finish& finish, const Whitted& settings);
+/// The same of the options of a finished picture of the scene.
+std::vector<std::string> idle_finish(const Finish& finish, const Whitted& settings, const Scene& scene);
 
 }   // namespace rayclock

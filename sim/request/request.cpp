@@ -11,6 +11,7 @@
 #include "sim/load/load.hpp"
 #include "sim/request/ground.hpp"
 #include "sim/request/idle.hpp"
+#include "sim/request/material.hpp"
 
 namespace rayclock {
 
@@ -43,6 +44,7 @@ void tell(const std::vector<std::string>& notes) {
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+    if (view.material) give_material(scene, *view.material);
     if (view.ground) lay_ground(scene);
 }
 
@@ -96,7 +98,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         throw UserError(
             "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
     std::vector<std::string> idle = idle_settings(r.config, config.set);
-    for (const std::string& sentence : idle_finish(finish, r.settings)) idle.push_back(sentence);
+    for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
     for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
     return r;
 }

@@ -9,9 +9,10 @@ namespace rayclock {
 /// Where a scene is to be looked at from, as far as it was typed; the rest is the scene's own camera, or the
 /// one that fits its meshes.
 struct ViewChoice {
-    std::optional<std::string> eye, at;   ///< "x,y,z"
-    std::optional<double> fov, orbit;     ///< degrees
-    bool ground = false;                  ///< lay_ground()
+    std::optional<std::string> eye, at;    ///< "x,y,z"
+    std::optional<double> fov, orbit;      ///< degrees
+    bool ground = false;                   ///< lay_ground()
+    std::optional<std::string> material;   ///< give_material()
 
     bool is_asked() const { return eye || at || fov || orbit; }
 };

@@ -209,6 +209,27 @@ TEST_CASE("a setting without effect is noted") {
     CHECK(outcome.err == "rayclock: note: mem_latency has no effect with dram=ddr3\n");
 }
 
+TEST_CASE("a mesh without a mirror says so when it is asked for reflections, and --material gives it one") {
+    const Folder folder;
+    folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
+    const auto reflections = [&](const std::vector<std::string>& more, const std::string& told) {
+        std::vector<std::string> words{"simulate", folder.name("two.obj"), "--size", "24x18", "--depth", "1",
+                                       "--json",   folder.name("out.json")};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(words);
+        CHECK(outcome.code == 0);
+        CHECK(outcome.err == told);
+        return nlohmann::json::parse(bytes_of(folder.name("out.json")))["rays"]["reflection"].get<int>();
+    };
+    CHECK(reflections(
+              {},
+              "rayclock: note: --depth 1 draws no reflected or refracted ray, since no material reflects or "
+              "transmits light; --material mirror=0.5 lets reflect what has no material of its own\n") == 0);
+    CHECK(reflections({"--material", "mirror=0.5"}, "") > 0);
+    check_refused(run_program({"simulate", "gears:1", "--size", "8x8", "--material", "glass"}),
+                  {"--material", "everything in gears:1 has one"});
+}
+
 TEST_CASE("a memory from a file: as good as the one it was made from, in a report that can be run again") {
     const Folder folder;
     const auto simulate = [&](const std::vector<std::string>& more, const std::string& json) {

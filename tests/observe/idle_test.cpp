@@ -6,7 +6,9 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/load/load.hpp"
 #include "sim/request/idle.hpp"
+#include "sim/request/material.hpp"
 
 using namespace rayclock;
 
@@ -113,7 +115,9 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
 }
 
 TEST_CASE("options of a finished picture that change nothing are told") {
-    const auto told = [](const Finish& f, const Whitted& w) { return idle_finish(f, w); };
+    const auto told = [](const Finish& f, const Whitted& w) {
+        return idle_finish(f, w, make_builtin("mirrors"));
+    };
     Finish finish;
     finish.threshold = 0.1, finish.contrast = 0.1;
     CHECK(told(finish, {.depth = 4, .aa = 3}).empty());
@@ -123,6 +127,62 @@ TEST_CASE("options of a finished picture that change nothing are told") {
           std::vector<std::string>{
               "--contrast has no effect with --aa 2, since the first 4 samples are always taken"});
     CHECK(told({}, {.depth = 0, .aa = 1}).empty());
+}
+
+TEST_CASE("bounces that no material makes are told, if they were asked for") {
+    Finish finish;
+    Scene dull = make_builtin("icosphere:1");
+    CHECK(idle_finish(finish, {.depth = 5}, dull).empty());
+    finish.depth = 2;
+    CHECK(idle_finish(finish, {.depth = 2}, make_builtin("mirrors")).empty());
+    CHECK(idle_finish(finish, {.depth = 0}, dull).empty());
+    const std::string told =
+        "--depth 2 draws no reflected or refracted ray, since no material reflects or transmits light";
+    dull.materials[0].name = "clay";
+    CHECK(idle_finish(finish, {.depth = 2}, dull) == std::vector<std::string>{told});
+    dull.materials[0].name = "default";
+    CHECK(idle_finish(finish, {.depth = 2}, dull) ==
+          std::vector<std::string>{told +
+                                   "; --material mirror=0.5 lets reflect what has no material of its own"});
+    for (const auto& [scene, bounces] :
+         {std::pair{"cornell", false}, {"mirrors", true}, {"spheres", true}, {"icosphere:1", false}})
+        CHECK(has_bounces(load_scene(scene)) == bounces);
+}
+
+TEST_CASE("--material gives a material to what has none, and to nothing else") {
+    const auto given = [](const std::string& typed, const std::string& own = "default") {
+        Scene scene = make_builtin("square");
+        scene.materials = {{.name = "default"}, {.name = "clay"}};
+        scene.materials[0].name = own;
+        give_material(scene, typed);
+        CHECK(scene.materials[1].mirror == 0);
+        CHECK_NOTHROW(check_scene(scene, "test"));
+        return scene.materials[0];
+    };
+    const Material half = given("mirror=0.5,colour=1:0.5:0,schlick=true");
+    CHECK(half.mirror == 0.5);
+    CHECK(half.colour == glm::dvec3(1, 0.5, 0));
+    CHECK(half.schlick);
+    CHECK(half.diffuse == Material{}.diffuse);
+    CHECK(given("glass").transmit == 0.85);
+    CHECK(given("glass,index=1.25").index == 1.25);
+    CHECK(given("glass,index=1.25").transmit == 0.85);
+    const auto says = [&](const std::string& typed, const std::string& own = "default") -> std::string {
+        try {
+            given(typed, own);
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(says("glas") == "--material: no material is called 'glas'; did you mean 'glass'?");
+    CHECK_THAT(says("mirror=2"), Catch::Contains("--material: mirror") && Catch::Contains("not 2"));
+    CHECK_THAT(says("miror=1"), Catch::Contains("miror") && Catch::Contains("mirror"));
+    CHECK_THAT(says("mirror=x"), Catch::Contains("--material: 'x' is not a number"));
+    CHECK_THAT(says("mirror=0.5,glass"), Catch::Contains("'glass' is not key=value"));
+    CHECK_THAT(says("colour=1:0"), Catch::Contains("--material: colour"));
+    CHECK_THAT(says(""), Catch::Contains("--material needs a name or key=value"));
+    CHECK_THAT(says("glass", "brass"), Catch::Contains("everything in") && Catch::Contains("has one"));
 }
 
 TEST_CASE("a setting without effect is told with what decides it") {
