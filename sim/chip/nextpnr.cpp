@@ -28,7 +28,7 @@ constexpr const char* tried = "0.11.1";
 constexpr double least = 0.11;   // older ones were never tried, and 0.4 of Debian 12 has another report
 constexpr int tiles_for_detours = 16;
 constexpr int weight_of_time = 120;   // of heap in mixed; nextpnr takes 10
-constexpr const char* cure = "./bootstrap chip installs one";
+constexpr const char* cure = "./bootstrap chip in the sources of rayclock installs one";
 
 fs::path program() {
     if (const char* chosen = std::getenv("RAYCLOCK_NEXTPNR"); chosen && *chosen) return find_program(chosen);

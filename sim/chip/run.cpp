@@ -309,7 +309,7 @@ namespace {
 
 void check_tools() {
     if (synth::yosys_version().empty())
-        throw UserError("yosys is not installed, and netlists come from it; ./bootstrap chip installs it");
+        throw UserError("yosys is not installed, and netlists come from it: apt-get install yosys");
     if (!nextpnr().problem.empty()) throw UserError(nextpnr().problem);
 }
 

@@ -91,7 +91,7 @@ void report_builds(std::function<void(const BuildStep&)> next) {
 
 void build_netlists() {
     if (gates_tool().empty())
-        throw UserError("yosys is not installed, and netlists come from it; ./bootstrap chip installs it");
+        throw UserError("yosys is not installed, and netlists come from it: apt-get install yosys");
     form = Form::netlist;
 }
 

@@ -368,7 +368,7 @@ TEST_CASE("a router that is missing, too old or something else is one sentence, 
     CHECK_THAT(with(own, {"doctor"}).out, Catch::Contains("0.11.1, " + own));
     check_refused(run_program({"chip"}, {"PATH=/nonexistent", "RAYCLOCK_NEXTPNR=" + own,
                                          "RAYCLOCK_CACHE=" + fake.folder().name("cache")}),
-                  {"yosys is not installed", "./bootstrap chip"});
+                  {"yosys is not installed", "apt-get install yosys"});
 }
 
 TEST_CASE("dispatch is really placed and routed, and has the registers that Yosys has counted", "[slow]") {

@@ -100,3 +100,15 @@ mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: 
 mutant(load_instance_keeps_its_meshs_material FILE model/scene/placed.cpp TEST load "json:*"
   OLD [[t.material = material ? *material : t.material + material_base;]]
   NEW [[t.material += material_base;]])
+mutant(files_picture_is_not_read_back FILE sim/image/write.cpp TEST image "a picture that is encoded wrongly*"
+  OLD [[if (!stop()) codec.check(]]
+  NEW [[if (stop()) codec.check(]])
+mutant(files_film_is_not_read_back FILE sim/film/strip.cpp TEST cli "a film that does not show its frames*"
+  OLD [[if (!fault.empty()) {]]
+  NEW [[if (count == 0) {]])
+mutant(files_film_times_unseen FILE sim/film/read_back.cpp TEST cli "a film that does not show its frames*"
+  OLD [[step.delay % delay != 0]]
+  NEW [[delay == 0]])
+mutant(oracle_fraction_by_boost FILE model/oracle/exact.hpp WITH tests/unit/fractions_test.cpp TEST unit "a fraction and a whole number*"
+  OLD [[eval_divide(quotient, cpp_rational_backend(b));]]
+  NEW [[quotient.negate();]])
