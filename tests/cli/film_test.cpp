@@ -62,6 +62,7 @@ TEST_CASE("a film is numbered frames that differ, and one picture that plays the
 TEST_CASE("a film that does not show its frames is refused") {
     const Folder folder;
     const std::string out = folder.name("film"), tools = folder.name("tools");
+    std::filesystem::create_directory(tools);
     // Films whose second frame, or whose pace, is another.
     const std::pair<std::string, std::string> faults[] = {
         {"cp \"$d/frame_0000.png\" \"$d/frame_0001.png\"", "frame 1 differs"},

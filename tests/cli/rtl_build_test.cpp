@@ -96,7 +96,7 @@ TEST_CASE("a missing tool is one sentence, and the doctor knows it") {
     tools.replace("c++", FakeTools::compiler());
     tools.remove("verilator");
     check_refused(tools.rtl(), {"verilator is not installed"});
-    CHECK_THAT(doctor(), Contains("verilator: apt-get install verilator") && !Contains("./bootstrap"));
+    CHECK_THAT(doctor(), Contains("verilator: apt-get install verilator") && !Contains("./bootstrap build"));
     tools.replace("verilator", FakeTools::verilator());
     fs::remove(tools.path("root/include/verilated.h"));
     check_refused(tools.rtl(), {"verilated.h is missing", "VERILATOR_ROOT"});
