@@ -15,6 +15,7 @@
 #include "sim/report/text.hpp"
 #include "sim/report_page/library.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/import/assimp.hpp"
 #include "sim/rtl/process.hpp"
 #include "sim/rtl/tools.hpp"
 #include "sim/synth/yosys.hpp"
@@ -145,6 +146,13 @@ int run(const Options& o) {
     table.add({film_program,
                film.empty() ? "none: films are left as frames (apt-get install apngasm)" : film.string()});
     json["film"] = film.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(film.string());
+    const fs::path assimp = find_program(assimp_program);
+    table.add({assimp_program,
+               assimp.empty()
+                   ? fmt::format("none: FBX, X3D and others are not read; install {}", assimp_package)
+                   : assimp.string()});
+    json["assimp"] =
+        assimp.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(assimp.string());
     json["nextpnr"] = routes ? nlohmann::ordered_json(router.version) : nlohmann::ordered_json(nullptr);
     for (const char* name :
          {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_CXXFLAGS", "RAYCLOCK_NEXTPNR", "RAYCLOCK_VEGA"}) {

@@ -32,9 +32,9 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);   // a directory or an unreadable file gets its own sentence
     Place{spec}.refuse(
-        "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, these also with "
-        ".gz "
-        "behind, .json), nor a built-in scene");
+        "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, by Assimp .fbx "
+        ".x3d "
+        ".blend .lwo and others, these also with .gz behind, .json), nor a built-in scene");
 }
 
 /// What was asked for, and whether the lights in it are all there shall be.

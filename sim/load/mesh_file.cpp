@@ -6,6 +6,7 @@
 
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
+#include "sim/import/assimp.hpp"
 #include "sim/load/gunzip.hpp"
 #include "sim/load/triangulate.hpp"
 
@@ -23,15 +24,22 @@ const std::map<std::string, Read>& formats() {
 
 }   // namespace
 
-bool is_mesh_file(const std::filesystem::path& path) { return formats().contains(mesh_extension(path)); }
+bool is_mesh_file(const std::filesystem::path& path) {
+    const std::string kind = mesh_extension(path);
+    return formats().contains(kind) || assimp_reads(kind);
+}
 
 PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by) {
     loading.tell("reading", 0, 1);
     std::string bytes = loading.read(path, asked_by);
-    if (extension(path) == "gz") bytes = gunzip(path, bytes, loading);
-    const Read read = formats().at(mesh_extension(path));
-    PlacedScene scene = read ? PlacedScene{read(path, std::move(bytes), loading), {}, {}}
-                             : read_placed_gltf(path, std::move(bytes), loading);
+    const bool is_packed = extension(path) == "gz";
+    if (is_packed) bytes = gunzip(path, bytes, loading);
+    PlacedScene scene;
+    if (const auto own = formats().find(mesh_extension(path)); own == formats().end())
+        scene = read_foreign(path, is_packed ? std::optional(bytes) : std::nullopt, bytes.size(), loading);
+    else
+        scene = own->second ? PlacedScene{own->second(path, std::move(bytes), loading), {}, {}}
+                            : read_placed_gltf(path, std::move(bytes), loading);
     scene.own.name = printable(path.filename().string(), 80);
     return scene;
 }

@@ -1,11 +1,12 @@
-// A mesh file of another program (.obj .ply .stl .off .3ds .dae .glb .gltf, each also with .gz behind it) as
-// a scene.
+// A mesh file of another program (.obj .ply .stl .off .3ds .dae .glb .gltf, and what Assimp reads; each also
+// with .gz behind it) as a scene.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ Scene read_off(const std::filesystem::path& path, std::string bytes, Loading& lo
 Scene read_3ds(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);   ///< flattened
+/// By Assimp, as glTF. `unpacked` is what the file holds, if it is compressed.
+PlacedScene read_foreign(const std::filesystem::path& path, std::optional<std::string> unpacked,
+                         std::uint64_t file_bytes, Loading& loading);
 PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
 
 /// An OBJ file as it is written, for who has to compare several of them.

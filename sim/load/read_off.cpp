@@ -44,8 +44,14 @@ private:
     }
 
     void header() {
-        std::string_view words = line("the header");
-        const std::string_view keyword = take_word(words);
+        const std::string_view whole = line("the header");
+        std::string_view words = whole, keyword = take_word(words);
+        // ModelNet has no blank between the keyword and the first count.
+        if (const std::size_t digit = keyword.find_first_of("0123456789");
+            digit != keyword.npos && digit > 0) {
+            words = whole.substr(static_cast<std::size_t>(keyword.data() - whole.data()) + digit);
+            keyword = keyword.substr(0, digit);
+        }
         const std::string kind = lower(keyword);
         if (kind != "off" && kind != "coff" && kind != "noff" && kind != "cnoff")
             at_.refuse(kind.ends_with("off") ? "OFF of the kind " + shown(keyword) +

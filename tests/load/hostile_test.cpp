@@ -343,3 +343,63 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     check_says(complaint(folder.write("one.gltf", R"({"buffers":{"a":{}},"meshes":{}})")),
                {"glTF 1.0", "not supported", "2.0"});
 }
+
+TEST_CASE("COLLADA that repeats itself is read once, or refused") {
+    const auto document = [](const std::string& primitives, const std::string& sources = {},
+                             const std::string& of_vertex = {}) {
+        return "<COLLADA><library_geometries><geometry id=\"g\"><mesh><source id=\"s\"><float_array "
+               "id=\"a\">0 0 0 1 0 "
+               "0 0 1 0</float_array><technique_common><accessor source=\"#a\" count=\"3\" stride=\"3\"/>"
+               "</technique_common></source>" +
+               sources + "<vertices id=\"v\">" + of_vertex +
+               "<input semantic=\"POSITION\" source=\"#s\"/></vertices>" + primitives +
+               "</mesh></geometry></library_geometries></COLLADA>";
+    };
+    const std::string input = "<input semantic=\"VERTEX\" source=\"#v\"/>", face = "<p>0 1 2</p>";
+    const Folder folder;
+    // Faces of no corners, for each list of corners again.
+    check_says(
+        quick(folder.write("a.dae", document("<polylist>" + input + "<vcount>" + repeated("0 ", 200'000) +
+                                             "</vcount>" + repeated("<p/>", 100'000) + "</polylist>"))),
+        {"a.dae: line 1", "a polylist with 100000 <p>"});
+    check_says(quick(folder.write("a.dae", document("<polylist>" + input + "<vcount>" +
+                                                    repeated("0 ", 200'000) + "</vcount><p/></polylist>"))),
+               {"no triangles"});
+    // The inputs of vertices, for each input that names them again.
+    CHECK(
+        quick(folder.write("a.dae", document("<triangles>" + repeated(input, 12'000) + face + "</triangles>",
+                                             {}, repeated("<input semantic=\"X\" source=\"#s\"/>", 12'000))))
+            .empty());
+    // An array, for each source that names it again: few of its numbers, and all.
+    for (const char* count : {"3", "75000"}) {
+        std::string sources =
+                        "<float_array id=\"B\">" + repeated("0 0 0 1 0 0 0 1 0 ", 25'000) + "</float_array>",
+                    primitives;
+        for (int i = 0; i < 1800; ++i) {
+            const std::string name = "q" + std::to_string(i);
+            sources += "<source id=\"" + name + "\"><technique_common><accessor source=\"#B\" count=\"" +
+                       count + "\" stride=\"3\"/></technique_common></source>";
+            primitives += "<triangles>" + input + "<input semantic=\"NORMAL\" source=\"#" + name + "\"/>" +
+                          face + "</triangles>";
+        }
+        CHECK(quick(folder.write("a.dae", document(primitives, sources))).empty());
+    }
+    // A shader, for each material that is drawn with it again.
+    std::string materials, bound;
+    for (int i = 0; i < 4000; ++i) {
+        const std::string name = "m" + std::to_string(i);
+        materials += "<material id=\"" + name + "\"><instance_effect url=\"#e\"/></material>";
+        bound +=
+            "<node><instance_geometry url=\"#g\"><bind_material><technique_common><instance_material "
+            "symbol=\"s\" target=\"#" +
+            name + "\"/></technique_common></bind_material></instance_geometry></node>";
+    }
+    std::string text = document("<triangles material=\"s\">" + input + face + "</triangles>");
+    text.insert(
+        text.find("<library_geometries>"),
+        "<library_effects><effect id=\"e\"><profile_COMMON><technique><phong>" + repeated("<x/>", 40'000) +
+            "</phong></technique></profile_COMMON></effect></library_effects><library_materials>" +
+            materials + "</library_materials><library_visual_scenes><visual_scene id=\"V\">" + bound +
+            "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#V\"/></scene>");
+    check_says(quick(folder.write("a.dae", text)), {"a.dae: line 1", "phong with more than 100 elements"});
+}

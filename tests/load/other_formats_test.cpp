@@ -47,6 +47,10 @@ TEST_CASE("off: counts beside the keyword, comments, polygons, normals, colours"
     CHECK(quad.scene.triangles.size() == 2);
     REQUIRE(quad.notes.size() == 1);
     CHECK_THAT(quad.notes[0], Contains("its colours are not drawn"));
+    // ModelNet has no blank between the keyword and the counts.
+    CHECK(folder.load("g.off", std::string("OFF4 4 6\n") + tetrahedron).triangles.size() == 4);
+    CHECK(folder.load("h.off", "COFF3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n")
+              .triangles.size() == 1);
     const Scene smooth =
         folder.load("n.off", "NOFF\n3 1 0\n0 0 0 0 0 2\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n");
     REQUIRE(smooth.normals.size() == 3);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "model/scene/view.hpp"
+#include "sim/import/assimp.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/sweep/key.hpp"
 #include "tests/fuzz/program/targets.hpp"
@@ -12,6 +13,12 @@ namespace rayclock {
 
 /// No pictures are decoded here: load_scene() is not fuzzed.
 glm::vec4 average_colour(const std::string&) { throw std::runtime_error("pictures are not read here"); }
+
+/// No other program is started here.
+bool assimp_reads(const std::string&) { return false; }
+std::string assimp_glb(const std::filesystem::path& file, std::uint64_t, const std::optional<std::string>&) {
+    throw UserError(file.string() + ": is not read here");
+}
 
 }   // namespace rayclock
 

@@ -1,0 +1,61 @@
+// Controllers of COLLADA: a mesh that is mixed of several (morph), or carried by joints (skin), as the file's
+// nodes and weights place it. Animations do not move it.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/load/dae_document.hpp"
+
+namespace rayclock {
+
+/// What a controller does to the vertices of its geometry.
+struct DaePose {
+    const XmlElement* geometry = nullptr;   ///< null if there is nothing to draw
+    std::vector<glm::dvec3> positions;      ///< in place of the geometry's; empty: those
+    std::vector<glm::dmat4> moves;          ///< of each vertex, into the scene; empty: it stays at its node
+};
+
+/// What could not be taken as it stands.
+struct DaePoseFaults {
+    std::uint64_t morph_normals = 0, other_targets = 0, lost_joints = 0, odd_weights = 0;
+};
+
+class DaeControllers {
+public:
+    /// Where each node stands, with the document's up axis turned to y.
+    using Places = std::map<const XmlElement*, glm::dmat4>;
+
+    DaeControllers(DaeDocument& document, const Places& places) : document_(document), places_(places) {}
+
+    /// The pose of an <instance_controller>.
+    DaePose pose(const XmlElement& instance);
+    const DaePoseFaults& faults() const { return faults_; }
+
+private:
+    using Names = std::map<std::string, const XmlElement*>;
+
+    void apply(const XmlElement& controller, const XmlElement& instance, DaePose& pose, int depth);
+    void morph(const XmlElement& in, DaePose& pose);
+    void skin(const XmlElement& in, const XmlElement& instance, DaePose& pose);
+    void carry(const XmlElement& weights, const std::vector<glm::dmat4>& joints, const glm::dmat4& shape,
+               DaePose& pose);
+    std::vector<glm::dmat4> joints(const XmlElement& skin, const XmlElement& instance,
+                                   const glm::dmat4& shape);
+    const XmlElement* node(const std::string& name, const XmlElement& instance);
+    const Names& names_below(const XmlElement& root);
+    std::vector<std::string> words(const XmlElement& input);
+    const DaeTriples* positions(const XmlElement* geometry);
+
+    DaeDocument& document_;
+    const Places& places_;
+    DaePoseFaults faults_;
+    std::map<const XmlElement*, Names> names_;   ///< nodes by their sids, below a root
+};
+
+}   // namespace rayclock
