@@ -53,8 +53,8 @@ AssimpLimits::AssimpLimits(std::uint64_t file_bytes) {
     const std::uint64_t megabytes = file_bytes >> 20;
     processor_seconds = 10 + 5 * megabytes;
     seconds = 6 * processor_seconds;   // of a machine that has other things to do
-    memory_bytes = (std::uint64_t{2} << 30) + 32 * file_bytes;
-    result_bytes = (std::uint64_t{256} << 20) + 32 * file_bytes;
+    memory_bytes = (2048 + 32 * megabytes) << 20;
+    result_bytes = (256 + 32 * megabytes) << 20;
 }
 
 bool assimp_reads(const std::string& extension) {

@@ -80,6 +80,27 @@ mutant(load_ear_looks_at_an_old_triangle FILE sim/load/triangulate.cpp TEST load
 mutant(files_off_index_one_beyond FILE sim/load/read_off.cpp TEST load "off: what makes*"
   OLD [[static_cast<std::uint64_t>(vertex) >= vertices_]]
   NEW [[static_cast<std::uint64_t>(vertex) > vertices_]])
+mutant(files_off_glued_counts_are_lost FILE sim/load/read_off.cpp TEST load "off: counts*"
+  OLD [[digit != keyword.npos && digit > 0]]
+  NEW [[false]])
+mutant(files_dae_bind_shape_is_left_out FILE sim/load/dae_controller.cpp TEST load "dae: a skin*"
+  OLD [[* matrix_at(numbers, 16 * made.size()) * shape]]
+  NEW [[* matrix_at(numbers, 16 * made.size())]])
+mutant(files_dae_unnamed_param_is_taken FILE sim/load/dae_document.cpp TEST load "dae: a param*"
+  OLD [[named < 3 && !param.attribute("name").empty()]]
+  NEW [[named < 3]])
+mutant(files_dae_alpha_the_wrong_way FILE sim/load/dae_material.cpp TEST load "dae: how transparent*"
+  OLD [[return 1 - colour.a * strength;]]
+  NEW [[return colour.a * strength;]])
+mutant(files_dae_unit_of_a_part_is_left_out FILE sim/load/dae_document.cpp TEST load "dae: each part*"
+  OLD [[made[column] *= from.metres / to.metres;]]
+  NEW [[made[column] *= 1;]])
+mutant(files_dae_hole_sees_the_first_corner FILE sim/load/holes.cpp TEST load "dae: a polygon with holes*"
+  OLD [[const std::size_t seen = seen_from(plane(hole.front()), flat);]]
+  NEW [[const std::size_t seen = seen_from(plane(hole.front()), flat) * 0;]])
+mutant(files_assimp_may_run_for_ever FILE sim/import/assimp.cpp TEST load "assimp: what it does*"
+  OLD [[fmt::format("--cpu={}", limits.processor_seconds)]]
+  NEW [[std::string("--cpu=unlimited")]])
 mutant(files_3ds_up_stays FILE sim/load/read_3ds.cpp TEST load "one mesh*"
   OLD [[emplace_back(p.x, p.z, -p.y)]]
   NEW [[emplace_back(p.x, p.y, p.z)]])

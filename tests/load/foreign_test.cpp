@@ -1,0 +1,105 @@
+// Files that Assimp reads for us: what comes of them, and that nothing it does harms this program. Stand-ins
+// in its place hang on nothing, crash, flood, and tell what they are allowed.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "sim/import/assimp.hpp"
+#include "sim/rtl/process.hpp"
+#include "tests/load/files.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Catch::Contains;
+
+namespace {
+
+const char* const x3d =
+    R"(<?xml version="1.0" encoding="UTF-8"?><X3D version="3.0" profile="Interchange"><Scene><Transform translation="1 0 0">
+<Shape><Appearance><Material diffuseColor="1 0.5 0" transparency="0.25"/></Appearance><IndexedFaceSet
+coordIndex="0 2 1 -1 0 1 3 -1"><Coordinate point="0 0 0 2 0 0 0 1 0 0 0 0.5"/></IndexedFaceSet></Shape></Transform>
+</Scene></X3D>)";
+const std::vector<Corners> x3d_triangles{{{{1, 0, 0}, {1, 1, 0}, {3, 0, 0}}},
+                                         {{{1, 0, 0}, {3, 0, 0}, {1, 0, 0.5}}}};
+
+/// A folder that is in front of PATH, with a shell script in the place of Assimp.
+class FakeAssimp {
+public:
+    explicit FakeAssimp(const std::string& script) : path_(std::getenv("PATH")) {
+        namespace fs = std::filesystem;
+        const std::string file = folder_.write("assimp", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(file, fs::perms::owner_all);
+        setenv("PATH", (fs::path(file).parent_path().string() + ":" + path_).c_str(), 1);
+    }
+    ~FakeAssimp() { setenv("PATH", path_.c_str(), 1); }
+
+private:
+    Folder folder_;
+    std::string path_;
+};
+
+std::string said_with(const std::string& script) {
+    const FakeAssimp fake(script);
+    const Folder folder;
+    const std::string said = complaint(folder.write("a.x3d", x3d));
+    INFO(said);
+    CHECK(said.find('\n') == said.npos);
+    CHECK_THAT(said, Contains("a.x3d: "));
+    return said;
+}
+
+bool is_there() { return !find_program(assimp_program).empty(); }
+
+}   // namespace
+
+TEST_CASE("assimp: a file of another kind is drawn where its author put it, packed or not") {
+    if (!is_there()) return;   // what it draws cannot be tried
+    const Folder folder;
+    for (const auto& [name, bytes] :
+         {std::pair("a.x3d", std::string(x3d)), std::pair("a.x3d.gz", gz_of(x3d))}) {
+        std::vector<std::string> notes;
+        const Scene scene = load_scene(folder.write(name, bytes), {}, Primitives::triangles, &notes);
+        CHECK(corners_of(scene) == x3d_triangles);
+        REQUIRE(scene.materials.size() == 1);
+        CHECK(scene.materials[0].colour == glm::dvec3(1, 0.5, 0));
+        // Assimp 5.4 writes that a material is transparent, and not how much.
+        const bool is_told = notes.size() == 1 && notes[0].find("drawn opaque") != std::string::npos;
+        CHECK((scene.materials[0].transmit == Approx(0.25) || is_told));
+    }
+    const std::string said = complaint(folder.write("b.fbx", "Dear Sir or Madam"));
+    CHECK_THAT(said, Contains("b.fbx: Assimp cannot read it: ") && !Contains("ERROR"));
+}
+
+TEST_CASE("assimp: a name is one word for it, whatever is in it") {
+    if (!is_there()) return;   // what it draws cannot be tried
+    const Folder folder;
+    CHECK(folder.load("a $(touch x) ; -b.x3d", x3d).triangles.size() == 2);
+    CHECK(folder.load("-fobj.x3d", x3d).triangles.size() == 2);
+}
+
+TEST_CASE("assimp: what it does wrong becomes a sentence") {
+    CHECK_THAT(said_with("echo 'ERROR: no such mesh'; exit 10"),
+               Contains("Assimp cannot read it: no such mesh"));
+    CHECK_THAT(said_with("exit 0"), Contains("Assimp cannot read it"));
+    CHECK_THAT(said_with("kill -SEGV $$"),
+               Contains("crashed, or needed more than 10 s, 2048 MB of memory or 256 MB"));
+    CHECK_THAT(said_with("echo no glTF > \"$3\""), Contains("a.x3d: "));
+    CHECK_THAT(said_with("printf '\\033[31mERROR: \\007bell'; exit 1"),
+               !Contains("\033") && !Contains("\007"));
+    // Neither its result nor what it prints fills the disk: it is ended at 256 MB.
+    CHECK_THAT(said_with("head -c 400000000 /dev/zero > \"$3\" || exit 3"), Contains("a.x3d: "));
+    // Processor time in seconds, memory in kB and the largest file in blocks of 512 bytes.
+    CHECK_THAT(said_with("echo ERROR: $(ulimit -t) $(ulimit -v) $(ulimit -f); exit 1"),
+               Contains(": 10 2097152 524288"));
+}
+
+TEST_CASE("assimp: without it a sentence says what to install") {
+    const Folder folder;
+    const std::string file = folder.write("a.fbx", "Kaydara FBX Binary"), path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    const std::string said = complaint(file);
+    setenv("PATH", path.c_str(), 1);
+    CHECK_THAT(said, Contains("a.fbx: ") && Contains("Assimp, which is not installed; install assimp-utils"));
+    CHECK_THAT(complaint(folder.write("a.xyz", "1 2 3")), Contains("not a kind of file"));
+}
