@@ -19,7 +19,8 @@ const char* const x3d =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <X3D version="3.0" profile="Interchange"><Scene><Transform translation="1 0 0"><Shape>
 <Appearance><Material diffuseColor="1 0.5 0" transparency="0.25"/></Appearance>
-<IndexedFaceSet coordIndex="0 2 1 -1 0 1 3 -1"><Coordinate point="0 0 0 2 0 0 0 1 0 0 0 0.5"/></IndexedFaceSet>
+<IndexedFaceSet coordIndex="0 2 1 -1 0 1 3 -1">
+<Coordinate point="0 0 0 2 0 0 0 1 0 0 0 0.5"/></IndexedFaceSet>
 </Shape></Transform></Scene></X3D>)";
 const std::vector<Corners> x3d_triangles{{{{1, 0, 0}, {1, 1, 0}, {3, 0, 0}}},
                                          {{{1, 0, 0}, {3, 0, 0}, {1, 0, 0.5}}}};
