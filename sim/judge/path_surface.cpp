@@ -105,7 +105,7 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
 }
 
 /// The point lies exactly on the surface: of a triangle strictly inside, its weights being the hit's,
-/// rounded, and moved off the border by two units at most where they would lie on it.
+/// rounded, and moved off the border as docs/origins.md says.
 void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& toward) {
     const Surface& surface = place_.surface;
     const bool is_plane = PrimKind(surface.kind) == PrimKind::plane;
@@ -120,13 +120,9 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
                 e2 = oracle::way(a, oracle::triple<Int128>(surface.c)), normal = oracle::area(e1, e2);
     const Int128 most = (Int128(1) << (config_.point_width() - 1)) - 1;
 
-    const auto is_inside = [&](Int128 u, Int128 v) {
-        return is_plane || (u >= 1 && v >= 1 && u + v <= whole - 1);
-    };
     const Int128 end = ((Int128(1) << (config_.coord_bits - 1)) - 1) << config_.origin_bits;
     bool beyond = false, outside = false;
     const auto is_point = [&](Int128 u, Int128 v) {
-        if (!is_inside(u, v)) return false;
         beyond = outside = false;
         for (std::size_t k = 0; k < 3; ++k) {
             const Int128 at =
@@ -139,11 +135,18 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         }
         return true;
     };
+    // Of a triangle each weight is 1 at least: u and v first, and what the third then lacks comes from the
+    // larger of the two, from v if they are equal.
     Int128 u = near_u, v = near_v;
-    bool good = is_point(u, v);
-    if (!is_inside(near_u, near_v))
-        for (int i = 0; i < 25 && !good; ++i)
-            u = near_u + i % 5 - 2, v = near_v + i / 5 - 2, good = is_point(u, v);
+    if (!is_plane) {
+        u = std::max<Int128>(u, 1), v = std::max<Int128>(v, 1);
+        const Int128 lacks = std::max<Int128>(u + v + 1 - whole, 0);
+        if (u > v)
+            u -= lacks;
+        else
+            v -= lacks;
+    }
+    const bool good = is_point(u, v);
     demand(good, "a secondary ray's origin is not the point that was hit");
 
     const std::int64_t last = (std::int64_t(1) << (config_.uv_bits() - 1)) - 1;
