@@ -135,8 +135,10 @@ private:
             const glm::dvec3 n = glm::normalize(glm::cross(glm::normalize(p.u), glm::normalize(p.v))),
                              m = glm::normalize(glm::cross(glm::normalize(given.u), glm::normalize(given.v)));
             demand(glm::length(n - m) <= 2 * turn, "a plane is turned further than it may");
-            const double away = glm::length((lattice.centre - given.point) / lattice.pitch);
-            demand(std::abs(glm::dot(m, (p.point - given.point) / lattice.pitch)) <= 2 + 4 * turn * away,
+            // Both pass a lattice point that is as near to the middle as whole sides of squares allow.
+            const glm::dvec3 middle = lattice.centre - glm::dot(n, lattice.centre - p.point) * n;
+            const double side = std::exp2(asked_.config.coord_bits - 4);
+            demand(std::abs(glm::dot(m, (middle - given.point) / lattice.pitch)) <= 1 + 6 * turn * side,
                    "a plane lies further from the scene's than it may");
         }
     }
