@@ -346,8 +346,9 @@ private:
             }
             const MtlBlock& block = found->second;
             if (!block.fault.empty()) throw UserError(block.fault);
-            const auto tell = [&](bool is_so, const char* became) {
-                if (is_so) warnings_.count("material", became, 0, name);
+            const auto tell = [&, &of = name](bool is_so, const char* became) {   // Clang captures no binding
+                                                                                  // by itself
+                if (is_so) warnings_.count("material", became, 0, of);
             };
             materials[number] = material_of(block.surface, name);
             tell(is_out_of_range(block.surface), "with values out of range, taken as the nearest within");

@@ -53,7 +53,7 @@ TEST_CASE("bad names") {
     std::filesystem::create_directories(folder.name("folder.obj"));
     CHECK(complaint(folder.name("folder.obj")) == folder.name("folder.obj") + ": is a directory, not a file");
     CHECK(complaint(folder.name("")).find("is a directory") != std::string::npos);
-    CHECK(complaint(folder.write("a.fbx", "x"))
+    CHECK(complaint(folder.write("a.words", "x"))
               .find("(.obj .ply .stl .off .3ds .dae .glb .gltf, these also with") != std::string::npos);
     CHECK(complaint("").find("empty") != std::string::npos);
     CHECK(complaint(folder.write("empty.obj", "")) == folder.name("empty.obj") + ": the file is empty");
