@@ -86,7 +86,9 @@ TEST_CASE(
         const Outcome bad = bench(place);
         CHECK(bad.code != 0);
         CHECK_THAT(bad.out, Contains("FAIL") && !Contains("PASS"));
-        CHECK((bench(place, 1).code != 0) == (file != std::string("counters.hex")));
+        // With a seed only pixels are compared, and what is spoiled in memory may change counters alone.
+        if (file != std::string("memory.hex"))
+            CHECK((bench(place, 1).code != 0) == (file == std::string("pixels.hex")));
         std::ofstream(path, std::ios::binary) << before;
     }
     CHECK(bench(place).code == 0);

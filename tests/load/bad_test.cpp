@@ -54,7 +54,7 @@ TEST_CASE("bad names") {
     CHECK(complaint(folder.name("folder.obj")) == folder.name("folder.obj") + ": is a directory, not a file");
     CHECK(complaint(folder.name("")).find("is a directory") != std::string::npos);
     CHECK(complaint(folder.write("a.words", "x"))
-              .find("(.obj .ply .stl .off .3ds .dae .glb .gltf, these also with") != std::string::npos);
+              .find("(.obj .ply .stl .off .3ds .dae .glb .gltf, by Assimp .fbx") != std::string::npos);
     CHECK(complaint("").find("empty") != std::string::npos);
     CHECK(complaint(folder.write("empty.obj", "")) == folder.name("empty.obj") + ": the file is empty");
     CHECK(complaint("/dev/null").find("/dev/null: is not an ordinary file") == 0);
