@@ -149,7 +149,7 @@ TEST_CASE("bounces that no material makes are told, if they were asked for") {
         CHECK(has_bounces(load_scene(scene)) == bounces);
 }
 
-TEST_CASE("--material gives a material to what has none, and to nothing else") {
+TEST_CASE("a material is given to what has none, and to nothing else") {
     const auto given = [](const std::string& typed, const std::string& own = "default") {
         Scene scene = make_builtin("square");
         scene.materials = {{.name = "default"}, {.name = "clay"}};
