@@ -152,7 +152,7 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     return std::nullopt;
 }
 
-/// The machine's point is rounded: on a sphere it lies beside it, near a crease perhaps beyond the other
+/// The machine's point is rounded: it lies slightly off its sphere, or near a crease beyond the other
 /// surface. The path from where the reference has it, to the same end.
 RefPath Guide::from_own(const RefPath& path, double distance) const {
     const std::size_t depth = std::isfinite(distance) ? at_.size() : at_.size() - 1;   // a bounce left the
@@ -201,7 +201,7 @@ bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const 
     return own.depth <= entry + step();
 }
 
-/// The machine's hit, for whoever goes on from there.
+/// The machine's hit, from which the path goes on.
 RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
     is_substituted_ = true;
     if (!at.hit.found) return {};

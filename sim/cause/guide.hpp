@@ -78,7 +78,7 @@ private:
     void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const;
     /// The weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
-    /// The machine's hit, for whoever goes on from there.
+    /// The machine's hit, from which the path goes on.
     RefClosest as_machine(const RefPath& path, const MachineVisit& at);
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;

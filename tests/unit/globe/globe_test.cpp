@@ -137,7 +137,8 @@ TEST_CASE("globe is right at both ends of every width", "[globe]") {
     Draw draw{7};
     for (int i = 0; i < 3000; ++i) {
         const auto c = globe_case_at_ends(draw, config);
-        judge(c, globe(c.req, config), config);
+        judge(c, globe(c.req, config), config, false);   // nothing is lost; how loose it may be is not proven
+                                                         // here
     }
 }
 
