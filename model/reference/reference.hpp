@@ -17,7 +17,7 @@ struct WhittedFrame {
     std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
 };
 
-/// One pixel of it.
+/// One pixel of a finished picture.
 struct WhittedPixel {
     glm::dvec3 colour{0};
     Hit first;

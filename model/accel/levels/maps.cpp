@@ -29,7 +29,7 @@ glm::dmat3 cofactors_of(const glm::dmat4& place) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-/// Whether two maps stretch all directions alike, to 2^-12, but for a common factor. With a square of trace 1
+/// Whether two maps stretch all directions alike, to 2^-12, up to a common factor. With a square of trace 1
 /// no eigenvalue is below the determinant.
 bool stretch_alike(const glm::dmat3& one, const glm::dmat3& other) {
     const auto square_of = [](const glm::dmat3& m) {

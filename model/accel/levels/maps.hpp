@@ -51,7 +51,7 @@ struct MeshClass {
     std::int32_t longest = 0;          ///< component of an edge, in steps
     CornerReach reach;                 ///< of points
     bool deforms = false;              ///< what depends on the mesh's corners is of one frame
-    /// How its members stretch normals, but for a rotation and a factor: the cofactors of the first one's
+    /// How its members stretch normals, up to a rotation and a factor: the cofactors of the first one's
     /// place.
     glm::dmat3 normal_map{1};
 };
