@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 
 #include "model/trace/record.hpp"
 #include "model/trace/record_shaded.hpp"
@@ -105,8 +106,14 @@ Recording::Recording(const MemoryImage& image, const Frame& frame, const Config&
     : work_(std::make_unique<Work>(image, frame, config, trace, progress)) {
     const std::size_t cores =
         threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i)
-        work_->threads.emplace_back([work = work_.get()] { work->run(); });
+    try {
+        for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i)
+            work_->threads.emplace_back([work = work_.get()] { work->run(); });
+    } catch (const std::system_error&) {
+        // The system gives no more threads: those that there are do all of it, or this one before anybody
+        // waits.
+        if (work_->threads.empty()) work_->run();
+    }
 }
 
 Recording::~Recording() {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
@@ -57,7 +58,6 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     check_names(o.units);
     if (!o.units.empty() && !o.output.empty())
         throw UserError("--unit: a page has all units; leave out --unit, or --output");
@@ -69,7 +69,7 @@ int run(const Options& o) {
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
     if (areas.partial)
-        throw UserError("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
     const std::vector<area::Speed> speeds =
         o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);
     if (!o.json.is_alone()) {

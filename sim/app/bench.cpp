@@ -107,7 +107,6 @@ int run(const Options& o) {
     const Config config = load_config(o.config);
     check_rtl(config);
     o.json.check();
-    catch_interrupts();
     const Progress progress = stopping(terminal_progress());
     const Scene scene = ready_scene(o.scene, size, progress, o.view);
     build_rtl(config);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/methods.hpp"
@@ -158,7 +159,7 @@ double frames_per_second(const Asked& asked, double mhz, const Progress& progres
     std::vector<FrameTrace> traces;
     const std::vector<FrameTiming> timings = record_and_replay(job, khz, traces, {}, 0, progress);
     if (interrupted())
-        throw UserError("interrupted: the chip is kept, and the same command goes on after it");
+        throw Interrupted("interrupted: the chip is kept, and the same command goes on after it");
     return per_second(timings[0], khz);
 }
 
@@ -190,7 +191,6 @@ int tell_estimate(const Options& o, const chip::Request& request, jobs::Cache& c
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const chip::Device& device = chip::device_of(o.device);
     const std::vector<int> seeds = seeds_of(o.seeds);
     if (o.fast && !o.units.empty())

@@ -70,7 +70,6 @@ nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, co
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
     const Traffic traffic = traffic_of(o.traffic);
@@ -94,7 +93,7 @@ int run(const Options& o) {
 
     PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);
-    if (costs.partial) throw std::runtime_error("interrupted");
+    if (costs.partial) throw Interrupted("interrupted: nothing is written");
     observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
     std::optional<FrameError> error;

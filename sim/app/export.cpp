@@ -43,7 +43,6 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     o.json.check();
     NewFolder folder(o.output);

@@ -61,7 +61,6 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     figures::Studio studio;
     studio.size = parse_size(o.size);
     studio.engines = engines_of(o.engines);

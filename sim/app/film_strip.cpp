@@ -43,6 +43,7 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
     strip.times = film.times().times;
     const bool is_film = film.moves() && film.frames() > 1;
     if (is_film) strip.folder = o.folder;
+    if (!strip.folder.empty()) strip.staged = std::make_shared<StagedFiles>(strip.folder);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
         traces.push_back(film.record(o.threads, progress));
@@ -50,7 +51,7 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
         const Request& request = film.request();
         const Picture picture = drawn(request, film.job(), traces.back());
         if (!o.folder.empty())
-            write_pictures(o.folder, {{frame_name(f), picture, hits_of(film.job(), traces.back())}});
+            write_pictures(*strip.staged, {{frame_name(f), picture, hits_of(film.job(), traces.back())}});
         if (o.compares)
             strip.psnr.push_back(
                 compare(picture, drawn_by_reference(request, film.camera(), film.job().size, o.threads))
@@ -65,7 +66,7 @@ void check_film_folder(const std::string& folder, std::size_t frames) {
 
 void finish_film(const FilmStrip& strip, bool quiet) {
     if (strip.folder.empty()) return;
-    const std::string said = make_film(strip.folder, strip.times.size(), strip.fps);
+    const std::string said = make_film(*strip.staged, strip.folder, strip.times.size(), strip.fps);
     if (!quiet) fmt::print("  {}\n", said);
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 // What simulate, verify and render do with the frames of a film beside running them: pictures, the
 // reference's error, and the report of all frames.
+#include <memory>
+
+#include "sim/files/folder.hpp"
 #include "sim/film/film.hpp"
 #include "sim/report/json.hpp"
 
@@ -13,6 +16,7 @@ struct FilmStrip {
     std::vector<double> times;   ///< seconds of the scene
     std::vector<double> psnr;    ///< of the model's picture beside the reference's, dB, if it was asked for
     std::string folder;          ///< of numbered pictures; empty: there are none
+    std::shared_ptr<StagedFiles> staged;   ///< where they wait for the film
 };
 
 struct StripOptions {
@@ -21,14 +25,14 @@ struct StripOptions {
     bool compares = false;   ///< every frame with the reference's
 };
 
-/// Records all frames. Of a scene that moves, and has more frames than one, it writes the pictures and
-/// compares them.
+/// Records all frames. Of a scene that moves, and has more frames than one, it writes the pictures, which
+/// finish_film() publishes, and compares them.
 FilmStrip record_film(Film& film, const StripOptions& options, const Progress& progress,
                       std::vector<FrameTrace>& traces);
 
 /// Fails early (UserError) if the frames could not be written.
 void check_film_folder(const std::string& folder, std::size_t frames);
-/// Joins the pictures and says so, unless `quiet`.
+/// Joins the pictures, publishes all, and says so, unless `quiet`.
 void finish_film(const FilmStrip& strip, bool quiet);
 
 /// A row for each frame, then the least, mean and most; empty if nothing moves. At the first clock.

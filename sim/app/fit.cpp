@@ -181,7 +181,6 @@ Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& 
 
 int run(const Options& o) {
     const Stopwatch watch;
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
     const std::optional<DeviceGoal> on_device = device_goal(o.device);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/options.hpp"
 #include "sim/balance/doors.hpp"
@@ -86,8 +87,7 @@ DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size,
     balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress);
     const std::optional<balance::Found> found = balance::search(formats, goal.room, doors.doors());
     if (!found)
-        throw std::runtime_error(
-            "interrupted: nothing is written, and the same command goes on where it was");
+        throw Interrupted("interrupted: nothing is written, and the same command goes on where it was");
     fit.found = *found;
     const balance::Machine& best = fit.found.best();
     if (!best.fps || !best.use || !balance::fits(*best.use, goal.room))

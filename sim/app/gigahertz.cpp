@@ -47,7 +47,6 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const gigahertz::Study study{load_config(o.config), o.scene, o.finished, parse_size(o.size), o.threads};
     const std::filesystem::path folder(o.output);
     const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();

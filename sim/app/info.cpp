@@ -64,7 +64,6 @@ int print_config(const ConfigChoice& config) {
 }
 
 int build_now(const ConfigChoice& choice) {
-    catch_interrupts();
     const Config config = load_config(choice);
     check_rtl(config);
     const RtlBuild build = build_rtl(config);

@@ -1,18 +1,26 @@
 // rayclock: the command line. Every command's options and work are in the file of its name.
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/manual.hpp"
+#include "sim/files/scratch.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
+#include "sim/rtl/interrupt.hpp"
 
 namespace {
 
@@ -73,6 +81,36 @@ int complain(const std::string& sentence, int code) {
     return code;
 }
 
+/// The library of threads tells of a thread that the system does not give in its own words.
+bool is_lack_of_threads(const std::exception& error) {
+    const auto* const system = dynamic_cast<const std::system_error*>(&error);
+    return (system && system->code() == std::errc::resource_unavailable_try_again) ||
+           std::string_view(error.what()).starts_with("pthread_create");
+}
+
+/// The exception at hand as one sentence; the exit code. No other library's words are among it.
+int complain_of_exception() {
+    try {
+        throw;
+    } catch (const UserError& error) {
+        return complain(error.what(), 2);
+    } catch (const Interrupted& error) {
+        return complain(error.what(), 1);
+    } catch (const std::bad_alloc&) {
+        return complain("not enough memory for this scene and picture", 2);
+    } catch (const std::length_error&) {   // more than any memory has
+        return complain("not enough memory for this scene and picture", 2);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain(error.path1().string() + ": " + error.code().message(), 2);
+    } catch (const std::exception& error) {
+        if (is_lack_of_threads(error))
+            return complain("not enough threads: the system gives no more (ulimit -u shows how many)", 2);
+        if (std::ferror(stdout)) return 2;   // finish() says so
+        if (dynamic_cast<const std::runtime_error*>(&error)) return complain(error.what(), 1);   // our own
+        return complain("a fault of rayclock's own has ended this run; please report it with the command", 1);
+    }
+}
+
 /// What is printed and does not arrive is an error, whatever else came of the run.
 int finish(int code) {
     const std::string lost = finish_output();
@@ -129,23 +167,30 @@ int run(int argc, char** argv) {
     try {
         for (const Added& added : commands)
             if (added.parsed->parsed()) return added.command.run();
-    } catch (const UserError& e) {
-        return complain(e.what(), 2);
-    } catch (const std::bad_alloc&) {
-        return complain("not enough memory for this scene and picture", 2);
-    } catch (const std::filesystem::filesystem_error& e) {
-        return complain(e.path1().string() + ": " + e.code().message(), 2);
-    } catch (const std::exception& e) {
-        if (std::ferror(stdout)) return 2;   // finish() says so
-        return complain(e.what(), 1);
+    } catch (...) {
+        return complain_of_exception();
     }
     return 2;
+}
+
+/// What is thrown where nothing may be thrown, as in a thread that the library of threads begins, ends here
+/// instead of in a core file.
+[[noreturn]] void end_badly() noexcept {
+    int code = 2;
+    if (std::current_exception())
+        code = complain_of_exception();
+    else
+        complain("not enough memory or threads: the system gives no more (ulimit -a shows the limits)", code);
+    remove_scratch();
+    std::_Exit(code);
 }
 
 }   // namespace
 
 int main(int argc, char** argv) {
     guard_streams();
+    std::set_terminate(end_badly);
+    catch_interrupts();
     keep_command_line(argc, argv);
     return finish(run(argc, argv));
 }

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 void check_picture_folder(const std::string& folder, const std::vector<std::string>& names) {
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-        throw UserError(folder + ": is a file, not a folder for pictures");
+        throw UserError(printable(folder) + ": is a file, not a folder for pictures");
     const std::string ending = fs::path(folder).extension().string();
     if (!fs::exists(folder, error) && (ending == ".png" || ending == ".exr"))
         throw UserError("-o: " + shown(folder) + " is the name of a picture, and a folder is asked for");
@@ -21,12 +21,23 @@ void check_picture_folder(const std::string& folder, const std::vector<std::stri
     for (const std::string& name : names) check_writable((there / name).string());
 }
 
+void write_pictures(const StagedFiles& staged, const std::vector<NamedPicture>& pictures) {
+    const std::string stage = staged.stage().string(), folder = staged.stage().parent_path().string();
+    for (const NamedPicture& p : pictures) try {
+            write_picture((fs::path(stage) / p.name).string(), p.picture, p.hits);
+        } catch (const UserError& error) {
+            // Nobody knows the name that a picture has meanwhile.
+            std::string sentence = error.what();
+            if (const std::size_t at = sentence.find(stage); at != sentence.npos)
+                sentence.replace(at, stage.size(), folder);
+            throw UserError(sentence);
+        }
+}
+
 void write_pictures(const std::string& folder, const std::vector<NamedPicture>& pictures) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
-    for (const NamedPicture& p : pictures)
-        write_picture((fs::path(folder) / p.name).string(), p.picture, p.hits);
+    StagedFiles staged(folder);
+    write_pictures(staged, pictures);
+    staged.publish();
 }
 
 std::string picture_paths(const std::string& folder, const std::vector<NamedPicture>& pictures) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/files/folder.hpp"
 #include "sim/image/image.hpp"
 
 namespace rayclock {
@@ -17,7 +18,10 @@ struct NamedPicture {
 /// the work may still fail.
 void check_picture_folder(const std::string& folder, const std::vector<std::string>& names);
 
-/// Makes the folder and writes the pictures. Throws UserError.
+/// Writes the pictures to where they wait for others. Throws UserError.
+void write_pictures(const StagedFiles& staged, const std::vector<NamedPicture>& pictures);
+
+/// Makes the folder and writes the pictures, all of them or none. Throws UserError.
 void write_pictures(const std::string& folder, const std::vector<NamedPicture>& pictures);
 
 /// "out/model.png out/rtl.png"

@@ -128,15 +128,16 @@ struct Comparison {
 std::string draw_all(const Options& o, Film& film, FrameSize size, const Progress& progress,
                      Comparison& comparison, nlohmann::ordered_json& json) {
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
+    StagedFiles staged(o.output);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         const Drawn drawn = draw_next(o, film, size, progress);
         stop_if_interrupted();
-        write_pictures(o.output, {{frame_name(f), drawn.picture, drawn.hits}});
+        write_pictures(staged, {{frame_name(f), drawn.picture, drawn.hits}});
         digests.push_back(drawn.json.at("digest"));
         if (o.compare) comparison.add(drawn, film.request(), size, o.threads, progress);
     }
     json["digests"] = digests;
-    return make_film(o.output, film.frames(), film.times().fps);
+    return make_film(staged, o.output, film.frames(), film.times().fps);
 }
 
 int run(const Options& o) {
@@ -147,7 +148,6 @@ int run(const Options& o) {
         throw UserError("--compare needs --engine model or rtl: the reference is what it compares with");
     const Limits limits = limits_of(o.limits);
     o.json.check();
-    catch_interrupts();
     const Progress progress = stopping(terminal_progress());   // also for who waits for the file
     if (!may_be_film(o)) check_picture_path(o.output);
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);

@@ -324,7 +324,6 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
 
 int run(const Options& o) {
     const Stopwatch watch;
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     if (o.clock.find("fmax") == std::string::npos)
         parse_clocks(o.clock);   // refused before the scene is loaded

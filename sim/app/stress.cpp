@@ -74,7 +74,6 @@ stress::Plan make_plan(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const stress::Plan plan = make_plan(o);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);

@@ -65,7 +65,7 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kin
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
     if (areas.partial)
-        throw UserError("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
     std::vector<structures::Areas> counts;
     for (std::size_t i = 0; i < kinds.size(); ++i)
         counts.push_back({area::pipeline_count(areas, 2 * i), area::pipeline_count(areas, 2 * i + 1)});
@@ -73,7 +73,6 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kin
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.round, o.threads};
     const auto kinds = structures::trees(study.base);
     for (const structures::Kind& kind : kinds) check_config(kind.config, "structures");

@@ -78,7 +78,6 @@ std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const swee
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const sweep::Cost cost = sweep::parse_cost(o.cost);
     const sweep::Shard shard = o.shard ? sweep::parse_shard(*o.shard) : sweep::Shard{};
     if (!shard.is_whole() && !o.outputs.json.wanted())

@@ -38,7 +38,6 @@ struct Made {
 
 int run_torture_set(const JsonOutput& json) {
     const Stopwatch watch;
-    catch_interrupts();
     const Progress progress = terminal_progress();
     const std::vector<std::string>& chips = torture_chips();
     jobs::for_each(chips.size(), 0, [&](std::size_t i) { build_rtl(torture_chip(chips[i])); });

@@ -110,7 +110,6 @@ std::string view_of(const std::string& output) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const TimelineChoice choice = choice_of(o, size);
     const auto writer = timeline_writer(o.output);
@@ -134,7 +133,7 @@ int run(const Options& o) {
 
     Timeline timeline(request.config, size, choice);
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &timeline, progress);
-    if (interrupted()) throw std::runtime_error("interrupted");
+    if (interrupted()) throw Interrupted("interrupted: nothing is written");
     if (choice.first >= costs.cycles)
         throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",
                                     costs.cycles, shown(o.cycles)));

@@ -39,7 +39,6 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     sweep::check_tradeoff_paths(o.output, o.scenes);
     const Progress progress = terminal_progress();

@@ -299,7 +299,6 @@ int run(const Options& o) {
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const Stopwatch watch;
-    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);

@@ -28,7 +28,6 @@ void declare(Parser& parser, Options& o) {
 int run(const Options& o) {
     check_writable(o.output);
     const Progress progress = stopping(terminal_progress());
-    catch_interrupts();
     const std::optional<chip::RoutedClock> routed = chip::routed_clock(named_config("ulx3s"));
     const RoutedBoard board = routed ? RoutedBoard{routed->khz(), routed->device} : RoutedBoard{};
     write_file(o.output, yardstick_page(board, o.threads, progress));

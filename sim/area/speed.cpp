@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/rtl/builder.hpp"
@@ -19,7 +20,7 @@ template <class Work> void best_of(double& best, Work work) {
     const double seconds = watch.seconds();
     if (best == 0 || seconds < best) best = seconds;
     if (interrupted())
-        throw UserError("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
 }
 
 void run_once(const Job& job, Speed& speed) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/files/json_form.hpp"
 #include "sim/synth/parts.hpp"
 
 namespace rayclock::chip {
@@ -46,17 +47,22 @@ std::uint64_t width_of(const Face& face, bool inputs) {
 
 }   // namespace
 
-Face face_of(const nlohmann::ordered_json& netlist, const std::string& top) {
+Face face_of(const std::string& netlist, const std::string& top) {
+    const std::string file = "face.json of yosys";
+    parse_json(file, netlist);   // refuses what is no JSON, with its line
     Face face;
     std::set<std::string> modules;
-    for (const auto& [type, module] : netlist.at("modules").items()) {
-        const std::string name = synth::module_name(type);
-        if (name.empty() || type.starts_with("$abstract")) continue;
-        modules.insert(name);
-        if (name != top || !face.ports.empty()) continue;
-        for (const auto& [port, what] : module.at("ports").items())
-            face.ports.push_back({port, what.at("direction") == "input", what.at("bits").size()});
-    }
+    understood(file, [&] {   // ports in their order, which is that of the harness
+        const nlohmann::ordered_json document = nlohmann::ordered_json::parse(netlist);
+        for (const auto& [type, module] : document.at("modules").items()) {
+            const std::string name = synth::module_name(type);
+            if (name.empty() || type.starts_with("$abstract")) continue;
+            modules.insert(name);
+            if (name != top || !face.ports.empty()) continue;
+            for (const auto& [port, what] : module.at("ports").items())
+                face.ports.push_back({port, what.at("direction") == "input", what.at("bits").size()});
+        }
+    });
     face.modules.assign(modules.begin(), modules.end());
     return face;
 }

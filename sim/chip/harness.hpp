@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "model/core/config.hpp"
 
 namespace rayclock::chip {
@@ -21,8 +19,8 @@ struct Face {
     std::vector<Port> ports;
     std::vector<std::string> modules;   ///< beneath it and itself, without rc_, in alphabetical order
 };
-/// From what write_json says of blackboxes.
-Face face_of(const nlohmann::ordered_json& netlist, const std::string& top);
+/// From what write_json says of blackboxes. Throws UserError if it is not that.
+Face face_of(const std::string& netlist, const std::string& top);
 
 /// The harness: a shift register feeds all inputs. All outputs go into registers, and from there into a shift
 /// register that sums them up, so that no logic but one XOR of the harness lies between two of its own

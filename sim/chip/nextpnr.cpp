@@ -68,14 +68,11 @@ Nextpnr look() {
     return found;
 }
 
-/// What follows the last "ERROR: " of a log, to the end of its line.
-std::string error_of(const std::string& log) {
-    const std::size_t at = log.rfind("ERROR: ");
-    if (at == std::string::npos) return log.substr(log.size() < 300 ? 0 : log.size() - 300);
-    return log.substr(at + 7, log.find('\n', at) - at - 7);
-}
-
-bool means_too_large(const std::string& error) {
+/// Its last error decides.
+bool means_too_large(const std::string& log) {
+    const std::size_t last = log.rfind("ERROR: ");
+    if (last == std::string::npos) return false;
+    const std::string error = log.substr(last, log.find('\n', last) - last);
     for (const char* words : {"no BELs remaining", "Unable to find legal placement", "unable to place",
                               "Unable to place", "failed to place", "exceeds"})
         if (error.find(words) != std::string::npos) return true;
@@ -199,9 +196,9 @@ RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
     }
     if (interrupted()) return RouteEnd::interrupted;
     if (process.code() == 0) return RouteEnd::done;
-    const std::string error = error_of(read_if_there(folder / "log"));
-    if (means_too_large(error)) return RouteEnd::does_not_fit;
-    throw UserError("nextpnr-ecp5 failed: " + printable(error));
+    const std::string log = read_if_there(folder / "log");
+    if (means_too_large(log)) return RouteEnd::does_not_fit;
+    throw UserError("nextpnr-ecp5 failed: " + complaint_of(log));
 }
 
 /// A placed chip, with settings for router2 that no option of nextpnr's names: by itself it looks for a

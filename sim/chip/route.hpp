@@ -42,6 +42,9 @@ Route route_of(const nlohmann::ordered_json& json);
 /// UserError if they are not whole.
 Route read_route(const std::filesystem::path& folder, const std::string& top, int seed);
 
+/// MHz of the one clock in report.json. Throws UserError if it is not as nextpnr writes it.
+double fmax_of(const std::string& report);
+
 /// All but the harness.
 Use total_of(const std::map<std::string, Use>& units);
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "sim/area/variants.hpp"
@@ -30,24 +31,12 @@ using nlohmann::ordered_json;
 namespace {
 
 [[noreturn]] void stopped() {
-    throw UserError("interrupted: finished steps are kept, and the same command goes on after them");
+    throw Interrupted("interrupted: finished steps are kept, and the same command goes on after them");
 }
 
-/// The line of a log that begins with ERROR, or its last one.
-std::string complaint_of(const std::string& log) {
-    for (const std::string& line : split(log, '\n'))
-        if (line.find("ERROR") != std::string::npos) return printable(line);
-    return "it ended without an error of its own; is the disk full?";
-}
-
-/// Yosys in a folder of its own; its complaints are not this program's fault, and not the configuration's.
+/// Yosys in a folder of its own.
 void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script) {
-    try {
-        if (!folder.run(config, "-defer ", script)) stopped();
-    } catch (const std::runtime_error& error) {
-        if (dynamic_cast<const UserError*>(&error)) throw;
-        throw UserError("yosys failed: " + complaint_of(error.what()));
-    }
+    if (!folder.run(config, "-defer ", script)) stopped();
 }
 
 /// Units are optimised each by itself and joined in the end, so that each cell has the name of its unit. Over
@@ -131,9 +120,7 @@ private:
             run_yosys(
                 folder, request_.config,
                 synth::elaborate(request_.config, request_.top) + "blackbox =*\nwrite_json face.json\n");
-            const ordered_json json = ordered_json::parse(folder.text("face.json"), nullptr, false);
-            if (json.is_discarded()) throw UserError("face.json of yosys is not whole; is the disk full?");
-            const Face face = face_of(json, request_.top);
+            const Face face = face_of(folder.text("face.json"), request_.top);
             harness_ = harness_text(request_.config, request_.top, face);
             std::string texts;
             for (const fs::path& file : rtl_files())
@@ -232,7 +219,8 @@ private:
         const synth::YosysFolder folder(cache_.folder());
         std::error_code error;
         fs::create_hard_link(netlist(), folder.path("netlist.json"), error);
-        if (error) fs::copy_file(netlist(), folder.path("netlist.json"));
+        if (error) fs::copy_file(netlist(), folder.path("netlist.json"), error);
+        if (error) throw UserError(fmt::format("{}: {}", netlist().string(), error.message()));
         const auto hear = [&](const std::string& what, int percent) {
             tell(fmt::format("seed {}, {}", seed, what), percent);
         };

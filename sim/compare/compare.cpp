@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/scene/camera.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 
@@ -26,8 +28,14 @@ bool is_left_out(const std::string& path) {
            path == "digest" || path.ends_with(".bottleneck");
 }
 
+/// A figure's name is the path of its keys, and there may be as many figures as the file has bytes.
+constexpr std::size_t longest_path = 200;
+
 void flatten(const json& value, const std::string& path, Figures& figures, Words& words) {
     if (is_left_out(path)) return;
+    if (path.size() > longest_path)
+        throw UserError(fmt::format("the path of the key {} has {} bytes, more than {}", shown(path),
+                                    path.size(), longest_path));
     if (path.starts_with("config.") && value.is_number()) {
         words[path] = value.dump();
     } else if (value.is_number()) {
@@ -80,12 +88,28 @@ std::string element_of(const std::string& file, const std::string& page, const s
     return page.substr(begin + head.size(), end == page.npos ? end : end - begin - head.size());
 }
 
+/// What is asked of a page's figures of pixels, each by its name.
+void check_page(const JsonValue& page) {
+    for (const char* key : {"width", "height"})
+        if (const auto side = page.find(key)) side->whole(max_frame_side + 1);
+    const auto maps = page.find("maps");
+    if (!maps) return;
+    std::set<std::string> keys;
+    for (std::size_t i = 0; i < maps->array().size(); ++i) {
+        const JsonValue map = (*maps)[i];
+        for (const char* key : {"key", "name", "data"}) map.at(key).string();
+        if (map.at("bytes").whole(5) == 0) map.at("bytes").expected("1 to 4");
+        if (!keys.insert(map.at("key").string()).second) map.at("key").refuse("stands in two maps");
+    }
+}
+
 }   // namespace
 
 NamedReport read_report(const std::string& file) {
     const std::string text = read_file(file);
     const bool is_page = text.starts_with("<!DOCTYPE html>");
-    const json report = parse_json(file, is_page ? element_of(file, text, "report") : text);
+    NamedReport read{file, parse_json(file, is_page ? element_of(file, text, "report") : text), {}};
+    const json& report = read.report;
     const auto refuse = [&](const std::string& what) {
         throw UserError(printable(file) + " is no report of simulate or verify: " + what);
     };
@@ -99,7 +123,11 @@ NamedReport read_report(const std::string& file) {
         if (!clock.is_object() || !clock.value("mhz", json()).is_number() ||
             !clock.value("cycles", json()).is_number())
             refuse("a clock has not its 'mhz' and 'cycles'");
-    return {file, report, is_page ? parse_json(file, element_of(file, text, "data")) : json()};
+    if (is_page) {
+        read.page = parse_json(file, element_of(file, text, "data"));
+        check_page(JsonValue(read.page, file, "data"));
+    }
+    return read;
 }
 
 int direction_of(const std::string& figure) {
@@ -120,7 +148,11 @@ Comparison compare_reports(const std::vector<NamedReport>& reports) {
     std::vector<Words> words(reports.size());
     std::map<std::string, int> names, keys;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        flatten(reports[i].report, "", figures[i], words[i]);
+        try {
+            flatten(reports[i].report, "", figures[i], words[i]);
+        } catch (const UserError& error) {
+            throw UserError(printable(reports[i].file) + ": " + error.what());
+        }
         for (const auto& [name, value] : figures[i]) ++names[name];
         for (const auto& [key, value] : words[i]) ++keys[key];
     }

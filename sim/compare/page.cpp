@@ -17,32 +17,34 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// The values of a map of a page: whole numbers in planes of bytes, the lowest first.
-std::vector<std::uint32_t> values_of(const json& map, std::size_t pixels) {
-    const std::size_t bytes = map.at("bytes").get<std::size_t>();
-    if (bytes < 1 || bytes > 4) throw std::runtime_error("a map has values of another size");
-    const std::string planes = html::inflated(map.at("data").get<std::string>(), bytes * pixels);
-    std::vector<std::uint32_t> values(pixels);
-    for (std::size_t b = 0; b < bytes; ++b)
-        for (std::size_t i = 0; i < pixels; ++i)
-            values[i] |= std::uint32_t(std::uint8_t(planes[b * pixels + i])) << 8 * b;
-    return values;
-}
-std::vector<std::uint32_t> cycles_of(const NamedReport& report) {
-    try {
-        const std::size_t width = report.page.at("width").get<std::size_t>(),
-                          height = report.page.at("height").get<std::size_t>();
-        if (width > 1 << 16 || height > 1 << 16) throw std::runtime_error("the frame is too large");
-        for (const json& map : report.page.at("maps"))
-            if (map.at("key") == "cycles") return values_of(map, width * height);
-    } catch (const std::exception& e) {
-        // The library's own words stand after a bracket.
-        const std::string what = e.what();
-        throw UserError(printable(report.file) + " has no figures of pixels that can be read: " +
-                        what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2));
+/// The cycles of a page's pixels: whole numbers in planes of bytes, the lowest first.
+class Cycles {
+public:
+    Cycles(const NamedReport& report, std::size_t pixels) : pixels_(pixels) {
+        for (const json& map : report.page.value("maps", json::array())) {
+            if (map["key"] != "cycles") continue;
+            bytes_ = map["bytes"].get<std::size_t>();
+            try {
+                planes_ = html::inflated(map["data"].get_ref<const std::string&>(), bytes_ * pixels);
+            } catch (const std::runtime_error&) {
+                throw UserError(printable(report.file) +
+                                ": the cycles of its pixels are not packed as simulate packs them");
+            }
+            return;
+        }
+        throw UserError(printable(report.file) + " has no cycles of pixels");
     }
-    throw UserError(printable(report.file) + " has no cycles of pixels");
-}
+    std::uint32_t operator[](std::size_t i) const {
+        std::uint32_t value = 0;
+        for (std::size_t b = 0; b < bytes_; ++b)
+            value |= std::uint32_t(std::uint8_t(planes_[b * pixels_ + i])) << 8 * b;
+        return value;
+    }
+
+private:
+    std::size_t pixels_, bytes_ = 0;
+    std::string planes_;
+};
 
 bool same_frame(const NamedReport& a, const NamedReport& b) {
     return a.page.is_object() && b.page.is_object() &&
@@ -117,9 +119,11 @@ std::string pixels_section(const std::optional<PixelChange>& change) {
 
 std::optional<PixelChange> pixel_change(const NamedReport& first, const NamedReport& last) {
     if (!same_frame(first, last)) return std::nullopt;
-    const std::vector<std::uint32_t> a = cycles_of(first), b = cycles_of(last);
+    const std::size_t pixels =
+        first.page.value("width", std::size_t(0)) * first.page.value("height", std::size_t(0));
+    const Cycles a(first, pixels), b(last, pixels);
     PixelChange change;
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < pixels; ++i) {
         if (b[i] < a[i]) ++change.faster, change.gained += a[i] - b[i];
         if (b[i] > a[i]) ++change.slower, change.lost += b[i] - a[i];
         change.equal += a[i] == b[i];

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
 #include "sim/rtl/rtl_machine.hpp"
@@ -47,6 +52,10 @@ public:
             }
         } catch (const RtlAssertion&) {   // the run before this one has told it
         }
+        if (std::exchange(writes_, false))
+            if (const int error = rtl_.module().end_wave())
+                throw UserError(
+                    fmt::format("{}: cannot be written: {}", printable(path_), std::strerror(error)));
         return std::move(capture_);
     }
 

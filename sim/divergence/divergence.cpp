@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/divergence/page.hpp"
 #include "sim/divergence/waveform.hpp"
 #include "sim/files/input.hpp"
@@ -39,10 +40,10 @@ void check_divergence_folder(const std::string& folder) {
 }
 
 DivergenceShow::DivergenceShow(const Diverged& d, const std::string& folder, const Progress& progress)
-    : work_(fs::temp_directory_path() / "rayclock-divergence"),
+    : work_("rayclock-divergence"),
       rtl_wave_(work_.path() / "rtl.fst"),
       seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, progress)) {
-    if (interrupted()) throw std::runtime_error("interrupted while the waveform was made");
+    if (interrupted()) throw Interrupted("interrupted while the waveform was made");
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "sim/divergence/capture.hpp"
+#include "sim/files/scratch.hpp"
 #include "sim/lockstep/lockstep.hpp"
-#include "sim/rtl/cache.hpp"
 
 namespace rayclock {
 
@@ -25,7 +25,7 @@ struct DivergenceFiles {
 
 /// Both machines run again from reset, the RTL with its signals written for the last cycles before the
 /// divergence. Writes divergence.fst and divergence.gtkw into a folder, which is made, and the page when more
-/// is known. Throws UserError if they cannot be written, std::runtime_error if interrupted().
+/// is known. Throws UserError if they cannot be written, Interrupted after Ctrl-C.
 class DivergenceShow {
 public:
     DivergenceShow(const Diverged& diverged, const std::string& folder, const Progress& progress = {});
@@ -33,7 +33,7 @@ public:
     DivergenceFiles page(const Diverged& diverged);
 
 private:
-    WorkFolder work_;
+    TemporaryFolder work_;
     std::string rtl_wave_;
     Capture seen_;
     DivergenceFiles files_;

@@ -177,7 +177,13 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     const int cores = threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
     Recording recording(job.image, job.frame, job.config, std::max(1, cores - 1), frames[0].trace);
     if (cores == 1) recording.finish();
-    std::vector<FrameTiming> timings = replay(job.config, khz, frames, traffic, progress);
+    std::vector<FrameTiming> timings;
+    try {
+        timings = replay(job.config, khz, frames, traffic, progress);
+    } catch (...) {
+        if (frames[0].trace.failed.load()) recording.finish();   // throws the cause
+        throw;
+    }
     if (timings.back().partial) frames[0].trace.failed.store(true);   // nobody needs the other rays
     recording.finish();
     return timings;

@@ -1,5 +1,6 @@
 #include "sim/files/folder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -10,6 +11,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/files/output.hpp"
 
 namespace rayclock {
 namespace fs = std::filesystem;
@@ -17,6 +19,20 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
     throw UserError(fmt::format("{}: {}", printable(path), why));
+}
+
+/// A new file, with the folders on its way. `shown` is its name in sentences.
+void write_into(const fs::path& file, const fs::path& shown, std::string_view bytes) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    errno = 0;
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (error || !stream)
+        refuse(shown.string(), fmt::format("cannot be written: {}", std::strerror(error   ? error.value()
+                                                                                  : errno ? errno
+                                                                                          : EIO)));
 }
 
 }   // namespace
@@ -44,6 +60,7 @@ NewFolder::NewFolder(const std::string& path) : path_(path) {
         else if (errno != EEXIST)
             refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
     }
+    scratch_.name(temporary_);
 }
 
 NewFolder::~NewFolder() {
@@ -52,24 +69,53 @@ NewFolder::~NewFolder() {
 }
 
 void NewFolder::write(const std::string& name, std::string_view bytes) const {
-    const fs::path file = temporary_ / name;
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    errno = 0;
-    std::ofstream stream(file, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (error || !stream)
-        refuse((fs::path(path_) / name).string(),
-               fmt::format("cannot be written: {}", std::strerror(error   ? error.value()
-                                                                  : errno ? errno
-                                                                          : EIO)));
+    write_into(temporary_ / name, fs::path(path_) / name, bytes);
 }
 
 void NewFolder::publish() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
         refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
     temporary_.clear();
+}
+
+StagedFiles::StagedFiles(const std::string& folder) : folder_(fs::absolute(folder).lexically_normal()) {
+    if (!folder_.has_filename()) folder_ = folder_.parent_path();   // a slash at the end
+    for (fs::path place = folder_; !fs::exists(place) && place.has_relative_path();
+         place = place.parent_path())
+        made_ = place;
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) refuse(folder, "cannot be made (" + error.message() + ")");
+    for (int i = 0; stage_.empty(); ++i) {
+        const fs::path name = folder_ / fmt::format(".rayclock-{}-{}.part", ::getpid(), i);
+        if (::mkdir(name.c_str(), 0777) == 0)
+            stage_ = name;
+        else if (errno != EEXIST)
+            refuse(folder, fmt::format("cannot be written: {}", std::strerror(errno)));
+    }
+    scratch_.name(stage_);
+}
+
+StagedFiles::~StagedFiles() {
+    std::error_code ignored;
+    fs::remove_all(stage_, ignored);
+    if (made_.empty()) return;
+    for (fs::path place = folder_; fs::remove(place, ignored) && place != made_;) place = place.parent_path();
+}
+
+void StagedFiles::publish(const std::vector<std::string>& outdated) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(stage_))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) check_writable((folder_ / name).string());
+    scratch_.forget();
+    made_.clear();
+    for (const std::string& name : names)
+        if (::rename((stage_ / name).c_str(), (folder_ / name).c_str()) != 0)
+            refuse((folder_ / name).string(), fmt::format("cannot be written: {}", std::strerror(errno)));
+    std::error_code ignored;
+    for (const std::string& name : outdated) fs::remove(folder_ / name, ignored);
 }
 
 }   // namespace rayclock

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/named.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {
@@ -34,12 +35,13 @@ public:
     }
     Reader(const Reader&) = delete;
 
-    std::string all(std::uint64_t most) const {
+    std::string all(std::uint64_t most, Owner owner) const {
         struct stat status {};
         if (::fstat(file_, &status) != 0)
             refuse(std::string("cannot be read (") + std::strerror(errno) + ")");
         if (S_ISDIR(status.st_mode)) refuse("is a directory, not a file");
         if (!S_ISREG(status.st_mode)) refuse("is not an ordinary file");
+        if (owner == Owner::user) note_input(at_.file, status);
         const auto size = static_cast<std::uint64_t>(status.st_size);
         if (size > most) refuse(fmt::format("has {} bytes; the most is {}", size, most));
         std::string bytes(size, '\0');
@@ -69,8 +71,9 @@ private:
 
 }   // namespace
 
-std::string read_file(const std::filesystem::path& path, const std::string& asked_by, std::uint64_t most) {
-    return Reader(path, asked_by).all(most);
+std::string read_file(const std::filesystem::path& path, const std::string& asked_by, std::uint64_t most,
+                      Owner owner) {
+    return Reader(path, asked_by).all(most, owner);
 }
 
 std::string read_if_there(const std::filesystem::path& path) {

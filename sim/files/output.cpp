@@ -12,6 +12,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/files/named.hpp"
+#include "sim/files/scratch.hpp"
 
 namespace rayclock {
 namespace fs = std::filesystem;
@@ -46,20 +48,37 @@ int write_and_close(int file, std::string_view bytes, Durable durable) {
     return error;
 }
 
-/// A file with a name of its own beside `target`.
-struct Temporary {
-    std::string name;
-    int file;
-};
-Temporary temporary_beside(const fs::path& target) {
-    for (int i = 0;; ++i) {
-        const std::string name =
-            fs::path(target).replace_filename(fmt::format(".rayclock-{}-{}.part", ::getpid(), i)).string();
-        const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-        if (file >= 0) return {name, file};
-        if (errno != EEXIST) not_written(target.string(), errno);
+/// A file with a name of its own beside `target`, removed in the end unless it takes that name.
+class Temporary {
+public:
+    explicit Temporary(const fs::path& target) {
+        for (int i = 0; file < 0; ++i) {
+            name = fs::path(target)
+                       .replace_filename(fmt::format(".rayclock-{}-{}.part", ::getpid(), i))
+                       .string();
+            file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+            if (file < 0 && errno != EEXIST) not_written(target.string(), errno);
+        }
+        scratch_.name(name);
     }
-}
+    ~Temporary() {
+        if (!name.empty()) ::unlink(name.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+
+    /// 0, or the number of the error.
+    int rename_to(const std::string& path) {
+        if (::rename(name.c_str(), path.c_str()) != 0) return errno;
+        name.clear();
+        return 0;
+    }
+
+    std::string name;
+    int file = -1;
+
+private:
+    Scratch scratch_;
+};
 
 /// True for what is written to as it stands. Throws UserError for what is neither that nor an ordinary file
 /// or a new name.
@@ -100,10 +119,10 @@ void check_writable(const std::string& path) {
     const bool in_place = is_in_place(path);
     if (fs::exists(target, error) && ::access(path.c_str(), W_OK) != 0) not_written(path, errno);
     if (in_place) return;
+    note_output(path);
     // Only trying tells: permission bits do not know read-only file systems, nor do they bind every user.
-    const Temporary probe = temporary_beside(target);
+    const Temporary probe(target);
     ::close(probe.file);
-    ::unlink(probe.name.c_str());
 }
 
 void check_replaceable(const std::string& path) {
@@ -114,12 +133,11 @@ void check_replaceable(const std::string& path) {
 void write_bytes(const std::string& path, std::string_view bytes, Durable durable) {
     check_writable(path);
     if (is_in_place(path)) return write_in_place(path, bytes);
-    const Temporary temporary = temporary_beside(path);
+    Temporary temporary(path);
     int error = write_and_close(temporary.file, bytes, durable);
-    if (error == 0 && ::rename(temporary.name.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    ::unlink(temporary.name.c_str());
-    not_written(path, error);
+    if (error == 0) error = temporary.rename_to(path);
+    if (error != 0) not_written(path, error);
+    forget_output(path);
 }
 
 }   // namespace rayclock

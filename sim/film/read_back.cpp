@@ -88,11 +88,20 @@ Steps steps_of(std::string_view film, long whole) {
     return all;
 }
 
+/// The library's own words are not for users.
+Texels texels_of(const std::string& png) {
+    try {
+        return picture_codec().texels(png);
+    } catch (const std::runtime_error&) {
+        throw std::runtime_error("a part of it cannot be decoded");
+    }
+}
+
 Texels texels_of(const Steps& all, const Step& step) {
     const std::string rest = all.header.substr(std::min<std::size_t>(8, all.header.size()));
-    return picture_codec().texels(std::string(signature) +
-                                  chunk("IHDR", four_bytes(step.width) + four_bytes(step.height) + rest) +
-                                  all.shared + chunk("IDAT", step.data) + chunk("IEND", {}));
+    return texels_of(std::string(signature) +
+                     chunk("IHDR", four_bytes(step.width) + four_bytes(step.height) + rest) + all.shared +
+                     chunk("IDAT", step.data) + chunk("IEND", {}));
 }
 
 /// Draws a step into the picture.
@@ -136,7 +145,7 @@ void compare(const std::string& film, std::size_t count, long delay,
                 fmt::format("frame {} is shown for {}/{} s", f, step.delay, step.parts_of_second));
         for (const std::size_t end = f + step.delay / std::size_t(delay); f < end; ++f) {
             if (f >= count) throw std::runtime_error("it has too many frames");
-            const Texels own = picture_codec().texels(frame(f));
+            const Texels own = texels_of(frame(f));
             if (own.size != picture.size || own.rgba != picture.rgba)
                 throw std::runtime_error(fmt::format("frame {} differs", f));
         }

@@ -1,9 +1,8 @@
 #include "sim/film/strip.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -11,7 +10,6 @@
 #include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 #include "sim/film/read_back.hpp"
-#include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/process.hpp"
 
 namespace rayclock {
@@ -20,39 +18,53 @@ namespace fs = std::filesystem;
 
 std::string frame_name(std::size_t f) { return fmt::format("frame_{:04}.png", f); }
 
-std::string make_film(const std::string& folder, std::size_t count, double fps) {
-    const fs::path film = fs::path(folder) / "film.png";
-    std::error_code error;
-    fs::remove(film, error);
+namespace {
+
+/// Lets the program make film.png in a folder of frames.
+void run_film_program(const fs::path& program, const fs::path& folder, long thousandths) {
+    // It numbers them by itself from the first name on.
+    const fs::path log = folder / "film.log";
+    Process process(
+        {{program.string(), "film.png", frame_name(0), std::to_string(thousandths), "1000", "-kc"},
+         folder,
+         log,
+         folder});
+    const int code = process.wait("interrupted: the film and its frames are not written");
+    const std::string said = read_if_there(log);
+    std::error_code ignored;
+    fs::remove(log, ignored);
+    if (code != 0)
+        throw UserError(fmt::format("film.png: {} has failed: {}", film_program, complaint_of(said)));
+}
+
+}   // namespace
+
+std::string make_film(StagedFiles& staged, const std::string& folder, std::size_t count, double fps) {
     // The program takes all that are numbered on: those of an older, longer film go.
-    for (std::size_t f = count; !error && fs::remove(fs::path(folder) / frame_name(f), error); ++f) {}
-    if (error) throw UserError(film.string() + ": an older film cannot be removed (" + error.message() + ")");
+    std::vector<std::string> outdated;
+    std::error_code error;
+    for (std::size_t f = count; fs::exists(fs::path(folder) / frame_name(f), error); ++f)
+        outdated.push_back(frame_name(f));
     const fs::path program = find_program(film_program);
-    if (program.empty())
+    if (program.empty()) {
+        outdated.emplace_back("film.png");   // not of these frames
+        staged.publish(outdated);
         return fmt::format(
             "no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
             film_program, film_program, printable(folder));
-    // It numbers them by itself from the first name on. A delay is a fraction of two numbers of 16 bits.
-    const auto thousandths = long(std::lround(1000 / fps));
-    Process process({{program.string(), fs::absolute(film).string(), frame_name(0),
-                      std::to_string(std::min(thousandths, 65'535l)), "1000", "-kc"},
-                     folder,
-                     fs::absolute(fs::path(folder) / "film.log"),
-                     {}});
-    while (!process.ended() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    if (interrupted()) return "no film: interrupted";
-    if (process.code() != 0 || !fs::exists(film, error))
-        return fmt::format("no film: {} ended with {}; what it said is in {}/film.log", film_program,
-                           process.code(), printable(folder));
-    // The frames were read back when they were written; a film that does not show them is worth nothing.
-    const std::string fault =
-        film_fault(read_if_there(film), count, std::min(thousandths, 65'535l),
-                   [&](std::size_t f) { return read_if_there(fs::path(folder) / frame_name(f)); });
-    if (!fault.empty()) {
-        fs::remove(film, error);
-        return fmt::format("no film: {} made it wrongly: read back, {}", film_program, fault);
     }
-    fs::remove(fs::path(folder) / "film.log", error);
+    // A delay is a fraction of two numbers of 16 bits.
+    const long thousandths = std::min(long(std::lround(1000 / fps)), 65'535l);
+    run_film_program(program, staged.stage(), thousandths);
+    // The frames were read back when they were written; a film that does not show them is worth nothing. On a
+    // full disk the program says nothing.
+    const std::string fault =
+        film_fault(read_if_there(staged.stage() / "film.png"), count, thousandths,
+                   [&](std::size_t f) { return read_if_there(staged.stage() / frame_name(f)); });
+    if (!fault.empty())
+        throw UserError(fmt::format("{}/film.png: {} made it wrongly (is the disk full?): read back, {}",
+                                    printable(folder), film_program, fault));
+    staged.publish(outdated);
     return fmt::format("film of {} frames, made by {}: {}/film.png", count, film_program, printable(folder));
 }
 

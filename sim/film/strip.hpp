@@ -2,6 +2,7 @@
 // Frames as numbered pictures, and as a film.
 #include <string>
 
+#include "sim/files/folder.hpp"
 #include "sim/image/image.hpp"
 
 namespace rayclock {
@@ -13,8 +14,9 @@ constexpr const char* film_program = "apngasm";
 /// "frame_0007.png"
 std::string frame_name(std::size_t f);
 
-/// Makes `folder`/film.png of the frames 0 to count - 1 that lie in it. Returns a sentence about what was
-/// made, or why nothing was. Throws UserError if an old one cannot be removed.
-std::string make_film(const std::string& folder, std::size_t count, double fps);
+/// Makes a film of the frames 0 to count - 1 that lie in the stage, and publishes both; older frames behind
+/// them go. Returns a sentence about what was made, or why there is no film. Throws UserError if the film is
+/// not whole, and Interrupted after Ctrl-C: then nothing is published.
+std::string make_film(StagedFiles& staged, const std::string& folder, std::size_t count, double fps);
 
 }   // namespace rayclock

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/hits.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/reference/reference.hpp"
@@ -47,7 +48,7 @@ const Outcome& Measure::operator()(const Config& config) {
     const std::vector<int> key = outcome_key(config);
     const auto known = done_.find(key);
     if (known != done_.end()) return known->second;
-    if (interrupted()) throw std::runtime_error("interrupted: nothing is written");
+    if (interrupted()) throw Interrupted("interrupted: nothing is written");
     if (tell) tell(config, done_.size());
     return done_.emplace(key, measure(config)).first->second;
 }

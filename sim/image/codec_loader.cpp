@@ -1,6 +1,7 @@
 #include "sim/image/codec.hpp"
 
 #include <filesystem>
+#include <new>
 #include <vector>
 
 #include <dlfcn.h>
@@ -32,6 +33,9 @@ const PictureCodec& load() {
             if (const void* codec = dlsym(library, "rayclock_picture_codec"))
                 return *static_cast<const PictureCodec*>(codec);
         complaint = dlerror();
+        // The loader's words for a lack of address space.
+        for (const char* words : {"failed to map segment", "annot allocate memory", "annot create"})
+            if (complaint.find(words) != complaint.npos) throw std::bad_alloc();
         break;
     }
     throw UserError(std::string("pictures cannot be read or written without the program's library ") +

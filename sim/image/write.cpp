@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/image/codec.hpp"
 
 namespace rayclock {
@@ -71,7 +72,7 @@ void write_picture(const std::string& path, const Picture& picture, const HitFra
         throw UserError(fmt::format("{}: picture and hits differ in size", path));
     check_replaceable(path);
     const std::string bytes = file_bytes(path, format, picture, hits, stop);
-    if (stop()) throw std::runtime_error("interrupted: nothing is written");
+    if (stop()) throw Interrupted("interrupted: nothing is written");
     write_bytes(path, bytes);
 }
 

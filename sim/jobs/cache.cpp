@@ -53,7 +53,7 @@ std::optional<ordered_json> Cache::find(const std::string& kind, const std::stri
     if (fresh_) return std::nullopt;
     try {
         const std::string path = path_of(kind, key).string();
-        return entry_value(path, read_file(path, {}, most_bytes), key);
+        return entry_value(path, read_file(path, {}, most_bytes, Owner::program), key);
     } catch (const UserError&) {
         return std::nullopt;
     }

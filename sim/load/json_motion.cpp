@@ -35,29 +35,35 @@ template <class Value, class Read> Track<Value> track_of(const JsonValue& keyfra
 glm::dvec3 triple(const JsonValue& in) { return in.triple(); }
 
 /// Rotations. Between two keys about one axis the angle grows evenly, however far: so there are keys in
-/// between, no more than a quarter of a turn apart, which slerp joins the way that is meant.
-Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>& times) {
+/// between, no more than a quarter of a turn apart, which slerp joins the way that is meant. A few bytes can
+/// ask for thousands of these, so they are counted before they are made.
+Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>& times, Loading& loading) {
     Track<glm::dquat> track;
     if (!keyframes[0].find("rotate")) return track;
-    Turn before;
+    std::vector<Turn> turns;
+    std::vector<int> parts;   // from the key before
+    std::uint64_t all = 0;
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
         const JsonValue in = keyframes[i].at("rotate");
-        const Turn turn = turn_of(in);
-        if (i > 0 && turn.axis == before.axis) {
-            const double far = turn.degrees - before.degrees;
-            if (!(std::abs(far) <= most_degrees))
-                in.at("degrees").refuse(
-                    fmt::format("turns by {} from the key before; the most is {:.0f}", far, most_degrees));
-            const int parts = std::max(1, int(std::ceil(std::abs(far) / 90)));
-            for (int k = 1; k < parts; ++k) {
-                const double s = double(k) / parts;
-                track.times.push_back(times[i - 1] + s * (times[i] - times[i - 1]));
-                track.values.push_back(quaternion({turn.axis, before.degrees + s * far}));
-            }
+        turns.push_back(turn_of(in));
+        double far = 0;
+        if (i > 0 && turns[i].axis == turns[i - 1].axis) far = turns[i].degrees - turns[i - 1].degrees;
+        if (!(std::abs(far) <= most_degrees))
+            in.at("degrees").refuse(
+                fmt::format("turns by {} from the key before; the most is {:.0f}", far, most_degrees));
+        parts.push_back(std::max(1, int(std::ceil(std::abs(far) / 90))));
+        all += std::uint64_t(parts.back());
+    }
+    if (!loading.may_make(all * (sizeof(double) + sizeof(glm::dquat)))) keyframes.refuse(loading.too_much());
+    track.times.reserve(all), track.values.reserve(all);
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        for (int k = 1; k < parts[i]; ++k) {
+            const double s = double(k) / parts[i], far = turns[i].degrees - turns[i - 1].degrees;
+            track.times.push_back(times[i - 1] + s * (times[i] - times[i - 1]));
+            track.values.push_back(quaternion({turns[i].axis, turns[i - 1].degrees + s * far}));
         }
         track.times.push_back(times[i]);
-        track.values.push_back(quaternion(turn));
-        before = turn;
+        track.values.push_back(quaternion(turns[i]));
     }
     return track;
 }
@@ -89,12 +95,12 @@ std::optional<std::uint32_t> anchor(const Where& where, Motion& motion) {
     return static_cast<std::uint32_t>(motion.nodes.size() - 1);
 }
 
-Where where_of(const JsonValue& in, const Where& above, Motion& motion) {
+Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading& loading) {
     const auto keys = in.find("keyframes");
     if (!keys) return {above.place * transform_of(in), above.node};
     for (const char* key : {"translate", "rotate", "scale", "matrix"})
         if (in.find(key)) in.refuse(fmt::format("has both 'keyframes' and '{}'", key));
-    MotionNode node = node_of(*keys);
+    MotionNode node = node_of(*keys, loading);
     node.parent = anchor(above, motion);
     motion.nodes.push_back(std::move(node));
     return {glm::dmat4(1), static_cast<std::uint32_t>(motion.nodes.size() - 1)};
@@ -133,7 +139,7 @@ std::vector<const Hung*> hung_of(const PlacedScene& part) {
     return of;
 }
 
-MotionNode node_of(const JsonValue& keyframes) {
+MotionNode node_of(const JsonValue& keyframes, Loading& loading) {
     MotionNode node;
     node.name = keyframes.where();
     const std::vector<double> times = key_times_of(keyframes);
@@ -144,7 +150,7 @@ MotionNode node_of(const JsonValue& keyframes) {
         if (has("matrix") && has(key)) keyframes[0].refuse(fmt::format("has both 'matrix' and '{}'", key));
     node.matrices = track_of<glm::dmat4>(keyframes, times, "matrix", matrix_of);
     node.translates = track_of<glm::dvec3>(keyframes, times, "translate", triple);
-    node.turns = turns_of(keyframes, times);
+    node.turns = turns_of(keyframes, times, loading);
     node.scales = track_of<glm::dvec3>(keyframes, times, "scale", scale_of);
     return node;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "model/scene/placed.hpp"
 #include "sim/files/json_value.hpp"
+#include "sim/load/loading.hpp"
 
 namespace rayclock {
 
@@ -18,7 +19,7 @@ struct Where {
 /// A node for it, to be the parent of others; nothing for the scene itself.
 std::optional<std::uint32_t> anchor(const Where& where, Motion& motion);
 /// Where an object or instance stands in what is above it: by its place, or by a new node with its keyframes.
-Where where_of(const JsonValue& in, const Where& above, Motion& motion);
+Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading& loading);
 /// A part's nodes once more, in another space; the number of the first.
 std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion);
 /// A part's meshes that deform, once more: they are the meshes from `first_mesh` on. Their joints move in the
@@ -31,7 +32,7 @@ std::vector<const Hung*> hung_of(const PlacedScene& part);
 std::vector<double> key_times_of(const JsonValue& keyframes);
 
 /// A node from the keyframes of an object or an instance, in no parent.
-MotionNode node_of(const JsonValue& keyframes);
+MotionNode node_of(const JsonValue& keyframes, Loading& loading);
 
 /// Of a camera. `first` becomes the camera at the first key.
 CameraMotion camera_motion_of(const JsonValue& keyframes, Camera& first);

@@ -214,7 +214,7 @@ private:
         }
         const std::optional<std::uint32_t> material = material_named(in);
         if (in.find("keyframes")) make_room(in, sizeof(MotionNode));
-        const Where where = where_of(in, {}, placed_.motion);
+        const Where where = where_of(in, {}, placed_.motion, library_.loading());
         const auto instances = in.find("instances");
         if (!instances)
             return where.node ? share(in, mesh, where, material) : copy(in, mesh, where.place, material);
@@ -222,7 +222,8 @@ private:
             const JsonValue instance = (*instances)[i];
             instance.only_keys({"material", "translate", "rotate", "scale", "matrix", "keyframes"});
             const std::optional<std::uint32_t> own = material_named(instance);
-            share(instance, mesh, where_of(instance, where, placed_.motion), own ? own : material);
+            share(instance, mesh, where_of(instance, where, placed_.motion, library_.loading()),
+                  own ? own : material);
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
@@ -265,7 +266,7 @@ void write_tradeoff(const std::string& path, const Tradeoff& what, const std::st
             };
         Outcome outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
         if (outcome.partial)
-            throw UserError("interrupted: no page was written; the same command goes on where it was");
+            throw Interrupted("interrupted: no page was written; the same command goes on where it was");
         const std::string plot = std::filesystem::path(plot_path(path, name)).filename().string();
         scenes.push_back({scene.name, scene.triangles.size(), what.size, std::move(outcome), plot});
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/film/film.hpp"
@@ -43,7 +44,7 @@ FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) 
     std::vector<FrameTrace> frames;
     frames.push_back(record_frame(job, job.frame, threads, progress));
     const FrameRun run = frame_run(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
-    if (run.partial) throw UserError("interrupted: no page was written");
+    if (run.partial) throw Interrupted("interrupted: no page was written");
     return run;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/film/film.hpp"
 #include "sim/pages/yardstick.hpp"
 #include "sim/report/accounts.hpp"
@@ -64,7 +65,7 @@ Means means_of(const MovingRow& row, FrameSize size, int threads, const Progress
     Means means;
     for (std::size_t f = 1; f < traces.size(); ++f) {
         const FrameRun run = frame_run(traces[f], timings[f]);
-        if (run.partial) throw UserError("interrupted: no page was written");
+        if (run.partial) throw Interrupted("interrupted: no page was written");
         means.add(run, traces[f].upload, khz, 1.0 / moving_frames);
     }
     return means;

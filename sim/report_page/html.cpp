@@ -113,6 +113,9 @@ std::string inflated(std::string_view text, std::size_t size) {
         bits -= 8;
         packed += char(group >> bits & 255);
     }
+    // Deflate packs 1032 bytes into one at best: nothing is allocated for what cannot be there.
+    constexpr std::size_t most_for_a_byte = 1032;
+    if (size / most_for_a_byte > packed.size()) throw std::runtime_error("packed bytes are too few");
     std::string out(size, '\0');
     uLongf length = uLong(size);
     if (uncompress(reinterpret_cast<Bytef*>(out.data()), &length,

@@ -230,6 +230,7 @@ std::string wave_source() {
 #include <memory>
 #include "verilated_fst_c.h"
 #include "wave_abi.hpp"
+extern "C" int rc_fst_error;
 namespace {
 std::map<void*, std::unique_ptr<VerilatedFstC>>& waves() {
     static std::map<void*, std::unique_ptr<VerilatedFstC>> all;
@@ -241,15 +242,17 @@ void begin_wave(void* handle, const char* path) {
     wave = std::make_unique<VerilatedFstC>();
     of(handle).context.traceEverOn(true);
     of(handle).top.trace(wave.get(), 99);
+    rc_fst_error = 0;
     wave->open(path);
 }
 void dump_wave(void* handle, unsigned long long time) {
     enter(handle);
     waves().at(handle)->dump(static_cast<uint64_t>(time));
 }
-void end_wave(void* handle) {
+int end_wave(void* handle) {
     enter(handle);
     waves().erase(handle);
+    return rc_fst_error;
 }
 }
 extern "C" const RcWave rc_wave{begin_wave, dump_wave, end_wave};

@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "sim/files/scratch.hpp"
 #include "sim/rtl/compile.hpp"
 #include "sim/rtl/gates.hpp"
 #include "sim/rtl/interrupt.hpp"
@@ -50,7 +52,7 @@ private:
 /// Waits while another program builds the same.
 void take(BuildLock& lock, Report& report) {
     while (!lock.take()) {
-        if (interrupted()) throw std::runtime_error("interrupted while another program built the RTL");
+        if (interrupted()) throw Interrupted("interrupted while another program built the RTL");
         report.tell("another program builds it", {});
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
@@ -98,7 +100,7 @@ void build_netlists() {
 std::string lint_rtl(const Config& config, const std::string& module) {
     check_rtl(config);
     if (rtl_tools().verilator.empty()) throw UserError(rtl_tools().problem);
-    const WorkFolder folder(fs::temp_directory_path() / "rayclock-lint");
+    const TemporaryFolder folder("rayclock-lint");
     return lint_library(folder.path(), config, module);
 }
 

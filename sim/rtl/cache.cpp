@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 
 namespace rayclock {
@@ -27,7 +29,7 @@ namespace {
 constexpr const char* cure = "; set RAYCLOCK_CACHE to a folder that can be written";
 
 [[noreturn]] void cannot(const fs::path& place, const char* what, const std::string& why) {
-    throw UserError(fmt::format("{}: {} ({}){}", place.string(), what, why, cure));
+    throw UserError(fmt::format("{}: {} ({}){}", printable(place.string()), what, why, cure));
 }
 
 const char* variable(const char* name) {
@@ -35,17 +37,32 @@ const char* variable(const char* name) {
     return value && *value ? value : nullptr;
 }
 
-/// Anybody may make a folder of a known name among the temporary files, and what is loaded from it runs as
-/// this user.
+/// Whether nobody but this user and root can put anything there. A cache of an installed program may be
+/// root's.
+bool is_trusted(const struct stat& status) {
+    return (status.st_uid == geteuid() || status.st_uid == 0) && (status.st_mode & 022) == 0;
+}
+
+/// What is loaded from a cache runs as this user. So a folder that others can write to is refused.
+void check_trusted(const fs::path& folder, const char* why) {
+    struct stat status {};
+    if (stat(folder.c_str(), &status) != 0 || is_trusted(status)) return;
+    const bool is_own = status.st_uid == geteuid();
+    throw UserError(fmt::format(
+        "{}: {}{}{}", printable(folder.string()), why,
+        is_own ? fmt::format("others can write to this folder (mode {:o})", status.st_mode & 07777)
+               : fmt::format("this folder belongs to another user ({})", status.st_uid),
+        is_own ? "; take that away (chmod go-w), or set RAYCLOCK_CACHE to another" : cure));
+}
+
+/// Anybody may make a folder of a known name among the temporary files.
 fs::path private_temporary() {
     const fs::path folder = fs::temp_directory_path() / fmt::format("rayclock-{}", geteuid());
-    struct stat status {};
     mkdir(folder.c_str(), 0700);
-    if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() &&
-        (status.st_mode & 022) == 0)
-        return folder;
-    throw UserError(
-        fmt::format("{}: HOME is not set, and this folder is not yours alone{}", folder.string(), cure));
+    if (fs::is_symlink(fs::symlink_status(folder)))
+        throw UserError(fmt::format("{}: HOME is not set, and this is a link{}", folder.string(), cure));
+    check_trusted(folder, "HOME is not set, and ");
+    return folder;
 }
 
 bool is_plain_file(const fs::path& path) {
@@ -115,6 +132,11 @@ fs::path rtl_cache() {
     static std::once_flag said;
     if (!place.warning.empty())
         std::call_once(said, [&] { fmt::print(stderr, "rayclock: {}\n", place.warning); });
+    // Made here, whatever comes into it, since a wide umask would let others in.
+    std::error_code ignored;   // whoever writes there says what is wrong
+    fs::create_directories(place.folder.parent_path(), ignored);
+    mkdir(place.folder.c_str(), 0700);
+    check_trusted(place.folder, "");
     return place.folder;
 }
 
@@ -132,10 +154,11 @@ fs::path library_of(const fs::path& entry) {
 }
 
 void write_text(const fs::path& path, const std::string& text) {
+    errno = 0;
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw UserError(path.string() + ": cannot write the RTL cache here" + cure);
+    if (!file) cannot(path, "cannot write the RTL cache here", std::strerror(errno ? errno : EIO));
 }
 
 void seal(const fs::path& folder, const std::string& made_by) {
@@ -145,6 +168,9 @@ void seal(const fs::path& folder, const std::string& made_by) {
 bool is_whole(const fs::path& entry) {
     std::error_code error;
     if (fs::symlink_status(entry, error).type() != fs::file_type::directory) return false;
+    // It may be older than the folder's rights.
+    for (const fs::path& part : {entry, entry / "seal", library_of(entry)})
+        if (struct stat status{}; lstat(part.c_str(), &status) != 0 || !is_trusted(status)) return false;
     const std::string text = bytes_of(entry / "seal");
     if (text.empty() || !is_plain_file(library_of(entry))) return false;
     const std::string library = bytes_of(library_of(entry));
@@ -218,9 +244,9 @@ WorkFolder::WorkFolder(const fs::path& entry) {
     static std::atomic<int> number = 0;
     path_ = entry.string() + fmt::format(".{}-{}", getpid(), number++);
     clear_place(path_);   // a dead builder may have had the same number
-    std::error_code error;
-    fs::create_directory(path_, error);
-    if (error) cannot(path_, "cannot write the RTL cache here", error.message());
+    // With a wide umask a group could write to it.
+    if (mkdir(path_.c_str(), 0755) != 0 || chmod(path_.c_str(), 0755) != 0)
+        cannot(path_, "cannot write the RTL cache here", std::strerror(errno));
 }
 
 WorkFolder::~WorkFolder() {

@@ -23,7 +23,9 @@ namespace rayclock {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-extern const char *const abi_text, *const wave_abi_text;   // sim/rtl/abi.hpp, wave_abi.hpp
+extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // sim/rtl/abi.hpp,
+                                                                               // wave_abi.hpp,
+                                                                               // sim/wave/fst_io.h
 
 namespace {
 
@@ -85,7 +87,12 @@ struct Source {
 Source support_source(Waves waves) {
     const char* const text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
     if (waves == Waves::no) return {"support", text, {}};
-    return {"support", std::string(text) + "#include \"verilated_fst_c.cpp\"\n", tracing};
+    // What is defined in fst_io.h is for the last file alone: all that this includes goes before it.
+    const std::string headers =
+        "#include <algorithm>\n#include <iterator>\n#include <sstream>\n"
+        "#include <list>\n#include <fstream>\n"
+        "#include \"verilated_intrinsics.h\"\n#include \"verilated_fst_c.h\"\n";
+    return {"support", text + headers + fst_io_text + "#include \"verilated_fst_c.cpp\"\n", tracing};
 }
 
 /// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
@@ -176,7 +183,7 @@ std::string support_ingredients(Waves waves) {
     std::string all;
     for (const Words& flags : {compiler_flags(), support_source(waves).flags})
         for (const std::string& flag : flags) all += " " + flag;
-    return all;
+    return waves == Waves::no ? all : all + fst_io_text;
 }
 
 void make_support(const fs::path& folder, Waves waves, const Working& working) {
@@ -212,7 +219,7 @@ std::string lint_library(const fs::path& folder, const Config& config, const std
     const Words files = stage_sources(folder, config);
     Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
                   folder / "lint.log", folder});
-    while (!lint.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    lint.wait("interrupted: nothing is written");
     // Newer versions add a report on themselves, in lines that begin with a dash.
     std::istringstream log(read_if_there(folder / "lint.log"));
     std::string found;

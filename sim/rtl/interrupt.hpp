@@ -2,8 +2,8 @@
 
 namespace rayclock {
 
-/// Ctrl-C makes long runs stop with what they have, once catch_interrupts() was called. The second one ends
-/// the program at once.
+/// Ctrl-C and SIGTERM stop long runs with what they have. If nobody asks interrupted() soon, or at the second
+/// one, the program ends at once and removes what lies under temporary names (sim/files/scratch.hpp).
 void catch_interrupts();
 bool interrupted();
 

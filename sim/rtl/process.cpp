@@ -15,7 +15,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/split.hpp"
+#include "sim/rtl/interrupt.hpp"
 
 namespace rayclock {
 
@@ -69,10 +73,10 @@ struct Plan {
 
 /// Kills the program's group and waits for its members: whatever loses its parent comes to the guard. A
 /// member may have left the group on purpose, as a compiler's server does; it is not waited for longer than
-/// two seconds.
+/// a third of a second, since Ctrl-C may take no more than one.
 void end_group(pid_t program) {
     kill(-program, SIGKILL);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 66; ++i) {
         pid_t gone = 0;
         while ((gone = waitpid(-1, nullptr, WNOHANG)) > 0) {}
         if (gone < 0 && errno == ECHILD) return;
@@ -117,7 +121,8 @@ void end_group(pid_t program) {
 
 }   // namespace
 
-Process::Process(const Launch& launch) {
+Process::Process(const Launch& launch)
+    : name_(launch.words.at(0)), output_(launch.output), most_output_(launch.most_output) {
     Plan plan(launch);
     sigset_t all;
     sigfillset(&all);
@@ -126,8 +131,8 @@ Process::Process(const Launch& launch) {
     if (guard_ == 0) guard(plan);
     pthread_sigmask(SIG_SETMASK, &plan.signals, nullptr);
     if (guard_ < 0)
-        throw std::runtime_error(
-            fmt::format("{}: cannot be started ({})", launch.words[0], std::strerror(errno)));
+        throw UserError(
+            fmt::format("{}: cannot be started ({})", printable(launch.words[0]), std::strerror(errno)));
 }
 
 Process::~Process() {
@@ -140,12 +145,40 @@ bool Process::ended() {
     if (guard_ < 0) return true;
     int status = 0;
     const pid_t done = waitpid(guard_, &status, WNOHANG);
-    if (done == 0 || (done < 0 && errno == EINTR)) return false;
+    if (done == 0 || (done < 0 && errno == EINTR)) {
+        std::error_code error;
+        const std::uintmax_t printed = output_.empty() ? 0 : fs::file_size(output_, error);
+        if (error || printed <= most_output_) return false;
+        throw UserError(fmt::format("{} was ended: it has printed more than {} MB", printable(name_),
+                                    most_output_ >> 20));
+    }
     code_ = done == guard_ && WIFEXITED(status) && WEXITSTATUS(status) != ended_by_signal
                 ? WEXITSTATUS(status)
                 : -1;
     guard_ = -1;
     return true;
+}
+
+int Process::wait(const char* stopped, const std::function<void()>& meanwhile) {
+    for (int turn = 0; !ended(); ++turn) {
+        if (interrupted()) throw Interrupted(stopped);
+        if (meanwhile) meanwhile();
+        std::this_thread::sleep_for(std::chrono::milliseconds(turn < 20 ? 1 : 10));   // most end at once
+    }
+    if (interrupted()) throw Interrupted(stopped);
+    return code_;
+}
+
+std::string complaint_of(const std::string& log) {
+    constexpr std::string_view error = "ERROR: ";
+    std::string last;
+    for (const std::string& line : split(log, '\n')) {
+        if (line.starts_with(error)) return printable(line.substr(error.size()));
+        for (const char* word : {"ERROR", "%Error", "error: "})
+            if (line.find(word) != line.npos) return printable(line);
+        if (line.find_first_not_of(" \t\r") != line.npos) last = line;
+    }
+    return last.empty() ? "it says nothing about it; is the disk full?" : printable(last);
 }
 
 fs::path find_program(const std::string& name) {
@@ -170,12 +203,18 @@ std::string output_of(const std::vector<std::string>& words) {
     const int file = memfd_create("output", MFD_CLOEXEC);
     if (file < 0) return {};
     std::string text;
-    Process process({words, {}, fmt::format("/proc/self/fd/{}", file), {}});
-    while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    std::array<char, 4096> block;
-    ssize_t got = 0;   // the program has opened it anew: here it still stands at its beginning
-    while (process.code() == 0 && (got = read(file, block.data(), block.size())) > 0)
-        text.append(block.data(), std::size_t(got));
+    try {
+        Process process({words, {}, fmt::format("/proc/self/fd/{}", file), {}, 1 << 20});
+        std::array<char, 4096> block;
+        ssize_t got = 0;   // the program has opened it anew: here it still stands at its beginning
+        const int code = process.wait("interrupted: nothing is written");
+        while (code == 0 && (got = read(file, block.data(), block.size())) > 0)
+            text.append(block.data(), std::size_t(got));
+    } catch (const UserError&) {   // it says far too much, or cannot be started
+    } catch (...) {
+        close(file);
+        throw;
+    }
     close(file);
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;

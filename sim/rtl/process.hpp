@@ -1,6 +1,8 @@
 #pragma once
 // Programs that this program runs, and that never outlive it.
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct Launch {
                                       ///< program's
     std::filesystem::path output;     ///< what it prints goes there
     std::filesystem::path litter;     ///< removed if this program dies meanwhile; may be empty
+    std::uint64_t most_output = 16 << 20;   ///< bytes; a program that prints more is ended
 };
 
 /// A running program with all that it has started. They end when this object does, and when this program
@@ -30,12 +33,18 @@ public:
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// Whether it has ended; does not wait.
+    /// Whether it has ended; does not wait. Throws UserError if it has printed too much.
     bool ended();
+    /// Waits for its end, and gives its exit code. `meanwhile` is called some times a second. Throws
+    /// Interrupted with this sentence after Ctrl-C.
+    int wait(const char* stopped, const std::function<void()>& meanwhile = {});
     /// Exit code, or -1 if a signal ended it. Only after it has ended.
     int code() const { return code_; }
 
 private:
+    std::string name_;
+    std::filesystem::path output_;
+    std::uint64_t most_output_;
     pid_t guard_ = -1;
     int code_ = -1;
 };
@@ -43,8 +52,12 @@ private:
 /// The path of a program in PATH, or empty if there is none. A name with a slash is a path.
 std::filesystem::path find_program(const std::string& name);
 
-/// What a short command prints on both outputs, without the last line's end, or empty if it fails or is not
-/// there.
+/// What a tool says was wrong, fit for a sentence: the first line of its log with an error in it, or the last
+/// line.
+std::string complaint_of(const std::string& log);
+
+/// What a short command prints on both outputs, without the last line's end, or empty if it fails, prints
+/// more than a megabyte, or is not there. Throws Interrupted after Ctrl-C.
 std::string output_of(const std::vector<std::string>& words);
 
 }   // namespace rayclock

@@ -41,7 +41,7 @@ public:
     /// What the signals of a module that has waves do from the next dump on, to a new file. Times must rise.
     void begin_wave(const std::string& path) { wave_->begin(handle_, path.c_str()); }
     void dump_wave(std::uint64_t time) { wave_->dump(handle_, time); }
-    void end_wave() { wave_->end(handle_); }
+    int end_wave() { return wave_->end(handle_); }   ///< 0, or errno
 
 private:
     void* library_ = nullptr;

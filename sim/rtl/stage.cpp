@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
@@ -24,15 +25,19 @@ namespace {
 
 /// The tools' own words, or the cause if they are known for it.
 [[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
-    if (log.find("No space left on device") != std::string::npos)
-        throw UserError(folder.parent_path().string() +
-                        ": no space is left for the RTL; set RAYCLOCK_CACHE to a folder with more");
+    constexpr std::uintmax_t full = 64 << 10;   // a tool may not even get its complaint into the log
+    std::error_code error_of_space;
+    const fs::space_info space = fs::space(folder, error_of_space);
+    if (log.find("No space left on device") != std::string::npos ||
+        (!error_of_space && space.available < full))
+        throw UserError(printable(folder.parent_path().string()) +
+                        ": No space left on device for the RTL; set RAYCLOCK_CACHE to a folder with more");
     if (const std::size_t error = log.find("error: ");
         error != log.npos && what.starts_with("the C++ compiler") && !added_flags().empty())
         throw UserError(fmt::format("RAYCLOCK_CXXFLAGS={}: the C++ compiler says: {}",
                                     printable(added_flags()),
                                     printable(log.substr(error, log.find('\n', error) - error))));
-    throw std::runtime_error(what + " failed:\n" + log.substr(0, 2000));
+    throw UserError(what + " failed: " + complaint_of(log));
 }
 
 }   // namespace
@@ -52,7 +57,8 @@ std::vector<std::string> stage_sources(const fs::path& folder, const Config& con
     std::vector<std::string> files;
     for (const RtlText& source : rtl_texts()) {
         const fs::path copy = folder / "rtl" / source.name;
-        fs::create_directories(copy.parent_path());
+        std::error_code ignored;   // write_text() says what is wrong
+        fs::create_directories(copy.parent_path(), ignored);
         write_text(copy, source.text);
         files.push_back("rtl/" + source.name);
     }
@@ -73,7 +79,7 @@ void run_tools(const fs::path& folder, const std::vector<ToolJob>& jobs, const s
             running[i].reset();
             --left;
         }
-        if (interrupted()) throw std::runtime_error("interrupted while RTL was built: nothing of it is kept");
+        if (interrupted()) throw Interrupted("interrupted while RTL was built: nothing of it is kept");
         if (meanwhile) meanwhile();
         if (left > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

@@ -1,14 +1,13 @@
 #pragma once
-#include <stdexcept>
-
+#include "model/base/interrupted.hpp"
 #include "model/base/progress.hpp"
 #include "sim/rtl/interrupt.hpp"
 
 namespace rayclock {
 
-/// Throws std::runtime_error after Ctrl-C.
+/// Throws Interrupted after Ctrl-C.
 inline void stop_if_interrupted() {
-    if (interrupted()) throw std::runtime_error("interrupted: nothing is written");
+    if (interrupted()) throw Interrupted("interrupted: nothing is written");
 }
 
 /// The same, and Ctrl-C ends the work that reports to it: for work of which nothing is kept.

@@ -7,6 +7,6 @@ extern "C" {
 struct RcWave {
     void (*begin)(void* handle, const char* path);   ///< to a new file, from the next dump on
     void (*dump)(void* handle, unsigned long long time);
-    void (*end)(void* handle);
+    int (*end)(void* handle);   ///< 0, or the number of the error that has cut the file
 };
 }

@@ -42,7 +42,11 @@ void add_figures(ordered_json& json, const Counts& c) {
 
 }   // namespace
 
-const char* verdict(const NamedTest& test, bool met) {
+const char* verdict(const NamedTest& test, const std::vector<Cell>& cells) {
+    const bool met = meets_demand(test, cells);
+    if (has_too_few_rays(test, cells))
+        return in_machine(test) ? "too few rays: the families that must leak do not show it yet (--rays)"
+                                : "too few rays for this control to be noticed (--rays)";
     switch (test.demand) {
         case Demand::truth:
             return met ? "every decision is the exact one" : "WRONG: not every decision is the exact one";
@@ -77,7 +81,7 @@ std::string text(const Plan& plan, const Outcome& outcome) {
                         })));
         const bool told = outcome.partial || sum(outcome.cells, of_test).rays == 0;
         out += fmt::format("{}: {}\n{}  {}\n\n", name, test.what, table.text(),
-                           told ? "unfinished" : verdict(test, meets_demand(test, outcome.cells)));
+                           told ? "unfinished" : verdict(test, outcome.cells));
     }
     out += fmt::format(
         "{} rays in {:.1f} s, {:.2f} M rays/s a core{}{}\n", grouped(outcome.rays - outcome.rays_before),
@@ -89,20 +93,27 @@ std::string text(const Plan& plan, const Outcome& outcome) {
 }
 
 ordered_json json(const Plan& plan, const Outcome& outcome) {
-    ordered_json tests = ordered_json::array(), verdicts = ordered_json::object(), total;
+    ordered_json tests = ordered_json::array(), verdicts = ordered_json::object(),
+                 few = ordered_json::object(), total;
     for (const Cell& cell : outcome.cells) {
         ordered_json one{{"test", cell.test}, {"bits", cell.bits}, {"family", cell.family}};
         add_figures(one, cell.counts);
         tests.push_back(std::move(one));
     }
     add_figures(total, sum(outcome.cells, [](const Cell&) { return true; }));
-    for (const std::string& name : plan.tests)
-        verdicts[name] = outcome.partial ? ordered_json(nullptr)
-                                         : ordered_json(meets_demand(named_test(name), outcome.cells));
+    for (const std::string& name : plan.tests) {
+        const NamedTest& test = named_test(name);
+        const auto unless_partial = [&](bool value) {
+            return outcome.partial ? ordered_json(nullptr) : ordered_json(value);
+        };
+        verdicts[name] = unless_partial(meets_demand(test, outcome.cells));
+        few[name] = unless_partial(has_too_few_rays(test, outcome.cells));
+    }
     return {{"seed", plan.seed},
             {"tests", tests},
             {"total", total},
             {"good", verdicts},
+            {"too_few_rays", few},
             {"partial", outcome.partial},
             {"host",
              {{"seconds", outcome.seconds},

@@ -10,7 +10,7 @@ std::string text(const Plan& plan, const Outcome& outcome);
 nlohmann::ordered_json json(const Plan& plan, const Outcome& outcome);
 
 /// What came of a test, in words.
-const char* verdict(const NamedTest& test, bool met);
+const char* verdict(const NamedTest& test, const std::vector<Cell>& cells);
 /// Child boxes looked into in vain, in per cent of those that the rays meet.
 std::string extra_boxes(const Counts& counts);
 

@@ -22,6 +22,9 @@ const std::vector<NamedTest>& named_tests();
 /// Whether the counts of a test's all families, except for those that must leak, are as demanded; and on
 /// those that must, whether they do.
 bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells);
+/// Whether all that is missing is a fault that should have shown (a control's, or a leak in a family that
+/// must leak), and there were so few rays that this says nothing.
+bool has_too_few_rays(const NamedTest& test, const std::vector<Cell>& cells);
 
 struct Plan {
     std::vector<std::string> tests{"exact"};

@@ -55,7 +55,8 @@ std::string check_of(const ordered_json& batches, const ordered_json& counts) {
 std::uint64_t read_state(const Plan& plan, std::vector<Cell>& cells, std::uint64_t batches_in_all,
                          const RaysOfCells& rays_after) {
     constexpr std::uint64_t most_bytes = std::uint64_t{1} << 24;
-    return parse_state(plan, read_file(plan.state, {}, most_bytes), cells, batches_in_all, rays_after);
+    return parse_state(plan, read_file(plan.state, {}, most_bytes, Owner::program), cells, batches_in_all,
+                       rays_after);
 }
 
 std::uint64_t parse_state(const Plan& plan, std::string_view text, std::vector<Cell>& cells,

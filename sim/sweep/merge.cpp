@@ -8,6 +8,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/scene/camera.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/request/config_file.hpp"
@@ -29,24 +30,48 @@ struct Part {
     throw UserError(printable(file) + " " + sentence);
 }
 
+/// Which part of a sweep it is.
+Shard shard_of(const JsonValue& in) {
+    if (in.raw().is_null()) return {};
+    constexpr std::uint64_t most = std::uint64_t(1) << 31;
+    const Shard shard{int(in.at("part").whole(most)), int(in.at("of").whole(most))};
+    if (shard.of < 1 || shard.part < 1 || shard.part > shard.of)
+        in.refuse(fmt::format("is none: there is no part {}", name_of(shard)));
+    for (const char* key : {"scene_digest", "program"})
+        if (const auto text = in.find(key)) text->string();
+    return shard;
+}
+
+/// What is asked of a file's values, each by name. What is below a point is read with it.
+void check_form(const JsonValue& in) {
+    in.at("config").object();
+    in.at("scene").at("name").string();
+    for (const char* key : {"width", "height"})
+        if (in.at("frame").at(key).whole(max_frame_side + 1) == 0) in.at("frame").at(key).expected("above 0");
+    const JsonValue sweep = in.at("sweep"), axes = sweep.at("axes").array();
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        axes[a].at("key").string();
+        for (std::size_t v = 0; v < axes[a].at("values").array().size(); ++v)
+            axes[a].at("values")[v].string();
+    }
+    for (const char* key : {"clock", "cost"}) sweep.at(key).string();
+    if (const JsonValue bytes = sweep.at("cache_bytes"); !bytes.raw().is_null())
+        bytes.whole(std::uint64_t(1) << 31);
+    if (!sweep.at("netlists").raw().is_boolean()) sweep.at("netlists").expected("true or false");
+    in.at("points").array();
+    if (const JsonValue shard = in.at("shard"); !shard.raw().is_null()) shard.at("points").array();
+}
+
 Part read_part(const std::string& file) {
     const std::string text = read_file(file);
-    parse_json(file, text);   // refuses what is no JSON, with its line
-    Part part{file, ordered_json::parse(text), {}};
+    const Json checked = parse_json(file, text);
     for (const char* key : {"scene", "config", "frame", "sweep", "shard", "partial", "points"})
-        if (!part.report.is_object() || !part.report.contains(key))
+        if (!checked.is_object() || !checked.contains(key))
             refuse(file, fmt::format("is no report of sweep: it has no key '{}'", key));
-    if (part.report["partial"] != false)
+    if (checked["partial"] != false)
         refuse(file, "was interrupted before its end; the command that wrote it goes on where it was");
-    try {
-        const ordered_json& shard = part.report["shard"];
-        if (!shard.is_null()) part.shard = {shard.at("part").get<int>(), shard.at("of").get<int>()};
-    } catch (const nlohmann::json::exception&) {
-        refuse(file, "is no report of sweep: 'shard' has not its numbers");
-    }
-    if (part.shard.of < 1 || part.shard.part < 1 || part.shard.part > part.shard.of)
-        refuse(file, fmt::format("is no report of sweep: there is no part {}", name_of(part.shard)));
-    return part;
+    const Shard shard = shard_of(JsonValue(checked, file).at("shard"));
+    return {file, ordered_json::parse(text), shard};   // again, in the order of its keys
 }
 
 /// Files of one sweep agree in everything that decides its figures.
@@ -59,7 +84,8 @@ void check_same(const Part& first, const Part& other) {
     for (const char* key : {"scene", "config", "frame"})
         if (first.report[key] != other.report[key]) differ(key);
     for (const auto& [key, value] : first.report["sweep"].items())
-        if (!other.report["sweep"].contains(key) || other.report["sweep"][key] != value)
+        if (!other.report["sweep"].is_object() || !other.report["sweep"].contains(key) ||
+            other.report["sweep"][key] != value)
             differ(("what was asked for (" + printable(key, 40) + ")").c_str());
     const ordered_json &a = first.report["shard"], &b = other.report["shard"];
     if (a.is_null() || b.is_null()) return;
@@ -75,16 +101,14 @@ void check_complete(const std::vector<Part>& parts) {
             throw UserError(fmt::format("{} and {} are both part {}", printable(at->second),
                                         printable(part.file), name_of(part.shard)));
     }
-    std::vector<std::string> missing;
-    const int of = parts[0].shard.of;
-    for (int part = 1; part <= of; ++part)
-        if (!seen.contains(part)) missing.push_back(name_of(Shard{part, of}));
+    const int of = parts[0].shard.of, missing = of - int(seen.size());
+    if (missing == 0) return;
     constexpr std::size_t most = 20;
-    const std::size_t all = missing.size();
-    if (all > most) missing.resize(most);
-    if (all > 0)
-        throw UserError(fmt::format("{} of {} parts are missing: {}{}", all, of, fmt::join(missing, ", "),
-                                    all > most ? " and more" : ""));
+    std::vector<std::string> named;
+    for (int part = 1; part <= of && named.size() < most; ++part)
+        if (!seen.contains(part)) named.push_back(name_of(Shard{part, of}));
+    throw UserError(fmt::format("{} of {} parts are missing: {}{}", missing, of, fmt::join(named, ", "),
+                                std::size_t(missing) > most ? " and more" : ""));
 }
 
 std::optional<std::uint64_t> count_or_none(const ordered_json& json) {
@@ -132,6 +156,7 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
     for (const std::string& file : files) parts.push_back(read_part(file));
     for (const Part& part : parts) check_same(parts[0], part);
     check_complete(parts);
+    for (const Part& part : parts) check_form(JsonValue(Json(part.report), part.file));
 
     const auto broken = [](const Part& part, const char* why) {
         refuse(part.file, fmt::format("is no report of sweep: {}", why));

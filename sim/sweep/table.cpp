@@ -184,6 +184,7 @@ ordered_json values_json(const std::vector<Axis>& axes, const std::vector<std::s
     for (std::size_t a = 0; a < axes.size(); ++a) {
         json[axes[a].key] = value_json(values[a]);
         const std::vector<std::string> keys = split(axes[a].key, '/'), parts = split(values[a], '/');
+        if (keys.size() < 2) continue;   // a memory alone may be a path
         for (std::size_t k = 0; k < keys.size(); ++k) json[keys[k]] = value_json(parts[k]);
     }
     return json;

@@ -1,12 +1,12 @@
 #include "sim/synth/netlist.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/synth/stat.hpp"
 #include "sim/synth/yosys.hpp"
 #include "sim/jobs/cache.hpp"
 
@@ -34,19 +34,6 @@ memory -nomap
 opt_clean
 tee -q -o stat.json stat -width -json
 )";
-
-/// Sums the widths of all registers and the multipliers in what `stat -width -json` says.
-Netlist counts_of(const std::string& text) {
-    const auto json = nlohmann::json::parse(text);
-    Netlist counts;
-    for (const auto& [type, count] : json.at("design").at("num_cells_by_type").items()) {
-        if (type == "MULT18X18D") counts.multipliers += count.get<std::uint64_t>();
-        const std::size_t width = type.rfind('_');   // $sdffe_18: a register of 18 bits
-        if (type.find("dff") != std::string::npos && type[0] == '$' && width != std::string::npos)
-            counts.flip_flops += std::stoull(type.substr(width + 1)) * count.get<std::uint64_t>();
-    }
-    return counts;
-}
 
 }   // namespace
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
+#include "sim/files/json_form.hpp"
 #include "sim/gen/ecp5.hpp"
 #include "sim/synth/yosys.hpp"
 #include "sim/jobs/cache.hpp"
@@ -44,24 +46,39 @@ Part scaled(const Part& part, std::uint64_t n) {
     return result;
 }
 
-Part part_of_module(const ordered_json& modules, const std::string& type) {
-    Part part{module_name(type), 1, {}, {}};
-    Part beneath;
-    for (const auto& [cell, number] : modules.at(type).at("num_cells_by_type").items()) {
-        const auto n = number.get<std::uint64_t>();
-        add_cells(part.count, cell, n);
-        const std::string type_beneath = cell.starts_with("$") ? cell : "\\" + cell;   // as Yosys names a
-                                                                                       // module, and where it
-                                                                                       // is used
-        if (modules.contains(type_beneath)) {
-            const Part inner = scaled(part_of_module(modules, type_beneath), n);
-            part.count += inner.count;
-            merge(beneath, Part{"", 0, {}, {inner}});
-        }
+constexpr std::uint64_t most_cells = 1 << 30;   // more than any device has
+
+/// Modules in modules. A hostile file may nest them without end, or so that they stand in each other more
+/// often than anybody can count.
+class Modules {
+public:
+    explicit Modules(const JsonValue& modules) : modules_(modules) {}
+
+    Part part(const std::string& type) {
+        if (visits_++ > most_visits || depth_ > most_depth) modules_.refuse("stand in each other too often");
+        ++depth_;
+        Part made{module_name(type), 1, {}, {}}, beneath;
+        for_each(modules_.at(type).at("num_cells_by_type"),
+                 [&](const std::string& cell, const JsonValue& in) {
+                     const std::uint64_t n = in.whole(most_cells);
+                     add_cells(made.count, cell, n);
+                     // As Yosys names a module, and where it is used.
+                     const std::string inner_type = cell.starts_with("$") ? cell : "\\" + cell;
+                     if (!modules_.raw().contains(inner_type)) return;
+                     const Part inner = scaled(part(inner_type), n);
+                     made.count += inner.count;
+                     merge(beneath, Part{"", 0, {}, {inner}});
+                 });
+        made.parts = std::move(beneath.parts);
+        --depth_;
+        return made;
     }
-    part.parts = std::move(beneath.parts);
-    return part;
-}
+
+private:
+    static constexpr int most_visits = 100'000, most_depth = 100;
+    const JsonValue& modules_;
+    int visits_ = 0, depth_ = 0;
+};
 
 constexpr const char* read_flags = "-defer ";   // only what the top module needs is elaborated
 
@@ -122,11 +139,13 @@ std::optional<Part> synthesize(const Config& config, const std::string& unit,
 Part parts_of_stat(const std::string& stat, const std::string& top) {
     // After the modules Yosys 0.23 draws their hierarchy, which is no JSON.
     const std::size_t end = stat.find("\n   },");
-    const ordered_json modules =
-        ordered_json::parse(end == std::string::npos ? stat : stat.substr(0, end) + "}}").at("modules");
-    for (const auto& [name, module] : modules.items())
-        if (module_name(name) == top) return part_of_module(modules, name);
-    throw std::runtime_error("yosys counted no module rc_" + top);
+    const std::string name = "stat.json of yosys",
+                      text = end == std::string::npos ? stat : stat.substr(0, end) + "}}";
+    const Json document = parse_json(name, text);
+    const JsonValue modules = JsonValue(document, name).at("modules");
+    for (const auto& [type, module] : modules.object().raw().items())
+        if (module_name(type) == top) return Modules(modules).part(type);
+    throw UserError("yosys counted no module rc_" + top);
 }
 
 ordered_json count_json(const Count& c) {

@@ -1,14 +1,17 @@
 #include "sim/synth/yosys.hpp"
 
-#include <chrono>
-#include <cstdlib>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
-#include <thread>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/jobs/cache.hpp"
@@ -61,17 +64,8 @@ const std::string& rtl_digest() {
     return digest;
 }
 
-YosysFolder::YosysFolder(const fs::path& beside) {
-    std::string name = (beside / "yosys-XXXXXX").string();
-    if (!mkdtemp(name.data())) name = (fs::temp_directory_path() / "rayclock-yosys-XXXXXX").string();
-    if (!fs::exists(name) && !mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be made");
-    path_ = name;
-}
-
-YosysFolder::~YosysFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
+YosysFolder::YosysFolder(const fs::path& beside)
+    : folder_("yosys", ::access(beside.c_str(), W_OK) == 0 ? beside : fs::temp_directory_path()) {}
 
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     write("rc_pkg.sv", rc_package(config));
@@ -83,7 +77,7 @@ bool YosysFolder::run(const Config& config, const std::string& read_flags, const
     for (const RtlText& source : rtl_texts()) {
         const fs::path name = fs::path("rtl") / source.name;
         if (name.extension() != ".sv") continue;   // the waivers
-        fs::create_directories((path_ / name).parent_path());
+        fs::create_directories((folder_.path() / name).parent_path());
         write(name.c_str(), source.text);
         commands += fmt::format("read_verilog -sv -D RC_ECP5 {}{}\n", read_flags, name.string());
     }
@@ -92,18 +86,27 @@ bool YosysFolder::run(const Config& config, const std::string& read_flags, const
 
 bool YosysFolder::run(const std::string& script) const {
     write("run.ys", script);
-    Process yosys({{"yosys", "-q", "run.ys"}, path_, path_ / "log", path_});
-    while (!interrupted() && !yosys.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    if (interrupted()) return false;
-    if (yosys.code() != 0) throw std::runtime_error("yosys failed:\n" + text("log").substr(0, 2000));
+    Process yosys({{"yosys", "-q", "run.ys"}, folder_.path(), path("log"), folder_.path()});
+    try {
+        yosys.wait("interrupted");
+    } catch (const Interrupted&) {
+        return false;
+    }
+    if (yosys.code() != 0) throw UserError("yosys failed: " + complaint_of(read_if_there(path("log"))));
     return true;
 }
 
 void YosysFolder::write(const char* file, const std::string& text) const {
-    if (!(std::ofstream(path_ / file) << text).flush())
-        throw UserError((path_ / file).string() + ": cannot be written; is the disk full?");
+    errno = 0;
+    if (!(std::ofstream(path(file)) << text).flush())
+        throw UserError(fmt::format("{}: cannot be written: {}", printable(path(file).string()),
+                                    std::strerror(errno ? errno : EIO)));
 }
 
-std::string YosysFolder::text(const char* file) const { return read_if_there(path_ / file); }
+std::string YosysFolder::text(const char* file) const {
+    std::string bytes = read_if_there(path(file));
+    if (bytes.empty()) throw UserError(fmt::format("yosys has not written {}; is the disk full?", file));
+    return bytes;
+}
 
 }   // namespace rayclock::synth

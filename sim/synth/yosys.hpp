@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/core/config.hpp"
+#include "sim/files/scratch.hpp"
 
 namespace rayclock::synth {
 
@@ -17,27 +18,27 @@ std::string synthesised_text(const std::string& text);
 /// Hash of synthesised_text of all Verilog sources but the package. Read once.
 const std::string& rtl_digest();
 
-/// A folder of its own for one run, removed in the end.
+/// A folder of its own for one run, removed in the end. It lies in `beside`, or among the temporary files if
+/// nothing can be written there.
 class YosysFolder {
 public:
     explicit YosysFolder(const std::filesystem::path& beside);
-    ~YosysFolder();
-    YosysFolder(const YosysFolder&) = delete;
 
     /// Reads the package of a configuration and all sources (with `read_flags`, as for read_verilog), then
-    /// runs the script in this folder. False if interrupted() meanwhile; std::runtime_error with the tool's
-    /// words if it fails.
+    /// runs the script in this folder. False if interrupted() meanwhile; UserError with the tool's complaint
+    /// if it fails.
     bool run(const Config& config, const std::string& read_flags, const std::string& script) const;
     /// The script alone.
     bool run(const std::string& script) const;
 
+    /// What the run has written. Throws UserError if it is not there.
     std::string text(const char* file) const;
     /// Throws UserError if it cannot be written.
     void write(const char* file, const std::string& text) const;
-    std::filesystem::path path(const char* file) const { return path_ / file; }
+    std::filesystem::path path(const char* file) const { return folder_.path() / file; }
 
 private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 }   // namespace rayclock::synth

@@ -35,7 +35,8 @@ public:
     void set_value(Signal signal, std::uint64_t value);
     void set_text(Signal signal, std::string_view text);
 
-    /// The file's bytes; the writer is of no use afterwards.
+    /// The file's bytes; the writer is of no use afterwards. Throws UserError if the disk for temporary files
+    /// did not take all of them.
     std::string finish();
 
 private:
@@ -53,7 +54,7 @@ struct FstVisitor {
     std::function<void(std::uint32_t signal, const std::string& name, int width, bool is_parameter)> signal;
     std::function<void(std::uint64_t time, std::uint32_t signal, std::string_view value)> change;
 };
-/// Throws std::runtime_error if the file is no such waveform.
+/// Throws UserError if the file is no such waveform.
 void read_fst(const std::string& path, const FstVisitor& visitor);
 
 /// "x[3:0]" of x with 4 bits, x of one bit.

@@ -1,7 +1,7 @@
-#include <stdexcept>
-
 #include <gtkwave/fstapi.h>
 
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/wave/fst.hpp"
 
 namespace rayclock {
@@ -33,7 +33,7 @@ std::string_view view(const unsigned char* value, std::size_t length) {
 
 void read_fst(const std::string& path, const FstVisitor& visitor) {
     const std::unique_ptr<void, void (*)(void*)> reader(fstReaderOpen(path.c_str()), fstReaderClose);
-    if (!reader) throw std::runtime_error(path + ": is no waveform");
+    if (!reader) throw UserError(printable(path) + ": is not a waveform");
     tell_hierarchy(reader.get(), visitor);
     if (!visitor.change) return;
     fstReaderSetFacProcessMaskAll(reader.get());

@@ -1,28 +1,48 @@
-#include <filesystem>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <gtkwave/fstapi.h>
 
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
-#include "sim/rtl/cache.hpp"
+#include "sim/files/scratch.hpp"
 #include "sim/wave/fst.hpp"
+
+extern "C" int rc_fst_error;   // sim/wave/fst_io.h
 
 namespace rayclock {
 
 namespace {
+
 constexpr int nanoseconds = -9;
+
+[[noreturn]] void not_written(const std::string& path, int error) {
+    throw UserError(fmt::format("{}: the waveform cannot be written: {}", printable(path),
+                                std::strerror(error ? error : EIO)));
 }
+
+}   // namespace
 
 /// GTKWave's writer needs a file, beside which it makes others.
 struct FstWriter::File {
-    WorkFolder folder{std::filesystem::temp_directory_path() / "rayclock-wave"};
+    TemporaryFolder folder{"rayclock-wave"};
     std::string path = folder.path() / "wave.fst";
-    void* writer = fstWriterCreate(path.c_str(), 1);
+    void* writer = create(path);
     struct Known {
         int width;   ///< 0: text
         std::string value;
     };
     std::vector<Known> signals;   // [handle - 1]
+
+    static void* create(const std::string& path) {
+        errno = rc_fst_error = 0;
+        void* const made = fstWriterCreate(path.c_str(), 1);
+        if (!made) not_written(path, errno);
+        return made;
+    }
 
     fstHandle add(const std::string& name, fstVarType type, int width, fstHandle alias) {
         const fstHandle handle =
@@ -39,7 +59,6 @@ struct FstWriter::File {
 };
 
 FstWriter::FstWriter() : file_(std::make_unique<File>()) {
-    if (!file_->writer) throw std::runtime_error(file_->path + ": cannot be written");
     fstWriterSetPackType(file_->writer, FST_WR_PT_LZ4);
     fstWriterSetTimescale(file_->writer, nanoseconds);
     fstWriterSetVersion(file_->writer, "rayclock");
@@ -87,8 +106,9 @@ void FstWriter::set_text(Signal signal, std::string_view text) {
 std::string FstWriter::finish() {
     fstWriterClose(file_->writer);
     file_->writer = nullptr;
+    if (rc_fst_error != 0) not_written(file_->path, rc_fst_error);
     std::string bytes = read_if_there(file_->path);
-    if (bytes.empty()) throw std::runtime_error(file_->path + ": the waveform could not be written");
+    if (bytes.empty()) not_written(file_->path, errno);
     return bytes;
 }
 

@@ -290,3 +290,58 @@ TEST_CASE("a memory from a file: as good as the one it was made from, in a repor
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
     CHECK(csv.find("slow.json") != csv.npos);
 }
+
+TEST_CASE("no output replaces an input, whatever the command and the option") {
+    const Folder folder;
+    const std::string mesh = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    const std::string x = folder.write("x.obj", mesh), m = folder.write("m.mtl", "newmtl a\nKd 1 0 0\n"),
+                      config = folder.write("c.json", R"({"like": "small"})"),
+                      memory = folder.write("d.json", R"({"like": "sdr", "cl_clocks": 3})"),
+                      report = folder.name("r.json"), part = folder.name("p.json"),
+                      other = folder.name("link.obj");
+    fs::create_hard_link(x, other);
+    REQUIRE(run_program({"simulate", x, "--size", "8x8", "--clock", "66", "--json", report}).code == 0);
+    REQUIRE(run_program({"sweep", x, "--size", "8x8", "--axis", "contexts=8", "--no-netlist", "--json", part})
+                .code == 0);
+    const auto before = folder.contents();
+    const std::string size = "--size=8x8";
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"simulate", x, size, "--json", x},
+             {"simulate", x, size, "--report", x},
+             {"simulate", x, size, "--json", m},
+             {"simulate", x, size, "--json", other},
+             {"simulate", x, size, "--config", config, "--json", config},
+             {"simulate", x, size, "--set", "dram=" + memory, "--report", memory},
+             {"verify", x, size, "--config", config, "--json", config},
+             {"explain", x, "4,4", size, "--json", x},
+             {"explain", x, "4,4", size, "--report", m},
+             {"trace", x, size, "--cycles", "0:9", "-o", folder.name("x.fst"), "--json", x},
+             {"sweep", x, size, "--axis", "contexts=8", "--no-netlist", "-o", x},
+             {"sweep", x, size, "--axis", "contexts=8", "--no-netlist", "--json", x},
+             {"sweep", x, size, "--axis", "dram=" + memory, "--no-netlist", "--report", memory},
+             {"merge", part, "--json", part},
+             {"merge", part, "-o", part},
+             {"compare", report, report, "--json", report},
+             {"compare", report, report, "--report", report},
+             {"fit", x, size, "--config", config, "-o", config},
+             {"export", x, size, "--json", x, "-o", folder.name("out")},
+             {"area", "--config", config, "--unit", "dispatch", "-o", config}}) {
+        INFO(words[0] << " " << words[words.size() - 1]);
+        check_refused(run_program(words), {"the output would replace"});
+        CHECK(folder.contents() == before);
+    }
+}
+
+TEST_CASE("a sweep over memories from files is merged") {
+    const Folder folder;
+    const std::string slow = folder.write("slow.json", R"({"like": "sdr", "cl_clocks": 30})"),
+                      swept = folder.name("s.json"), merged = folder.name("m.json");
+    REQUIRE(run_program({"sweep", "tetra:1", "--size", "8x8", "--no-netlist", "--axis", "dram=sdr," + slow,
+                         "--axis", "node_sets/prim_sets=16/32,32/16", "--json", swept})
+                .code == 0);
+    const auto report = nlohmann::json::parse(bytes_of(swept));
+    CHECK(report["points"][2]["values"]["dram"] == slow);
+    CHECK(report["points"][2]["values"]["prim_sets"] == 32);
+    REQUIRE(run_program({"merge", swept, "--json", merged}).code == 0);
+    CHECK(nlohmann::json::parse(bytes_of(merged))["points"] == report["points"]);
+}

@@ -1,6 +1,7 @@
 // Films: numbered frames, one picture that plays them, and options of time that make no sense.
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -94,6 +95,32 @@ TEST_CASE("without the program that makes films there are frames, and a sentence
     CHECK(left.count("film/film.png") == 0);
     CHECK_THAT(run_program({"doctor"}, {"PATH=" + folder.name("nothing")}).out,
                Catch::Contains("films are left as frames"));
+}
+
+TEST_CASE("a film that is not whole leaves the old one and its frames") {
+    const Folder folder;
+    const std::string out = folder.name("film"),
+                      path = "PATH=" + folder.name("bin") + ":" + std::getenv("PATH");
+    REQUIRE(run_program(film_of({"--fps", "4", "-o", out})).code == 0);
+    const auto before = folder.contents();
+    std::filesystem::create_directory(folder.name("bin"));
+    // Each leaves what a full disk leaves; the last says nothing of it.
+    for (const std::string& then :
+         {"echo 'ERROR: disk'; exit 1", "rm film.png", "truncate -s -1 film.png", "truncate -s 60 film.png",
+          "printf x | dd of=film.png bs=1 seek=99 conv=notrunc"}) {
+        INFO(then);
+        const std::string fake =
+            folder.write("bin/apngasm", "#!/bin/sh\n/usr/bin/apngasm \"$@\"\n" + then + "\n");
+        std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
+        const Outcome outcome =
+            run_program(film_of({"--fps", "4", "-o", out, "--set", "coord_bits=12"}), {path});
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("film.png"));
+        auto after = folder.contents();
+        after.erase("bin"), after.erase("bin/apngasm");
+        CHECK(after == before);
+    }
 }
 
 TEST_CASE("times of frames are what --fps and --time say, and a second buffer draws the same") {

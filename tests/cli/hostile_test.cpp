@@ -172,6 +172,148 @@ TEST_CASE("warnings go to standard error, and the frame is drawn") {
     CHECK(outcome.err.find("1 triangle with two corners in one place left out") != std::string::npos);
 }
 
+namespace {
+
+json report_of_simulate() {
+    return {{"scene", json::object()},
+            {"config", json::object()},
+            {"frame", json::object()},
+            {"units", json::object()},
+            {"memory", json::object()},
+            {"digest", "x"},
+            {"clocks", {{{"mhz", 1}, {"cycles", 1}}}}};
+}
+std::string page_of(const json& data) {
+    return "<!DOCTYPE html><script type=\"application/json\" id=\"report\">" + report_of_simulate().dump() +
+           "</script><script type=\"application/json\" id=\"data\">" + data.dump() + "</script>";
+}
+/// Four zero bytes, packed.
+const json map{{"key", "cycles"}, {"name", "cycles"}, {"bytes", 1}, {"data", "eJxjYGBgAAAABAAB"}};
+
+json changed(json value, const char* place, const json& to) {
+    value[json::json_pointer(place)] = to;
+    return value;
+}
+
+/// Refused with these words, soon, and without much memory.
+void check_cheap(const std::vector<std::string>& words, const std::vector<std::string>& wanted) {
+    const Outcome outcome = run_program(words);
+    INFO(words[0] << " " << words[1] << ": " << outcome.seconds << " s, " << outcome.peak_mb << " MB");
+    check_refused(outcome, wanted);
+    check_printable(outcome);
+    CHECK(outcome.seconds < 10);
+    CHECK(outcome.peak_mb < 2048);
+}
+
+}   // namespace
+
+TEST_CASE("what compare reads is refused with the name of what is wrong") {
+    const Folder folder;
+    const std::string good = folder.write("good.json", report_of_simulate().dump());
+    json deep = report_of_simulate();
+    deep[std::string(400'000, 'k')] = std::vector<int>(200'000);
+    check_cheap({"compare", folder.write("path.json", deep.dump()), good},
+                {"path.json", "'kkk", "400000 bytes"});
+    const json page{{"width", 2}, {"height", 2}, {"maps", {map}}};
+    json nameless = map;
+    nameless.erase("name");
+    struct Bad {
+        json data;
+        std::vector<std::string> words;
+    };
+    for (const Bad& bad :
+         {Bad{changed(page, "/maps/0", nameless), {"data.maps[0]", "lacks the key 'name'"}},
+          Bad{changed(page, "/maps/1", nullptr), {"data.maps[1]", "an object"}},
+          Bad{changed(page, "/maps/1", map), {"data.maps[1].key", "stands in two maps"}},
+          Bad{changed(page, "/maps/0/bytes", 5), {"data.maps[0].bytes"}},
+          Bad{changed(page, "/width", 16'385), {"data.width"}},
+          Bad{changed(page, "/width", "2"), {"data.width"}},
+          Bad{changed(changed(page, "/width", 16'384), "/height", 16'384), {"are not packed"}}}) {
+        const std::string file = folder.write("bad.html", page_of(bad.data));
+        std::vector<std::string> words = bad.words;
+        words.push_back("bad.html");
+        check_cheap({"compare", file, file, "--report", folder.name("o.html")}, words);
+        CHECK_FALSE(fs::exists(folder.name("o.html")));
+    }
+    const std::string sound = folder.write("sound.html", page_of(page));
+    CHECK(run_program({"compare", sound, sound}).code == 0);
+}
+
+TEST_CASE("what merge reads is refused with the name of what is wrong") {
+    const Folder folder;
+    const json part = {{"scene", {{"name", "x"}}},
+                       {"config", json::object()},
+                       {"frame", {{"width", 8}, {"height", 8}}},
+                       {"sweep",
+                        {{"axes", json::array()},
+                         {"clock", "66"},
+                         {"cost", "multipliers"},
+                         {"cache_bytes", nullptr},
+                         {"netlists", false}}},
+                       {"shard",
+                        {{"part", 1},
+                         {"of", 2'147'483'647},
+                         {"scene_digest", "x"},
+                         {"program", "x"},
+                         {"points", json::array()}}},
+                       {"partial", false},
+                       {"points", json::array()}};
+    check_cheap({"merge", folder.write("part.json", part.dump())},
+                {"2147483646 of 2147483647 parts are missing: 2/2147483647, 3/2147483647", "and more"});
+    const json whole = changed(part, "/shard/of", 1);
+    struct Bad {
+        const char* place;
+        json value;
+        std::vector<std::string> words;
+    };
+    for (const Bad& bad :
+         {Bad{"/shard/scene_digest", 5, {"shard.scene_digest must be a string, not 5"}},
+          Bad{"/shard/part", 1.5, {"shard.part"}}, Bad{"/shard/points", nullptr, {"shard.points"}},
+          Bad{"/scene/name", json::array(), {"scene.name"}}, Bad{"/frame/width", 1e9, {"frame.width"}},
+          Bad{"/sweep/axes", {{{"key", "contexts"}, {"values", {8}}}}, {"sweep.axes[0].values[0]"}},
+          Bad{"/sweep/netlists", "no", {"sweep.netlists"}}, Bad{"/partial", 0, {"was interrupted"}},
+          Bad{"/points", 0, {"points"}}}) {
+        const std::string file = folder.write("bad.json", changed(whole, bad.place, bad.value).dump());
+        std::vector<std::string> words = bad.words;
+        words.push_back("bad.json");
+        check_cheap({"merge", file}, words);
+    }
+}
+
+TEST_CASE("few bytes that ask for many keys or triangles are refused before these are made") {
+    const Folder folder;
+    json turns = json::array();
+    for (int i = 0; i < 15'000; ++i)
+        turns.push_back({{"time", i}, {"rotate", {{"axis", {0, 1, 0}}, {"degrees", i % 2 * 360'000}}}});
+    const json leaf{{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"triangles", {{0, 1, 2}}}},
+        scene{{"meshes", {{"leaf", leaf}}},
+              {"objects", {{{"mesh", "leaf"}, {"instances", {{{"keyframes", turns}}}}}}}};
+    check_cheap({"simulate", folder.write("turns.json", scene.dump())},
+                {"objects[0].instances[0].keyframes makes more than 1024 MB"});
+    const auto primitives = [](int in_mesh, int nodes) {
+        json all{
+            {"asset", {{"version", "2.0"}}},
+            {"meshes", {{{"primitives", json::array()}}}},
+            {"accessors", {{{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}}}},
+            {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
+            {"buffers",
+             {{{"byteLength", 36},
+               {"uri", "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}}}};
+        for (int i = 0; i < in_mesh; ++i)
+            all["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
+        for (int i = 0; i < nodes; ++i) {
+            all["nodes"].push_back({{"mesh", 0}});
+            all["scenes"][0]["nodes"].push_back(i);
+        }
+        return all.dump();
+    };
+    check_cheap({"simulate", folder.write("many.gltf", primitives(14'000, 20'000))},
+                {"many.gltf", "more than 100000000 placed triangles"});
+    check_cheap({"simulate", folder.write("some.gltf", primitives(3'000, 3'000))},
+                {"some.gltf", "makes more than 1024 MB"});
+    CHECK(run_program({"simulate", folder.write("few.gltf", primitives(30, 30)), "--size", "8x8"}).code == 0);
+}
+
 TEST_CASE("any input under 1 MB: exit code 0, 1 or 2, under 2 GB and 10 s") {
     const Folder folder;
     const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

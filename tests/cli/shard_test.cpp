@@ -107,7 +107,7 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     refused({two, three, p.changed(1, "/shard/of", 4)},
             {"changed.json", "not of one sweep", "how many parts"});
     refused({two, three, p.changed(1, "/shard/part", 4)}, {"changed.json", "no part 4/3"});
-    refused({two, three, p.changed(1, "/shard/part", "x")}, {"changed.json", "'shard' has not its numbers"});
+    refused({two, three, p.changed(1, "/shard/part", "x")}, {"changed.json", "shard.part", "a whole number"});
     refused({two, three, p.changed(1, "/shard/program", "x")},
             {"changed.json", "the program that made them"});
     refused({two, three, p.changed(1, "/shard/scene_digest", "x")}, {"changed.json", "the scene's content"});

@@ -125,11 +125,55 @@ mutant(files_picture_is_not_read_back FILE sim/image/write.cpp TEST image "a pic
   OLD [[if (!stop()) codec.check(]]
   NEW [[if (stop()) codec.check(]])
 mutant(files_film_is_not_read_back FILE sim/film/strip.cpp TEST cli "a film that does not show its frames*"
-  OLD [[if (!fault.empty()) {]]
-  NEW [[if (count == 0) {]])
+  OLD [[if (!fault.empty())]]
+  NEW [[if (count == 0)]])
 mutant(files_film_times_unseen FILE sim/film/read_back.cpp TEST cli "a film that does not show its frames*"
   OLD [[step.delay % delay != 0]]
   NEW [[delay == 0]])
 mutant(oracle_fraction_by_boost FILE model/oracle/exact.hpp WITH tests/unit/fractions_test.cpp TEST unit "a fraction and a whole number*"
   OLD [[eval_divide(quotient, cpp_rational_backend(b));]]
   NEW [[quotient.negate();]])
+# What the machine does not give, and what other programs write (tests/cli/faults_test.cpp, hostile_test.cpp).
+mutant(output_replaces_an_input FILE sim/files/named.cpp TEST cli "no output replaces an input*"
+  OLD [[inputs.emplace(key_of(file), path);]]
+  NEW [[]])
+mutant(input_is_read_from_an_output FILE sim/files/named.cpp TEST cli "no output replaces an input*"
+  OLD [[outputs.emplace(key_of(file), path);]]
+  NEW [[]])
+mutant(waveform_may_be_cut FILE sim/wave/fst_writer.cpp TEST cli "a waveform that the disk*"
+  OLD [[if (rc_fst_error != 0) not_written(file_->path, rc_fst_error);]]
+  NEW [[]])
+mutant(nobody_ends_deaf_work FILE sim/rtl/interrupt.cpp TEST cli "what does not listen*"
+  OLD [[::setitimer(ITIMER_REAL, &once, nullptr);]]
+  NEW [[(void)once;]])
+mutant(sigterm_is_not_heard FILE sim/rtl/interrupt.cpp TEST cli "what does not listen*"
+  OLD [[std::signal(SIGTERM, interrupt);]]
+  NEW [[]])
+mutant(tools_may_print_without_end FILE sim/rtl/process.cpp TEST cli "a tool that hangs*"
+  OLD [[if (error || printed <= most_output_) return false;]]
+  NEW [[return false;]])
+mutant(tools_may_hang FILE sim/rtl/process.cpp TEST cli "a tool that hangs*"
+  OLD [[        if (interrupted()) throw Interrupted(stopped);
+        if (meanwhile)]]
+  NEW [[        if (meanwhile)]])
+mutant(cache_of_everybody_is_run FILE sim/rtl/cache.cpp TEST cli "a cache that others*"
+  OLD [[(status.st_mode & 022) == 0]]
+  NEW [[true]])
+mutant(compare_unpacks_anything FILE sim/report_page/html.cpp TEST cli "what compare reads*"
+  OLD [[if (size / most_for_a_byte > packed.size()) throw]]
+  NEW [[if (packed.empty()) throw]])
+mutant(compare_names_figures_of_any_length FILE sim/compare/compare.cpp TEST cli "what compare reads*"
+  OLD [[if (path.size() > longest_path)]]
+  NEW [[if (path.size() > 1000 * longest_path * longest_path)]])
+mutant(merge_names_every_missing_part FILE sim/sweep/merge.cpp TEST cli "what merge reads*"
+  OLD [[part <= of && named.size() < most; ++part)]]
+  NEW [[part <= of; ++part)]])
+mutant(turns_are_not_counted FILE sim/load/json_motion.cpp TEST cli "few bytes*"
+  OLD [[if (!loading.may_make(all * (sizeof(double) + sizeof(glm::dquat)))) keyframes.refuse(loading.too_much());]]
+  NEW [[]])
+mutant(gltf_copies_are_not_counted FILE sim/load/read_gltf.cpp TEST cli "few bytes*"
+  OLD [[if (!loading_.may_make(triangles_ * bytes_of_a_placed_triangle)) at_.refuse(loading_.too_much());]]
+  NEW [[]])
+mutant(stress_finds_few_rays_wrong FILE sim/stress/tests.cpp TEST system "a test that meets no demand*"
+  OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
+  NEW [[false]])

@@ -41,8 +41,8 @@ mutant(merge_puts_points_elsewhere FILE sim/sweep/merge.cpp TEST cli "the parts 
   OLD [=[fill(outcome.results[mine[k]], rows.at(k), axes);]=]
   NEW [=[fill(outcome.results[mine[k]], rows.at(mine.size() - 1 - k), axes);]=])
 mutant(merge_takes_what_was_interrupted FILE sim/sweep/merge.cpp TEST cli "files that are not all parts*"
-  OLD [[part.report["partial"] != false]]
-  NEW [[part.report["partial"] == 1]])
+  OLD [[checked["partial"] != false]]
+  NEW [[checked["partial"] == 1]])
 
 mutant(compare_takes_better_for_worse FILE sim/compare/compare.cpp TEST cli "compare finds*"
   OLD [[d.verdict = (last > first) == (direction > 0) ?]]

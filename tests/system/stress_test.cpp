@@ -140,6 +140,9 @@ TEST_CASE("a test that meets no demand is told from one that does", "[stress]") 
     Cell clean{"exact", 16, "edges", {}}, seams{"exact", 16, "t_junction", {}};
     clean.counts.rays = seams.counts.rays = 100;
     CHECK_FALSE(meets_demand(exact, {clean, seams}));   // the seams do not leak
+    CHECK(has_too_few_rays(exact, {clean, seams}));
+    seams.counts.rays = 10'000;
+    CHECK_FALSE(has_too_few_rays(exact, {clean, seams}));
     seams.counts.leaks = 1;
     CHECK(meets_demand(exact, {clean, seams}));
     for (auto count : {&Counts::leaks, &Counts::double_hits, &Counts::oracle_mismatches, &Counts::boxes_lost,
@@ -147,10 +150,12 @@ TEST_CASE("a test that meets no demand is told from one that does", "[stress]") 
         Cell wrong = clean;
         wrong.counts.*count = 1;
         CHECK_FALSE(meets_demand(exact, {wrong, seams}));
+        CHECK_FALSE(has_too_few_rays(exact, {wrong, seams}));
     }
     Cell unnoticed = clean;
     unnoticed.test = "inclusive";
     CHECK_FALSE(meets_demand(control, {unnoticed}));
+    CHECK(has_too_few_rays(control, {unnoticed}));
     unnoticed.counts.double_hits = 1;
     CHECK(meets_demand(control, {unnoticed}));
 }

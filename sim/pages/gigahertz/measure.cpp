@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "sim/jobs/threads.hpp"
 #include "sim/load/load.hpp"
@@ -16,7 +17,7 @@ constexpr int depth = 4;
 Frame frame_of(const Config& config, int mhz, const std::vector<FrameTrace>& frames) {
     const int khz = 1000 * mhz;
     const FrameRun run = frame_run(frames[0], replay(config, khz, frames)[0]);
-    if (run.partial) throw UserError("interrupted: no page was written");
+    if (run.partial) throw Interrupted("interrupted: no page was written");
     Frame frame{run.cycles,
                 rays_of(run),
                 per_second(run, khz),

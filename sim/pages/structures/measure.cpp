@@ -34,7 +34,7 @@ double busy_share(const Config& config, const FrameRun& run) {
 Frame frame_of(const Config& config, const std::vector<FrameTrace>& frames) {
     Frame frame;
     frame.run = frame_run(frames[0], replay(config, default_khz, frames)[0]);
-    if (frame.run.partial) throw UserError("interrupted: no page was written");
+    if (frame.run.partial) throw Interrupted("interrupted: no page was written");
     frame.bound = bound_of(config, default_khz, frame.run);
     frame.tri_busy = busy_share(config, frame.run);
     return frame;

@@ -21,7 +21,7 @@ struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
 };
-constexpr std::array<Target, 14> targets{{{"obj", obj},
+constexpr std::array<Target, 18> targets{{{"obj", obj},
                                           {"mtl", mtl},
                                           {"ply", ply},
                                           {"stl", stl},
@@ -34,6 +34,10 @@ constexpr std::array<Target, 14> targets{{{"obj", obj},
                                           {"config", config},
                                           {"state", state},
                                           {"cache", cache},
+                                          {"merge", merge},
+                                          {"compare", compare},
+                                          {"yosys", yosys},
+                                          {"nextpnr", nextpnr},
                                           {"options", options}}};
 
 void (*chosen)(std::string_view) = nullptr;

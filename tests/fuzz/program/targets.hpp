@@ -25,6 +25,10 @@ void scene(std::string_view bytes);
 void config(std::string_view bytes);
 void state(std::string_view bytes);
 void cache(std::string_view bytes);
+void merge(std::string_view bytes);
+void compare(std::string_view bytes);
+void yosys(std::string_view bytes);
+void nextpnr(std::string_view bytes);
 void options(std::string_view bytes);
 
 /// The name of a fuzzed file, in a folder that holds what such a file may refer to.

@@ -1,0 +1,50 @@
+#include "sim/files/named.hpp"
+
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+
+namespace rayclock {
+namespace {
+
+/// Files by device and number, since one file may have many names; with the name that was typed.
+using Files = std::map<std::pair<dev_t, ino_t>, std::string>;
+std::mutex mutex;
+Files inputs, outputs;
+
+std::pair<dev_t, ino_t> key_of(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+
+[[noreturn]] void refuse(const std::string& output, const std::string& input) {
+    throw UserError(fmt::format("{}: the output would replace {}; name another file", printable(output),
+                                input == output ? "an input" : "the input " + printable(input)));
+}
+
+}   // namespace
+
+void note_input(const std::string& path, const struct stat& file) {
+    const std::lock_guard lock(mutex);
+    if (const auto output = outputs.find(key_of(file)); output != outputs.end()) refuse(output->second, path);
+    inputs.emplace(key_of(file), path);
+}
+
+void note_output(const std::string& path) {
+    struct stat file {};
+    if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return;
+    const std::lock_guard lock(mutex);
+    if (const auto input = inputs.find(key_of(file)); input != inputs.end()) refuse(path, input->second);
+    outputs.emplace(key_of(file), path);
+}
+
+void forget_output(const std::string& path) {
+    const std::lock_guard lock(mutex);
+    std::erase_if(outputs, [&](const auto& output) { return output.second == path; });
+}
+
+}   // namespace rayclock
