@@ -55,7 +55,7 @@ DivergenceShow::DivergenceShow(const Diverged& d, const std::string& folder, con
 }
 
 DivergenceFiles DivergenceShow::page(const Diverged& d) {
-    write_bytes(files_.page, divergence_page(d, seen_, source_of(d.first), files_, rtl_wave_));
+    write_bytes(files_.page, divergence_page(d, seen_, source_of(d.first, d.job.config), files_, rtl_wave_));
     return files_;
 }
 

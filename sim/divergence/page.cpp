@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/divergence/cone.hpp"
 #include "sim/divergence/fields.hpp"
 #include "sim/divergence/waveform.hpp"
 #include "sim/observe/replay.hpp"
@@ -160,11 +161,44 @@ std::string signal_table(const Divergence& f, const Capture& capture, const std:
     return text + "</tbody></table></div>\n";
 }
 
+/// Where the value that differs is made, and the first register that holds it.
+std::string cone_lines(const std::vector<ConeStep>& steps) {
+    if (steps.empty()) return {};
+    const auto line = [](const char* what, const ConeStep& step) {
+        return fmt::format("<dt>{}</dt><dd>rtl/{}:{} <code>{}</code>, signal {}, cycle {}</dd>", what,
+                           escaped(step.source.file), step.source.line, escaped(step.source.text),
+                           escaped(step.signal), step.cycle);
+    };
+    std::string text = line("made by", steps.back());
+    const auto first =
+        std::find_if(steps.rbegin(), steps.rend(), [](const ConeStep& s) { return s.is_register; });
+    if (first != steps.rend()) text += line("first register that holds it", *first);
+    return text;
+}
+
+/// The way of the value that differs, from where it is made.
+std::string cone_table(std::vector<ConeStep> steps) {
+    if (steps.empty()) return {};
+    std::reverse(steps.begin(), steps.end());
+    std::vector<std::vector<std::string>> rows;
+    for (const ConeStep& step : steps)
+        rows.push_back({fmt::format("rtl/{}:{}", step.source.file, step.source.line), step.source.text,
+                        step.signal + (step.is_register ? " (register)" : ""),
+                        fmt::format("{}", step.cycle)});
+    return "<h2>Where the value comes from</h2>\n<p class=\"quiet\">Each line passes on what the line above "
+           "gives "
+           "it. The first line makes the value: none of the signals that it reads holds it. A value of few "
+           "bits may "
+           "be followed wrongly.</p>\n" +
+           html::table("", {"source", "statement", "signal", "cycle"}, rows, 3);
+}
+
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }   // namespace
 
 std::string verdict_of(const Divergence& d) {
+    if (d.unit == "host") return "The RTL reports the beginning or the end of the frame in the wrong cycle.";
     if (!d.on) return "An assertion of the RTL failed.";
     if (!d.later.empty()) return d.later + ".";
     if (d.expected == "no offer" || d.got == "no offer" || d.expected == "a transfer" ||
@@ -186,6 +220,10 @@ std::string divergence_page(const Diverged& d, const Capture& capture, const Sou
     if (!source.file.empty())
         text += fmt::format("<dt>driven by</dt><dd>rtl/{}:{} <code>{}</code></dd>", escaped(source.file),
                             source.line, escaped(source.text));
+    const std::vector<ConeStep> cone = f.on && !capture.cycles.empty()
+                                           ? cone_of(f, d.job.config, capture, rtl_wave)
+                                           : std::vector<ConeStep>{};
+    text += cone_lines(cone);
     text +=
         fmt::format("<dt>waveform</dt><dd><code>gtkwave {}</code></dd></dl>\n", escaped(name_of(files.view)));
     if (!files.note.empty()) text += "<p class=\"differs\">" + escaped(files.note) + "</p>\n";
@@ -193,7 +231,7 @@ std::string divergence_page(const Diverged& d, const Capture& capture, const Sou
         text += "<h2>The link on both machines</h2>\n" + LinkTable(d, capture).text(d.job.config);
     if (f.on && link_infos[index(*f.on)].carries_ray)
         text += "<h2>What the pixel's rays did until then</h2>\n" + story(d);
-    if (f.on && !capture.cycles.empty()) text += signal_table(f, capture, rtl_wave);
+    if (f.on && !capture.cycles.empty()) text += cone_table(cone) + signal_table(f, capture, rtl_wave);
     return text + "<p class=\"quiet\"><code>" + escaped(d.command) + "</code></p>\n</body></html>\n";
 }
 

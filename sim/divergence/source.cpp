@@ -5,27 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/lockstep/driver.hpp"
 #include "sim/rtl/sources.hpp"
 
 namespace rayclock {
 
 namespace {
-
-/// What differs at the unit's end of the link, under the names that its port may have: the link's whole name,
-/// or its last word if the unit has one link of that kind. What all share is wired in rc_top, without ports.
-std::vector<std::string> port_names(const Divergence& d) {
-    const bool offer = d.got == "no offer" || d.expected == "no offer";
-    const bool acceptance =
-        !offer && (d.got == "an offer that is not accepted" || d.expected == "an offer that is not accepted");
-    const std::string what = offer ? "_valid" : acceptance ? "_ready" : "";
-    const std::size_t bar = d.link.rfind('_');
-    std::vector<std::string> names{d.link + what + "_o"};
-    if (offer) names.push_back(d.link + "_fires_o");
-    if (bar != std::string::npos) names.push_back(d.link.substr(bar + 1) + what + "_o");
-    names.push_back("rsp" + what + "_o");   // a cache's answer, whatever link it comes on
-    names.push_back(d.link + what);
-    return names;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -50,13 +35,31 @@ std::size_t driver(const std::vector<std::string>& lines, const std::string& nam
 
 }   // namespace
 
-SourceLine source_of(const Divergence& divergence) {
+/// The link's whole name, or its last word if the unit has one link of that kind. What all share is wired in
+/// rc_top, without ports.
+std::vector<std::string> output_names(const Divergence& d, const Config& config) {
+    const bool offer = d.got == "no offer" || d.expected == "no offer";
+    const bool acceptance =
+        !offer && (d.got == "an offer that is not accepted" || d.expected == "an offer that is not accepted");
+    const std::string what = offer ? "_valid" : acceptance ? "_ready" : "";
+    std::string link = d.link;
+    if (d.on && !acceptance) link = port_of(*d.on, d.unit.substr(0, d.unit.find('[')), config);
+    const std::size_t bar = link.rfind('_');
+    std::vector<std::string> names{link + what + "_o"};
+    if (offer) names.push_back(link + "_fires_o");
+    if (bar != std::string::npos) names.push_back(link.substr(bar + 1) + what + "_o");
+    names.push_back("rsp" + what + "_o");   // a cache's answer, whatever link it comes on
+    names.push_back(link + what);
+    return names;
+}
+
+SourceLine source_of(const Divergence& divergence, const Config& config) {
     const std::string unit = divergence.unit.substr(0, divergence.unit.find('['));
     const std::string wanted = unit == "memport" ? "rc_top.sv" : "rc_" + unit + ".sv";
     for (const RtlText& source : rtl_texts()) {
         if (source.name.substr(source.name.rfind('/') + 1) != wanted) continue;
         const std::vector<std::string> lines = lines_of(source.text);
-        for (const std::string& name : port_names(divergence))
+        for (const std::string& name : output_names(divergence, config))
             if (const std::size_t line = driver(lines, name); line > 0)
                 return {source.name, line, trimmed(lines[line - 1])};
         for (std::size_t i = 0; i < lines.size(); ++i)

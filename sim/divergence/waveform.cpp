@@ -87,37 +87,10 @@ private:
     std::size_t next_ = 0;
 };
 
-/// A signal inside an instance of a unit.
-struct Inside {
-    std::uint32_t number = 0;
-    std::string instance, name;   ///< "TOP.rc_chip...u_trav.", "u_stack.visit_o"
-    int width = 0;
-};
-std::vector<Inside> signals_inside(const std::string& rtl_wave, const std::string& unit, int pipeline) {
-    const std::string instance = "u_" + unit, place = fmt::format("gen_pipeline[{}]", pipeline);
-    std::vector<std::string> scopes;
-    std::vector<Inside> found;
-    FstVisitor visitor;
-    visitor.open_scope = [&](const std::string& name) { scopes.push_back(name); };
-    visitor.close_scope = [&] { scopes.pop_back(); };
-    visitor.signal = [&](std::uint32_t number, const std::string& name, int width, bool is_parameter) {
-        const auto at = std::find(scopes.begin(), scopes.end(), instance);
-        if (is_parameter || at == scopes.end()) return;
-        if (is_of_pipeline(unit) && std::find(scopes.begin(), at, place) == at) return;
-        Inside signal{number, "", "", width};
-        for (auto scope = scopes.begin(); scope != scopes.end(); ++scope)
-            (scope <= at ? signal.instance : signal.name) += *scope + ".";
-        signal.name += name;
-        found.push_back(std::move(signal));
-    };
-    read_fst(rtl_wave, visitor);
-    return found;
-}
-
 /// The signals of the unit itself, not of instances inside it.
 std::vector<GtkwSignal> signals_of(const std::string& rtl_wave, const std::string& unit, int pipeline) {
     std::vector<GtkwSignal> all;
-    for (const Inside& signal : signals_inside(rtl_wave, unit, pipeline))
+    for (const InsideSignal& signal : signals_inside(rtl_wave, unit, pipeline))
         if (signal.name.find('.') == std::string::npos)
             all.push_back({signal.width > 1 ? GtkwSignal::As::hexadecimal : GtkwSignal::As::bits,
                            signal.instance + signal.name});
@@ -150,6 +123,29 @@ std::vector<GtkwSignal> signals_of_link(const Capture::Where& where, const Confi
 }
 
 }   // namespace
+
+std::vector<InsideSignal> signals_inside(const std::string& rtl_wave, const std::string& unit, int pipeline) {
+    const std::string instance = "u_" + unit, place = fmt::format("gen_pipeline[{}]", pipeline);
+    std::vector<std::string> scopes;
+    std::vector<InsideSignal> found;
+    FstVisitor visitor;
+    visitor.open_scope = [&](const std::string& name) { scopes.push_back(name); };
+    visitor.close_scope = [&] { scopes.pop_back(); };
+    visitor.signal = [&](std::uint32_t number, const std::string& name, int width, bool is_parameter) {
+        const auto at = std::find(scopes.begin(), scopes.end(), instance);
+        if (is_parameter || at == scopes.end()) return;
+        if (is_of_pipeline(unit) && std::find(scopes.begin(), at, place) == at) return;
+        InsideSignal signal{number, "", "", width};
+        for (auto scope = scopes.begin(); scope != scopes.end(); ++scope)
+            (scope <= at ? signal.instance : signal.name) += *scope + ".";
+        signal.name += name;
+        found.push_back(std::move(signal));
+    };
+    read_fst(rtl_wave, visitor);
+    return found;
+}
+
+std::uint64_t cycle_of(std::uint64_t time) { return (time + cycle_time - settled - 1) / cycle_time; }
 
 std::string waveform(const Capture& capture, const Config& config, const std::string& rtl_wave) {
     FstWriter out;
@@ -210,21 +206,19 @@ std::string waveform_view(const Capture& capture, const Config& config, const Di
 
 std::vector<UnitSignal> unit_signals(const std::string& rtl_wave, const std::string& unit, int pipeline,
                                      std::uint64_t first, std::uint64_t last) {
-    const std::vector<Inside> inside = signals_inside(rtl_wave, unit, pipeline);
+    const std::vector<InsideSignal> inside = signals_inside(rtl_wave, unit, pipeline);
     std::map<std::uint32_t, std::vector<std::string>> values;   // by number
-    for (const Inside& signal : inside) values[signal.number].resize(last - first);
+    for (const InsideSignal& signal : inside) values[signal.number].resize(last - first);
     FstVisitor visitor;
     visitor.change = [&](std::uint64_t time, std::uint32_t number, std::string_view digits) {
         const auto found = values.find(number);
         if (found == values.end()) return;
-        // It stands from the cycle on at whose settled time it is there.
-        const std::uint64_t cycle = (time + cycle_time - settled - 1) / cycle_time;
-        for (std::uint64_t c = std::max(cycle, first); c < last; ++c)
+        for (std::uint64_t c = std::max(cycle_of(time), first); c < last; ++c)
             found->second[c - first] = hexadecimal(digits);
     };
     read_fst(rtl_wave, visitor);
     std::vector<UnitSignal> all;
-    for (const Inside& signal : inside) {
+    for (const InsideSignal& signal : inside) {
         const std::vector<std::string>& own = values.at(signal.number);
         if (std::adjacent_find(own.begin(), own.end(), std::not_equal_to<>()) != own.end())
             all.push_back({signal.name, own});

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "sim/divergence/capture.hpp"
 
@@ -13,6 +14,17 @@ std::string waveform(const Capture& capture, const Config& config, const std::st
 /// and the unit's own signals.
 std::string waveform_view(const Capture& capture, const Config& config, const Divergence& divergence,
                           const std::string& rtl_wave, const std::string& file_name);
+
+/// A signal inside an instance of a unit.
+struct InsideSignal {
+    std::uint32_t number = 0;     ///< in the file
+    std::string instance, name;   ///< "TOP.rc_chip...u_trav.", "u_stack.visit_o"
+    int width = 0;
+};
+std::vector<InsideSignal> signals_inside(const std::string& rtl_wave, const std::string& unit, int pipeline);
+
+/// The cycle from which on a value holds that is written at this time.
+std::uint64_t cycle_of(std::uint64_t time);
 
 /// A signal of a unit or of an instance inside it, "u_stack.visit_slot_o", in some cycles, in hexadecimal.
 struct UnitSignal {

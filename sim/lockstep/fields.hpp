@@ -25,13 +25,15 @@ public:
     }
 };
 
-/// The fields in which two payloads differ, as "name=value" of each side.
+/// The fields in which two payloads differ, as "name=value" of each side. The one that names the unit is that
+/// of the ray, on which all others hang, or the first.
 template <class P> void describe(P model, P rtl, const Config& config, Divergence& d) {
     ListVisitor a, b;
     model.fields(a, config);
     rtl.fields(b, config);
     for (std::size_t i = 0; i < a.fields.size(); ++i) {
         if (a.fields[i].second == b.fields[i].second) continue;
+        if (d.field.empty() || a.fields[i].first == "ray") d.field = a.fields[i].first;
         d.expected += (d.expected.empty() ? "" : " ") + a.fields[i].first + "=" + a.fields[i].second;
         d.got += (d.got.empty() ? "" : " ") + b.fields[i].first + "=" + b.fields[i].second;
     }

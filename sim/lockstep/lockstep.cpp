@@ -11,6 +11,7 @@
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
 #include "model/where.hpp"
+#include "sim/lockstep/driver.hpp"
 #include "sim/lockstep/fields.hpp"
 #include "sim/rtl/rtl_machine.hpp"
 
@@ -39,7 +40,7 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
                 ++first->others;
             else
                 first = {unit_infos[u].name,
-                         cause.kind == Kind::none ? fmt::format("code {}", c)
+                         cause.kind == Kind::none ? fmt::format("in the unused state {}", c)
                                                   : fmt::format("{} {}", kind, cause.name),
                          m, r, 0};
         }
@@ -109,6 +110,7 @@ private:
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_->start(frame.frame);
+        stopped_.reset();
         while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
             tell_first();
@@ -117,7 +119,11 @@ private:
                                                      model_.cycle(), where_rays_are(model_)));
             if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
         }
-        if (parted_) run_apart(limit, hits);
+        if (parted_)
+            run_apart(limit, hits);
+        else if (!interrupted())
+            check_end();
+        tell_first();
         if (progress) progress("model and rtl", pixels, pixels);
         result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
                                model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
@@ -125,6 +131,7 @@ private:
                              rtl_.memory().stats() - memory, hits.hits(), hits.colours());
         result_.cycle_gap +=
             model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
+        if (stopped_ && !parted_) result_.cycle_gap += std::max<std::uint64_t>(1, model_.cycle() - *stopped_);
         if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
         if (!result_.model.partial)
             for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
@@ -137,8 +144,8 @@ private:
     }
 
     void compare_counters() {
-        result_.counters_compared = !parted_;
-        if (parted_) return;
+        result_.counters_compared = !parted_ && !stopped_;
+        if (!result_.counters_compared) return;   // the RTL counts only while its frame runs
         auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
         if (!difference && rtl_.counted_cycles() != result_.model.cycles)
             difference = {"host", "cycles", result_.model.cycles, rtl_.counted_cycles(), 0};
@@ -166,10 +173,30 @@ private:
         result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
     }
 
+    /// What the chip tells its host of the frame: that it runs, and that it is done.
+    void check_face(std::uint64_t now, bool runs) {
+        const auto tell = [&](const char* signal, bool wanted, const char* yes, const char* no) {
+            if (result_.first) return;
+            result_.first = {now, "host", signal, 0, 0, 0, wanted ? yes : no, wanted ? no : yes, ""};
+        };
+        if (rtl_.says_running() != runs) {
+            tell("running", runs, "the frame runs", "the frame does not run");
+            if (!stopped_) stopped_ = now;
+        }
+        if (rtl_.says_done() == runs) tell("done", !runs, "the frame is done", "the frame is not done");
+    }
+
+    /// The cycle after the frame's last.
+    void check_end() {
+        rtl_.settle();
+        check_face(model_.cycle(), false);
+    }
+
     void cycle(FrameCollector& hits) {
         rtl_.settle();
         unmatched_.clear();
         const std::uint64_t now = model_.cycle();
+        check_face(now, true);
         model_.step([&](const Move& move) {
             last_ray_[index(move.link)] = move.id;
             (*witness_)(
@@ -211,7 +238,30 @@ private:
         const P got = get_data<P>(port, job_.config);
         Divergence d = at(now, pipeline, c, id_of(payload));
         describe(payload, got, job_.config, d);
+        d.unit = unit_name(driver_of(c, d.field, job_.config, end_of(pipeline, payload)), pipeline, c);
         result_.first = d;
+    }
+
+    /// Whether the RTL has the end of a ray, of which the payload is all that is left, where it should be.
+    template <class P> RayEnd end_of(int pipeline, const P& payload) const {
+        if constexpr (std::is_same_v<P, HitOut>) {
+            return {done_is(pipeline, payload.closest.ray),
+                    has(rtl_.pixel_port(pipeline), Pixel{payload.closest, payload.colour})};
+        } else if constexpr (std::is_same_v<P, Closest>) {
+            return {done_is(pipeline, payload.ray), true};
+        } else {
+            return {};
+        }
+    }
+    bool done_is(int pipeline, std::uint32_t ray) const {
+        const RcPort& port = rtl_.done_port(pipeline);
+        std::uint32_t got = 0;
+        std::memcpy(&got, port.data, std::min<std::size_t>(port.bytes, sizeof got));
+        return got == ray;
+    }
+    template <class P> bool has(const RcPort& port, P payload) const {
+        const Words words = pack(payload, job_.config);
+        return std::memcmp(words.data(), port.data, std::min<std::size_t>(words.size() * 4, port.bytes)) == 0;
     }
 
     struct Masks {
@@ -232,7 +282,12 @@ private:
         };
         result_.first =
             at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
-        if (!offers) result_.first->unit = unit_name(link_infos[index(c)].to, pipeline, c);
+        const bool offered = model.valid & bit(c);   // as the model does; so the RTL does not, or the other
+                                                     // way round
+        const RayEnd end{bool(*rtl_.done_port(pipeline).valid) == offered,
+                         bool(*rtl_.pixel_port(pipeline).valid) == offered};
+        result_.first->unit =
+            unit_name(offers ? driver_of(c, {}, job_.config, end) : link_infos[index(c)].to, pipeline, c);
         result_.first->expected = tell(model);
         result_.first->got = tell(rtl);
         watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
@@ -363,6 +418,8 @@ private:
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;
+    std::optional<std::uint64_t> stopped_;   // the first cycle in which the RTL's frame does not run as the
+                                             // model's does
     struct Unmatched {
         int pipeline;
         Link link;

@@ -11,16 +11,18 @@ namespace rayclock {
 /// The first cycle in which model and RTL did not do the same.
 struct Divergence {
     std::uint64_t cycle = 0;
-    std::string unit;   ///< that drives the link; or that accepts what comes on it, if the difference is
-                        ///< that it does
-    std::string link;
+    std::string unit;   ///< that drives what differs (driver.hpp); or that accepts what comes on the link, if
+                        ///< the difference is that it does; "host" for the frame's beginning and end, "rtl"
+                        ///< for an assertion that fails
+    std::string link;   ///< of the host "running" or "done", the chip's own signals
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
     std::string expected;   ///< what the model did: differing fields, or whether it moved anything
     std::string got;        ///< what the RTL did
     std::string later;      ///< of a transfer that only one of them made: when the other did; empty otherwise
     int pipeline = 0;
-    std::optional<Link> on{};         ///< the link; nothing if an assertion of the RTL failed
+    std::optional<Link> on{};   ///< the link, if it is one
+    std::string field{};   ///< of its payload: the one that names the unit; empty if the payload is the same
     std::size_t frame = 0;            ///< its number
     std::uint64_t frame_begins = 0;   ///< cycle of the machine
     std::string wave{};               ///< file of the waveform, if there is one

@@ -67,6 +67,8 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
         for (const LinkInfo& link : link_infos)
             if (link.of_pipeline() && is_there(link.when, config))
                 taps.push_back(pipeline_tap(link, config, path, index));
+        for (const std::string end : {"done", "pixel"})   // of a ray
+            taps.push_back({end + index, tap, path, "rc_pipeline", end + "_valid", end + "_ready", end});
     }
     if (config.l2_sets == 0) return taps;
     const std::string l2 = ".u_top.gen_shared.u_l2";
@@ -86,7 +88,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         std::vector<PortSpec> ports = taps_of_chip(config);
         for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})
             ports.push_back({name, fixed});
-        for (const char* name : {"wb_ack", "wb_err", "running"}) ports.push_back({name, plain});
+        for (const char* name : {"wb_ack", "wb_err", "running", "done"}) ports.push_back({name, plain});
         ports.push_back({"wb_read", plain, "", "", "", "", "wb_dat"});
         ports.push_back({"mem_req", out});
         ports.push_back({"mem_rsp", listen});

@@ -19,6 +19,7 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
       bus_{&rtl_.port("wb_cyc"), &rtl_.port("wb_stb"), &rtl_.port("wb_we"),  &rtl_.port("wb_adr"),
            &rtl_.port("wb_dat"), &rtl_.port("wb_ack"), &rtl_.port("wb_err"), &rtl_.port("wb_read")},
       running_(&rtl_.port("running")),
+      done_(&rtl_.port("done")),
       mem_req_(&rtl_.port("mem_req")),
       mem_rsp_(&rtl_.port("mem_rsp")),
       hit_ready_(&rtl_.port("hit_ready")),
@@ -34,6 +35,7 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
         links.fill(nullptr);
         for (const std::size_t c : there_)
             links[c] = &rtl_.port(fmt::format("{}[{}]", link_infos[c].name, p));
+        ends_.push_back({&rtl_.port(fmt::format("done[{}]", p)), &rtl_.port(fmt::format("pixel[{}]", p))});
         sinks_.emplace_back(traffic, p);
     }
     for (std::size_t c = pipeline_links; c < link_count; ++c)
@@ -61,6 +63,9 @@ bool is_set(const RcPort& port) {
     return flag != 0;
 }
 }   // namespace
+
+bool RtlMachine::says_running() const { return is_set(*running_); }
+bool RtlMachine::says_done() const { return is_set(*done_); }
 
 /// A classic cycle on the bus; false if it ends with err, or does not end.
 bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value) {

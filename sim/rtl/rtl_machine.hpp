@@ -57,6 +57,9 @@ public:
     const std::optional<Nonsense>& nonsense() const { return nonsense_; }
 
     bool done() const { return hits_ >= pixels_; }
+    /// What the chip's own signals say of the frame, after settle().
+    bool says_running() const;
+    bool says_done() const;
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
     LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
@@ -66,6 +69,10 @@ public:
     bool moved() const { return moved_; }
     /// Packed payload that a link offers in this cycle; shared ones have pipeline 0.
     const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }
+    /// Inside a pipeline, the end of a ray: the engine says that it is done, and the pixel on its way to
+    /// sched.
+    const RcPort& done_port(int pipeline) const { return *ends_[std::size_t(pipeline)].done; }
+    const RcPort& pixel_port(int pipeline) const { return *ends_[std::size_t(pipeline)].pixel; }
     /// From the chip's own counters, except for the memory, since the last start(). A frame that is under way
     /// is counted no further; the two cycles that this takes are in its counters, and pass for the memory as
     /// well.
@@ -99,10 +106,14 @@ private:
     std::optional<Decoder> decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
     std::vector<std::array<const RcPort*, link_count>> links_;
+    struct RayEnds {
+        const RcPort *done, *pixel;
+    };
+    std::vector<RayEnds> ends_;   // of each pipeline
     struct Bus {
         const RcPort *cyc, *stb, *we, *adr, *dat, *ack, *err, *read;
     } bus_;
-    const RcPort *running_, *mem_req_, *mem_rsp_, *hit_ready_;
+    const RcPort *running_, *done_, *mem_req_, *mem_rsp_, *hit_ready_;
     Memory memory_;
     Traffic traffic_;
     std::vector<Sink> sinks_;

@@ -111,6 +111,10 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     REQUIRE(got.starts_with("u="));
     CHECK(std::stol(got.substr(2)) == std::stol(expected.substr(2)) + 1);
     check_waveform(folder, d);
+    // The value goes through a queue and a register, back to the statement that makes it.
+    const std::string page = bytes_of(folder.name("out/divergence.html"));
+    CHECK(page.find("<dt>made by</dt><dd>rtl/isect/rc_hitdiv.sv:") != std::string::npos);
+    CHECK(page.find("<code>assign u_o = (B+1)") != std::string::npos);
 
     // The frame of the wrong RTL is what render shows; it does not stop.
     CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--config", "small", "--engine", "rtl", "-o",

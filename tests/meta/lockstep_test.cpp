@@ -10,6 +10,7 @@
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
 #include "sim/load/load.hpp"
+#include "sim/lockstep/driver.hpp"
 #include "sim/lockstep/lockstep.hpp"
 #include "sim/report/builds.hpp"
 #include "sim/report/lockstep.hpp"
@@ -191,6 +192,78 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     CHECK(result.first->y == 9);
     CHECK(result.value_mismatches == 1);   // a pixel of the sphere that never came out
     CHECK(result.cycle_gap > 0);
+}
+
+TEST_CASE("a frame that ends too early is the first divergence") {
+    const Job job = small_job();
+    // The frame is over when three pixels are still to come.
+    const FrameTrace frame = record_frame(job, job.frame);
+    Machine machine(job.config, job.khz);
+    machine.start(frame.frame, frame.trace);
+    while (machine.hits() < frame.trace.rays.size() - 3) machine.step();
+    const std::uint64_t ends = machine.cycle();
+    const Mutant mutant("host/rc_host.sv", "left_q == 32'(hits);", "left_q == 32'(hits) + 32'd3;");
+    const LockstepResult result = run_lockstep(job);
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "host");
+    CHECK(result.first->link == "running");
+    CHECK(result.first->cycle == ends);
+    CHECK(result.first->expected == "the frame runs");
+    CHECK(result.first->got == "the frame does not run");
+    CHECK(result.cycle_gap == result.model.cycles - ends);
+    CHECK(result.value_mismatches == 0);
+    CHECK_FALSE(result.counters_compared);
+    CHECK_FALSE(result.agrees());
+    CHECK_THAT(lockstep_lines(result), Catch::Contains("unit host, signal running") &&
+                                           Catch::Contains("since the RTL counts only while its frame runs"));
+}
+
+TEST_CASE("a done that is left from the frame before is the first divergence") {
+    const Job job = small_job();
+    std::vector<FrameTrace> frames;
+    for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));
+    const Mutant mutant("host/rc_host.sv", "          done_q  <= 1'b0;\n", "");
+    const LockstepResult result = run_lockstep(job, frames);
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "host");
+    CHECK(result.first->link == "done");
+    CHECK(result.first->frame == 1);
+    CHECK(result.first->cycle == result.first->frame_begins);
+    CHECK(result.first->expected == "the frame is not done");
+    CHECK(result.first->got == "the frame is done");
+    CHECK_FALSE(result.agrees());
+}
+
+TEST_CASE("a value that units pass on has the unit's name that drives it") {
+    Config config = named_config("small");
+    const auto unit = [&](Link link, const char* field, RayEnd end = {}) {
+        return std::string(driver_of(link, field, config, end));
+    };
+    const RayEnd nothing{false, false}, done{true, false}, all{true, true};
+    CHECK(unit(Link::hit, "", nothing) == "trav");
+    CHECK(unit(Link::hit, "t", done) == "list");
+    CHECK(unit(Link::hit, "x", all) == "sched");
+    CHECK(unit(Link::tri_req, "") == "prim_cache");
+    CHECK(unit(Link::tri_req, "o[1]") == "list");
+    CHECK(unit(Link::tri_req, "best_det") == "list");
+    CHECK(unit(Link::box_req, "recip[0]") == "trav");
+    CHECK(unit(Link::box_req, "exp[0]") == "node_cache");
+    CHECK(unit(Link::tri_rsp, "u") == "tri");
+    config.shading = 1;
+    CHECK(unit(Link::hit, "colour[2]", nothing) == "shade");
+    CHECK(unit(Link::hit, "colour[2]", all) == "sched");
+    CHECK(unit(Link::closest, "", nothing) == "trav");
+    CHECK(unit(Link::closest, "found", done) == "list");
+}
+
+TEST_CASE("a ray that ends too early is told of the unit that ends it") {
+    const Job job = small_job();
+    // The group below the top never matters: the ray is done when it is left.
+    const Mutant mutant("bvh/rc_stack.sv", "below_matters = top_below <= tested.t_best;",
+                        "below_matters = 1'b0;");
+    const LockstepResult result = run_lockstep(job);
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "trav");
 }
 
 TEST_CASE("a build tells each of its minutes once") {

@@ -1,0 +1,37 @@
+#pragma once
+// The Verilog sources, read just well enough to say what gives a signal its value. For the style of this
+// project's RTL: one module in a file, instances called u_..., generate blocks called gen_...
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rayclock {
+
+/// A statement, or a port of an instance, that gives signals a value.
+struct SignalDriver {
+    enum class Kind { combinational, registered, instance };
+    Kind kind{};
+    std::size_t line = 0;                 ///< from 1
+    std::vector<std::string> targets;     ///< names that it drives
+    std::vector<std::string> sources;     ///< names in what it gives them
+    std::string instance, module, port;   ///< of Kind::instance: "u_hitdiv", "rc_hitdiv", "v_o"
+};
+
+/// A connection of an instance's input.
+struct InputConnection {
+    std::string instance, port;
+    std::size_t line = 0;
+    std::vector<std::string> sources;
+};
+
+struct ModuleText {
+    std::string file, name;           ///< "isect/rc_tri.sv", "rc_tri"
+    std::vector<std::string> lines;   ///< as they stand
+    std::vector<SignalDriver> drivers;
+    std::vector<InputConnection> inputs;
+};
+
+/// The module of a source; an empty name if it has none.
+ModuleText read_module(const std::string& file, const std::string& text);
+
+}   // namespace rayclock
