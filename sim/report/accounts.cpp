@@ -107,19 +107,20 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
 
 std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     const Bound bound = bound_of(config, khz, run);
-    const auto every = [](int interval) {
-        return interval == 1 ? "one a cycle" : fmt::format("one every {} cycles", interval);
+    const auto at_most = [](const char* what, const char* does, const char* one, int interval) {
+        return fmt::format("{} limit this frame: a pipeline {} at most one {} {}", what, does, one,
+                           interval == 1 ? "per cycle" : fmt::format("every {} cycles", interval));
     };
     const bool is_port = config.dram_part() && peak_bytes_per_second(config, khz) >= 64.0 * khz * 1e3;
-    const std::string work =
-        bound.unit == "raygen"  ? "rays, " + every(config.raygen_interval) + " and pipeline"
-        : bound.unit == "trav"  ? "node visits, " + every(config.box_interval()) + " and pipeline"
-        : bound.unit == "tri"   ? "triangle tests, " + every(config.tri_interval) + " and pipeline"
-        : bound.unit == "shade" ? "shade's passes, " + every(config.shade_interval) + " and pipeline"
-        : is_port               ? "the port to memory, 64 bytes a cycle,"
-                                : "the memory's data bus";
-    std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
-                                   bound.unit == "memory" ? "s" : "", bound.reached * 100);
+    const std::string limit =
+        bound.unit == "raygen"  ? at_most("camera rays", "starts", "ray", config.raygen_interval)
+        : bound.unit == "trav"  ? at_most("node visits", "visits", "node", config.box_interval())
+        : bound.unit == "tri"   ? at_most("primitive tests", "starts", "test", config.tri_interval)
+        : bound.unit == "shade" ? at_most("passes of shade", "starts", "pass", config.shade_interval)
+        : is_port ? "the port to memory limits this frame: it carries at most 64 bytes per cycle"
+                  : "the memory's data bus limits this frame";
+    std::string text =
+        fmt::format("{}, and the frame reaches {:.0f} % of that limit", limit, bound.reached * 100);
     // What keeps the unit that bounds it from working in every cycle.
     const std::string unit = bound.unit == "trav" ? "box" : bound.unit;
     std::vector<UnitAccount::Part> losses;

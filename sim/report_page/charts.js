@@ -1,11 +1,18 @@
 // The charts. Each is a specification of Vega; the figures are those of the tables.
 
-const kindColours = { busy: "#009e73", starved: "#9fb3c8", stalled: "#d55e00" };
+// The clock whose figures are shown. Pictures of cost, links and what lies over time are those of the first one.
+let chosen = 0;
+const clock = () => report.clocks[chosen];
+
+// What gives out tiles waits until the pipelines have room: with all contexts in use that is as it should be.
+const kindColours = { busy: "#009e73", starved: "#9fb3c8", stalled: "#d55e00", "has given out enough": "#d5dde6" };
+const stalledKind = unit => unit === "dispatch" ? "has given out enough" : "stalled";
+const kindsShown = rows => Object.keys(kindColours).filter(kind => rows.some(r => r.kind === kind));
 
 function accountRows() {
   const rows = [];
-  for (const [unit, account] of Object.entries(report.units))
-    for (const [kind, causes] of [["busy", account.busy_with], ["starved", account.starved_by], ["stalled", account.stalled]])
+  for (const [unit, account] of Object.entries(clock().units))
+    for (const [kind, causes] of [["busy", account.busy_with], ["starved", account.starved_by], [stalledKind(unit), account.stalled]])
       for (const [cause, cycles] of Object.entries(causes))
         if (cycles > 0) rows.push({ unit, kind, cause, cycles });
   return rows;
@@ -13,7 +20,7 @@ function accountRows() {
 
 // Bars of shares, one for each unit, cut by cause.
 function accountsSpec() {
-  const rows = accountRows(), total = {}, order = Object.keys(report.units);
+  const rows = accountRows(), total = {}, order = Object.keys(clock().units);
   for (const r of rows) total[r.unit] = (total[r.unit] || 0) + r.cycles;
   const seen = {};
   for (const r of rows) {
@@ -21,17 +28,17 @@ function accountsSpec() {
     r.to = seen[r.unit] = r.from + r.cycles / total[r.unit];
     const nth = rows.filter(o => o.unit === r.unit && o.kind === r.kind).indexOf(r);
     r.opacity = Math.max(0.4, 1 - 0.22 * nth);
-    r.label = r.to - r.from > 0.07 ? r.cause : "";
+    r.label = (r.to - r.from) * within(1000) > 7 * r.cause.length + 100 * isNarrow() ? r.cause : "";
     r.tooltip = `${r.unit}: ${r.kind}, ${r.cause}: ${grouped(r.cycles)} cycles, ${(100 * (r.to - r.from)).toFixed(2)} %`;
   }
   return {
-    title: "Cycles of every unit", width: 900, height: 26 * order.length,
+    title: "Cycles of every unit", fills: true, width: within(1000), height: 26 * order.length,
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: [0, 1], range: "width" },
       { name: "y", type: "band", domain: order, range: "height", paddingInner: 0.18 },
-      { name: "colour", type: "ordinal", domain: Object.keys(kindColours), range: Object.values(kindColours) }],
-    axes: [{ orient: "bottom", scale: "x", format: "%" }, { orient: "left", scale: "y" }],
-    legends: [{ fill: "colour", orient: "top", direction: "horizontal", symbolType: "square" }],
+      { name: "colour", type: "ordinal", domain: kindsShown(rows), range: kindsShown(rows).map(kind => kindColours[kind]) }],
+    axes: [{ orient: "bottom", scale: "x", format: "%", tickCount: isNarrow() ? 4 : 10 }, { orient: "left", scale: "y" }],
+    legends: [{ fill: "colour", orient: "top", direction: "horizontal", columns: isNarrow() ? 2 : 4, symbolType: "square" }],
     marks: [{
       type: "rect", from: { data: "rows" }, encode: { enter: {
         x: { scale: "x", field: "from" }, x2: { scale: "x", field: "to" }, y: { scale: "y", field: "unit" },
@@ -41,7 +48,7 @@ function accountsSpec() {
       type: "text", from: { data: "rows" }, encode: { enter: {
         x: { scale: "x", signal: "(datum.from + datum.to) / 2" }, y: { scale: "y", field: "unit", band: 0.5 },
         text: { field: "label" }, align: { value: "center" }, baseline: { value: "middle" }, fontSize: { value: 11 },
-        fill: { signal: "datum.kind == 'starved' ? '#1c2430' : '#fff'" } } }
+        fill: { signal: "datum.kind == 'busy' || datum.kind == 'stalled' ? '#fff' : '#1c2430'" } } }
     }]
   };
 }
@@ -53,10 +60,10 @@ function histogramSpec() {
   const rows = Array.from(counts, (n, i) => ({ from: i * step, to: (i + 1) * step, pixels: n || 0,
     tooltip: `${grouped(i * step)} to ${grouped((i + 1) * step - 1)} cycles: ${grouped(n || 0)} pixels` }));
   return {
-    title: "Pixels by their cycles", width: 900, height: 180, data: [{ name: "rows", values: rows }],
+    title: "Pixels by their cycles", fills: true, width: within(1000), height: 180, data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: [0, step * rows.length], range: "width" },
       { name: "y", type: "symlog", domain: { data: "rows", field: "pixels" }, range: "height", nice: true }],
-    axes: [{ orient: "bottom", scale: "x", title: "cycles from entering the pipeline to leaving it" },
+    axes: [{ orient: "bottom", scale: "x", title: "cycles from entering the pipeline to leaving it", tickCount: isNarrow() ? 4 : 10 },
       { orient: "left", scale: "y", title: "pixels (logarithmic)", tickCount: 5, values: [1, 10, 100, 1000, 10000, 100000] }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {
       x: { scale: "x", field: "from" }, x2: { scale: "x", field: "to", offset: -1 }, y: { scale: "y", field: "pixels" },
@@ -66,17 +73,17 @@ function histogramSpec() {
 
 // The least cycles that each resource needs, and the frame's.
 function rooflineSpec() {
-  const clock = report.clocks[0];
+  const { bounds, bound, cycles } = clock();
   const names = { trav: "node visits", tri: "primitive tests", shade: "passes of shade", memory: "the memory's data bus" };
-  const rows = Object.entries(clock.bounds).map(([unit, cycles]) => ({ name: names[unit] || unit, cycles, bound: unit === clock.bound }));
-  rows.push({ name: "the frame", cycles: clock.cycles, frame: true });
+  const rows = Object.entries(bounds).filter(([, least]) => least > 0).map(([unit, least]) => ({ name: names[unit] || unit, cycles: least, bound: unit === bound }));
+  rows.push({ name: "the frame", cycles, frame: true });
   for (const r of rows) r.tooltip = `${r.name}: ${grouped(Math.round(r.cycles))} cycles`;
   return {
-    title: "Roofline: the least cycles that each resource needs for this frame", width: 700, height: 26 * rows.length,
+    title: `Roofline at ${clock().mhz} MHz: the least cycles that each resource needs for this frame`, fills: true, width: within(860), height: 26 * rows.length,
     data: [{ name: "rows", values: rows }],
-    scales: [{ name: "x", domain: [0, clock.cycles], range: "width", nice: true, zero: true },
+    scales: [{ name: "x", domain: [0, cycles], range: "width", nice: true, zero: true },
       { name: "y", type: "band", domain: rows.map(r => r.name), range: "height", paddingInner: 0.25 }],
-    axes: [{ orient: "bottom", scale: "x", title: "cycles", tickCount: 6 }, { orient: "left", scale: "y" }],
+    axes: [{ orient: "bottom", scale: "x", title: "cycles", tickCount: isNarrow() ? 3 : 6 }, { orient: "left", scale: "y" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {
       x: { scale: "x", value: 0 }, x2: { scale: "x", field: "cycles" }, y: { scale: "y", field: "name" },
       height: { scale: "y", band: 1 }, tooltip: { field: "tooltip" },
@@ -98,13 +105,13 @@ function kindsSpec() {
   const kinds = Object.keys(data.kinds).filter(kind => data.kinds[kind].rays > 0);
   const units = [...new Set([...Object.keys(unitColours), ...rows.map(r => r.unit)])].filter(unit => rows.some(r => r.unit === unit));
   return {
-    title: "Where a ray spends its cycles, in the mean, by what it is for", width: 800, height: 34 * kinds.length,
+    title: "Mean cycles of a ray in each unit, by what the ray is for", fills: true, width: within(960), height: 34 * kinds.length,
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: { data: "rows", field: "to" }, range: "width", zero: true, nice: true },
       { name: "y", type: "band", domain: kinds, range: "height", paddingInner: 0.25 },
       { name: "colour", type: "ordinal", domain: units, range: units.map(unit => unitColours[unit] || "#888888") }],
-    axes: [{ orient: "bottom", scale: "x", title: "cycles" }, { orient: "left", scale: "y" }],
-    legends: [{ fill: "colour", orient: "top", direction: "horizontal", symbolType: "square" }],
+    axes: [{ orient: "bottom", scale: "x", title: "cycles", tickCount: isNarrow() ? 4 : 10 }, { orient: "left", scale: "y" }],
+    legends: [{ fill: "colour", orient: "top", direction: "horizontal", columns: isNarrow() ? 3 : 12, symbolType: "square" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {
       x: { scale: "x", field: "from" }, x2: { scale: "x", field: "to" }, y: { scale: "y", field: "kind" },
       height: { scale: "y", band: 1 }, fill: { scale: "colour", field: "unit" }, tooltip: { field: "tooltip" },
@@ -112,23 +119,26 @@ function kindsSpec() {
   };
 }
 
-// Lines over the frame's cycles.
+// Lines over the frame's cycles. Lines that lie on each other differ in their dashes, so that none is hidden.
+const dashes = [[1, 0], [7, 5], [2, 4], [12, 4, 2, 4], [4, 2], [1, 2], [9, 9], [3, 7]];
 function linesSpec(title, axis, rows, format, top) {
   const names = [...new Set(rows.map(r => r.name))];
   const extra = top === undefined ? {} : { domainMax: top };
   return {
-    title, width: 900, height: 150, data: [{ name: "rows", values: rows }],
+    title, fills: true, width: within(1060), height: 150, data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: [0, data.cycles], range: "width" },
       { name: "y", domain: { data: "rows", field: "value" }, range: "height", zero: true, nice: top === undefined, ...extra },
       { name: "colour", type: "ordinal", domain: names, range: names.map((name, i) => unitColours[name] ||
-        ["#0072b2", "#d55e00", "#009e73", "#cc79a7"][i % 4]) }],
-    axes: [{ orient: "bottom", scale: "x", title: "cycle of the frame" },
+        ["#0072b2", "#d55e00", "#009e73", "#cc79a7"][i % 4]) },
+      { name: "dash", type: "ordinal", domain: names, range: names.map((name, i) => dashes[i % dashes.length]) }],
+    axes: [{ orient: "bottom", scale: "x", title: "cycle of the frame", tickCount: isNarrow() ? 3 : 10 },
       { orient: "left", scale: "y", title: axis, tickCount: 5, ...(format ? { format } : {}), grid: true, gridColor: "#eef1f5" }],
-    legends: names.length > 1 ? [{ stroke: "colour", orient: "right", symbolType: "stroke" }] : [],
+    legends: names.length > 1 ? [{ stroke: "colour", strokeDash: "dash", orient: legendSide(), symbolType: "stroke", symbolSize: 900,
+      direction: isNarrow() ? "horizontal" : "vertical", columns: isNarrow() ? 3 : 1, encode: { symbols: { update: { strokeWidth: { value: 2 } } } } }] : [],
     marks: [{ type: "group", from: { facet: { name: "series", data: "rows", groupby: "name" } }, marks: [{
       type: "line", from: { data: "series" }, encode: { enter: {
         x: { scale: "x", field: "at" }, y: { scale: "y", field: "value" }, stroke: { scale: "colour", field: "name" },
-        strokeWidth: { value: 1.8 } } } }] }]
+        strokeDash: { scale: "dash", field: "name" }, strokeWidth: { value: 1.8 } } } }] }]
   };
 }
 const windowRows = values => data.windows.flatMap(w => Object.entries(values(w)).map(([name, value]) =>
@@ -140,14 +150,14 @@ function tilesSpec() {
   const rows = data.tiles.map(([x, y, pipeline, first, last], i) => ({ x, y, cycles: last - first,
     tooltip: `tile ${x}, ${y}: ${grouped(last - first)} cycles, ${grouped(first)} to ${grouped(last)}, pipeline ${pipeline}; ` +
       `the ${grouped(i + 1)}th to be given out` }));
-  const size = Math.max(6, Math.min(40, Math.floor(760 / columns)));
+  const size = Math.max(isNarrow() ? 2 : 6, Math.min(40, Math.floor(Math.min(760, room() - 64) / columns)));
   return {
     title: "Tiles: cycles from the first pixel's start to the last pixel's end", width: size * columns, height: size * lines,
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: [0, columns], range: "width" }, { name: "y", domain: [0, lines], range: [0, size * lines] },
       { name: "colour", type: "linear", domain: { data: "rows", field: "cycles" }, zero: true, range: { scheme: "blues" } }],
     axes: [{ orient: "bottom", scale: "x", title: "tile, from the left" }, { orient: "left", scale: "y", title: "tile, from the top" }],
-    legends: [{ fill: "colour", title: "cycles", type: "gradient", orient: "right" }],
+    legends: [{ fill: "colour", title: "cycles", type: "gradient", orient: legendSide() }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {
       x: { scale: "x", field: "x" }, width: { value: size }, y: { scale: "y", field: "y" }, height: { value: size },
       fill: { scale: "colour", field: "cycles" }, stroke: { value: "#fff" }, strokeWidth: { value: 0.5 },

@@ -61,14 +61,26 @@ const chartConfig = {
   text: fonts,
   axis: { labelFont: fonts.font, titleFont: fonts.font, labelColor: "#3b4653", titleColor: "#3b4653", grid: false,
     domainColor: "#98a3b0", tickColor: "#98a3b0", titleFontWeight: "normal" },
-  legend: { labelFont: fonts.font, titleFont: fonts.font, titleFontWeight: "normal" },
-  title: { font: fonts.font, anchor: "start", fontSize: 14, fontWeight: 600, offset: 10 }
+  legend: { labelFont: fonts.font, titleFont: fonts.font, titleFontWeight: "normal" }
 };
 
-async function show(id, spec) {
-  const { View, Warn, parse } = vega();
-  const view = new View(parse({ autosize: { type: "pad", contains: "padding" }, padding: 6, config: chartConfig, ...spec }),
-    { renderer: "svg", container: "#chart-" + id, logLevel: Warn, hover: true });
+// Pixels that a chart may be wide, and whether that is a telephone's screen.
+const room = () => document.querySelector("main").clientWidth - 8;
+const within = width => Math.min(width, room());
+const isNarrow = () => room() < 700;
+const legendSide = () => isNarrow() ? "top" : "right";
+
+// The title stands above the chart as text of the page, where it may take several lines. `fills`: the width is that
+// of the whole chart, with axes and legends.
+async function show(id, { title, fills, ...spec }) {
+  const { View, Warn, parse } = vega(), place = byId("chart-" + id), chart = document.createElement("div");
+  const heading = document.createElement("p");
+  heading.className = "title";
+  heading.textContent = title || "";
+  place.replaceChildren(...(title ? [heading, chart] : [chart]));
+  const autosize = { type: fills ? "fit-x" : "pad", contains: "padding" };
+  const view = new View(parse({ autosize, padding: 6, config: chartConfig, ...spec }),
+    { renderer: "svg", container: chart, logLevel: Warn, hover: true });
   await view.runAsync();
   return view;
 }

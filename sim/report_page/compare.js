@@ -3,21 +3,21 @@
 const verdicts = { better: "#009e73", worse: "#d55e00", neither: "#9fb3c8" };
 function effectsSpec() {
   const rows = data.differences.filter(d => d.change !== null && d.values[d.values.length - 1] !== null).slice(0, 40).map(d => ({
-    figure: d.figure, change: d.change, verdict: d.verdict || "neither", label: `${d.change > 0 ? "+" : ""}${(100 * d.change).toFixed(2)} %`,
-    tooltip: `${d.figure}: ${d.values.map(v => v === null ? "none" : numbers.format(v)).join(" to ")}` }));
+    figure: d.name, change: d.change, verdict: d.verdict || "neither", label: `${d.change > 0 ? "+" : ""}${(100 * d.change).toFixed(2)} %`,
+    tooltip: `${d.name} (${d.figure}): ${d.values.map(v => v === null ? "none" : numbers.format(v)).join(" to ")}` }));
   return {
-    title: "The forty largest changes, relative to the first report", width: 620, height: 20 * Math.max(1, rows.length),
+    title: "What people ask for first, then the largest changes, relative to the first report", fills: true, width: within(1060), height: 20 * Math.max(1, rows.length),
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", type: "symlog", constant: 0.01, domain: { data: "rows", field: "change" }, range: "width", zero: true, nice: true },
       { name: "y", type: "band", domain: rows.map(r => r.figure), range: "height", paddingInner: 0.2 },
       { name: "verdict", type: "ordinal", domain: Object.keys(verdicts), range: Object.values(verdicts) }],
-    axes: [{ orient: "bottom", scale: "x", format: "+.0%", title: "change (symmetric logarithm)", values: [-1, -0.1, -0.01, 0, 0.01, 0.1, 1, 10] },
-      { orient: "left", scale: "y", labelLimit: 330 }],
+    axes: [{ orient: "bottom", scale: "x", format: "+.0%", title: "change (symmetric logarithm)", values: [-1, -0.1, -0.01, 0, 0.01, 0.1, 1, 10], labelOverlap: true },
+      { orient: "left", scale: "y", labelLimit: isNarrow() ? room() / 2 : 420 }],
     legends: [{ fill: "verdict", orient: "top", direction: "horizontal", symbolType: "square" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: { x: { scale: "x", value: 0 }, x2: { scale: "x", field: "change" },
       y: { scale: "y", field: "figure" }, height: { scale: "y", band: 1 }, fill: { scale: "verdict", field: "verdict" }, tooltip: { field: "tooltip" } } } },
-    { type: "text", from: { data: "rows" }, encode: { enter: { x: { scale: "x", field: "change", offset: { signal: "datum.change < 0 ? -4 : 4" } },
-      y: { scale: "y", field: "figure", band: 0.5 }, text: { field: "label" }, align: { signal: "datum.change < 0 ? 'right' : 'left'" },
+    { type: "text", from: { data: "rows" }, encode: { update: { x: { signal: "width + 64" },
+      y: { scale: "y", field: "figure", band: 0.5 }, text: { field: "label" }, align: { value: "right" },
       baseline: { value: "middle" }, fontSize: { value: 10 } } } }]
   };
 }

@@ -6,15 +6,18 @@ const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 
   memory: [7, 1.5] };
 
 function machineSpec() {
-  const wide = 104, high = 58, columns = 138, rows = 92, units = [], bars = [];
+  // On a narrow screen the diagram goes down and not across: columns are lines then.
+  const names = Object.keys(clock().units), hasStrangers = names.some(name => !unitPlaces[name]), across = !isNarrow();
+  const lines = hasStrangers ? 6 : 5, pitch = across ? 138 : Math.floor(room() / lines) - 2, step = across ? 92 : 88;
+  const wide = across ? 104 : pitch - 9, high = 58, letters = across ? 13 : 9.5, units = [], bars = [];
   let strangers = 0;   // units that have no place yet
-  for (const [name, account] of Object.entries(report.units)) {
+  for (const [name, account] of Object.entries(clock().units)) {
     const [column, row] = unitPlaces[name] || [strangers++, 5];
     const stalled = Object.values(account.stalled).reduce((a, b) => a + b, 0);
     const all = account.busy + account.starved + stalled;
-    const unit = { name, x: column * columns, y: row * rows, shares: { busy: account.busy / all, starved: account.starved / all,
-      stalled: stalled / all } };
-    unit.text = `${(100 * unit.shares.busy).toFixed(1)} % busy`;
+    const unit = { name, x: (across ? column : row) * pitch, y: (across ? row : column) * step, shares: { busy: account.busy / all, starved: account.starved / all,
+      [stalledKind(name)]: stalled / all } };
+    unit.text = `${(100 * unit.shares.busy).toFixed(across ? 1 : 0)} % busy`;
     unit.tooltip = `${name}: ${Object.entries(unit.shares).map(([k, s]) => `${k} ${(100 * s).toFixed(2)} %`).join(", ")}; ` +
       `${grouped(account.count)} pieces of work`;
     let at = unit.x + 6;
@@ -45,11 +48,11 @@ function machineSpec() {
   const encode = more => ({ enter: { tooltip: { field: "tooltip" }, ...more } });
   const field = name => ({ field: name });
   return {
-    width: 7 * columns + wide, height: (strangers ? 5 : 4) * rows + high, 
+    width: across ? 7 * pitch + wide : (lines - 1) * pitch + wide, height: across ? (lines - 1) * step + high : 7 * step + high,
     data: [{ name: "units", values: units }, { name: "bars", values: bars }, { name: "links", values: links }],
-    scales: [{ name: "kind", type: "ordinal", domain: Object.keys(kindColours), range: Object.values(kindColours) },
+    scales: [{ name: "kind", type: "ordinal", domain: kindsShown(bars), range: kindsShown(bars).map(kind => kindColours[kind]) },
       { name: "heat", domain: [0, 1], range: ["#98a3b0", "#c00000"] }],
-    legends: [{ fill: "kind", orient: "top-left", direction: "horizontal", symbolType: "square" }],
+    legends: [{ fill: "kind", orient: "top", direction: "horizontal", columns: across ? 4 : 2, symbolType: "square" }],
     marks: [
       { type: "rule", from: { data: "links" }, encode: encode({ x: field("x"), y: field("y"), x2: field("x2"), y2: field("y2"),
         stroke: { scale: "heat", field: "colour" }, strokeWidth: field("width") }) },
@@ -60,9 +63,9 @@ function machineSpec() {
       { type: "rect", from: { data: "bars" }, encode: encode({ x: field("x"), x2: field("x2"), y: field("y"), height: { value: 9 },
         fill: { scale: "kind", field: "kind" } }) },
       { type: "text", from: { data: "units" }, encode: encode({ x: { field: "x", offset: wide / 2 }, y: { field: "y", offset: 16 },
-        text: field("name"), align: { value: "center" }, fontSize: { value: 13 }, fontWeight: { value: 600 } }) },
+        text: field("name"), align: { value: "center" }, fontSize: { signal: `min(${letters}, ${1.55 * wide} / length(datum.name))` }, fontWeight: { value: 600 } }) },
       { type: "text", from: { data: "units" }, encode: encode({ x: { field: "x", offset: wide / 2 }, y: { field: "y", offset: 33 },
-        text: field("text"), align: { value: "center" }, fontSize: { value: 11 }, fill: { value: "#5d6875" } }) }
+        text: field("text"), align: { value: "center" }, fontSize: { value: across ? 11 : 9.5 }, fill: { value: "#5d6875" } }) }
     ]
   };
 }
@@ -87,4 +90,38 @@ function bandwidthSpec() {
 }
 const below = { histogram: histogramSpec, machine: machineSpec, roofline: rooflineSpec, accounts: accountsSpec,
   kinds: kindsSpec, rays: raysSpec, activity: activitySpec, hits: hitsSpec, bandwidth: bandwidthSpec, tiles: tilesSpec };
+
+// Another clock: its key figures, bounds and accounts. What was watched pixel by pixel is that of the first.
+const percent = (part, all) => all ? `${(100 * part / all).toFixed(1)} %` : "";
+const sumOf = parts => Object.values(parts).reduce((a, b) => a + b, 0);
+function fillTable(table, rows) {
+  table.tBodies[0].replaceChildren(...rows.map(cells => {
+    const row = document.createElement("tr");
+    cells.forEach((text, i) => {
+      const cell = row.insertCell();
+      cell.textContent = text;
+      if (cells.left > i) cell.className = "word";
+    });
+    return row;
+  }));
+}
+function accountLine(unit, a) {
+  const all = a.busy + a.starved + sumOf(a.stalled);
+  const parts = (causes, lead) => Object.entries(causes).filter(([, n]) => n > 0 && 2000 * n >= all)
+    .map(([cause, n]) => `${lead}${cause} ${percent(n, all)}`);
+  const causes = [...parts(a.busy_with, ""), ...parts(a.starved_by, "starved by "), ...parts(a.stalled, "stalled by ")];
+  return Object.assign([unit, causes.join(", "), a.instances, grouped(a.count), percent(a.busy, all), percent(a.starved, all),
+    percent(sumOf(a.stalled), all)], { left: 2 });
+}
+async function chooseClock() {
+  chosen = Number(byId("clock").value);
+  const c = clock(), cells = document.querySelectorAll("header .figures b");
+  [grouped(c.cycles), c.fps.toFixed(2), c.mrays_per_s.toFixed(2), `${(100 * c.bound_reached).toFixed(0)} %`, c.bound].forEach((text, i) =>
+    cells[i].textContent = text);
+  byId("clock-note").hidden = chosen === 0;
+  byId("bottleneck").textContent = c.bottleneck + ".";
+  fillTable(document.querySelector("#accounts table"), Object.entries(c.units).map(([unit, a]) => accountLine(unit, a)));
+  for (const id of ["machine", "roofline", "accounts"]) await show(id, below[id]());
+}
+if (byId("clock")) byId("clock").addEventListener("change", chooseClock);
 showPage(showViewer, Object.entries(below).map(([id, spec]) => () => show(id, spec())));

@@ -56,6 +56,22 @@ std::string key_figures(const PageInput& input) {
          {"is the bound", clock.at("bound").get<std::string>()}});
 }
 
+/// A choice of clocks, if there are several. What was watched pixel by pixel is that of the first.
+std::string clock_choice(const PageInput& input) {
+    const auto& clocks = input.report.at("clocks");
+    if (clocks.size() < 2) return {};
+    std::string options;
+    for (std::size_t i = 0; i < clocks.size(); ++i)
+        options +=
+            fmt::format("<option value=\"{}\">{:g} MHz</option>", i, clocks[i].at("mhz").get<double>());
+    return fmt::format(
+        "<p class=\"controls\"><label>clock <select id=\"clock\">{}</select></label>"
+        "<span id=\"clock-note\" hidden>Maps of pixels, links, caches, kinds of rays and charts over time "
+        "stay "
+        "those at {:g} MHz.</span></p>\n",
+        options, input.khz / 1e3);
+}
+
 std::string downloads() {
     return R"(<p class="controls" id="downloads" hidden><button data-save="report.json">report as JSON</button>
 <button data-save="pixels.csv">all pixels as CSV</button> <button data-save="units.csv">units as CSV</button>
@@ -112,7 +128,7 @@ std::string report_page(const PageInput& input) {
     return framed(
         {title,
          fmt::format("<p>{} x {} pixels, made by rayclock.</p>", input.costs.width, input.costs.height) +
-             key_figures(input),
+             key_figures(input) + clock_choice(input),
          body(input), html::data_element("report", input.report) + html::data_element("data", data),
          std::string(page_viewer) + page_charts + page_machine, false, html::far_sentence(input.report)});
 }

@@ -34,7 +34,7 @@ std::string clock_section(const PageInput& input) {
                         clock.at("bound").get<std::string>(),
                         fmt::format("{:.0f} %", 100 * clock.at("bound_reached").get<double>())});
     const auto& first = input.report.at("clocks")[0];
-    return "<p>" + html::escaped(first.at("bottleneck").get<std::string>()) + ".</p>\n" +
+    return "<p id=\"bottleneck\">" + html::escaped(first.at("bottleneck").get<std::string>()) + ".</p>\n" +
            html::table(
                "Every clock that was asked for",
                {"MHz", "cycles", "frames/s", "Mrays/s", "bytes/ray", "memory GB/s", "bound", "reached"},
