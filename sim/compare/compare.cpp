@@ -176,9 +176,13 @@ Comparison compare_reports(const std::vector<NamedReport>& reports) {
         if (std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) != values.end())
             c.settings.emplace_back(key, std::move(values));
     }
+    const auto rank = [](const Difference& d) {
+        return is_key_figure(d.figure) ? 0 : d.verdict != Verdict::none ? 1 : 2;
+    };
     std::stable_sort(
-        c.differences.begin(), c.differences.end(),
-        [](const Difference& a, const Difference& b) { return std::fabs(a.change) > std::fabs(b.change); });
+        c.differences.begin(), c.differences.end(), [&](const Difference& a, const Difference& b) {
+            return std::pair(rank(a), -std::fabs(a.change)) < std::pair(rank(b), -std::fabs(b.change));
+        });
     return c;
 }
 

@@ -28,8 +28,10 @@ struct Difference {
     Verdict verdict = Verdict::none;
 };
 struct Comparison {
-    std::vector<Difference> differences;   ///< the largest change first
-    std::uint64_t equal = 0;               ///< figures that do not differ
+    /// Key figures, then those of which more or less is better, then all others; in each the largest change
+    /// first.
+    std::vector<Difference> differences;
+    std::uint64_t equal = 0;   ///< figures that do not differ
     /// Words that differ, and all parameters of the configuration: key, and what each report has.
     std::vector<std::pair<std::string, std::vector<std::string>>> settings;
 };
@@ -45,6 +47,12 @@ Comparison compare_reports(const std::vector<NamedReport>& reports);
 
 /// Whether more or less of a figure is better, or neither.
 int direction_of(const std::string& figure);
+
+/// What people ask for first: cycles, frames a second and bytes of a clock, and errors.
+bool is_key_figure(const std::string& figure);
+
+/// A figure's name in words: "cycles at 66 MHz" for clocks.66.cycles.
+std::string figure_name(const std::string& figure);
 
 /// Figures under one of the prefixes that became worse by more than this share.
 std::vector<Difference> beyond(const Comparison& comparison, const std::vector<std::string>& figures,

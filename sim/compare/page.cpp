@@ -72,14 +72,15 @@ std::string value_text(const std::optional<double>& value) {
 std::string differences_table(const std::vector<NamedReport>& reports, const Comparison& c) {
     std::vector<std::string> head{"figure", "verdict"};
     for (std::size_t i = 0; i < reports.size(); ++i) head.push_back(std::string(1, char('A' + int(i % 26))));
-    head.push_back("change");
+    head.insert(head.end(), {"change", "in the JSON report"});
     std::vector<std::vector<std::string>> rows;
     for (const Difference& d : c.differences) {
-        rows.push_back({d.figure, d.verdict == Verdict::better  ? "better"
-                                  : d.verdict == Verdict::worse ? "worse"
-                                                                : ""});
+        rows.push_back({figure_name(d.figure), d.verdict == Verdict::better  ? "better"
+                                               : d.verdict == Verdict::worse ? "worse"
+                                                                             : ""});
         for (const auto& value : d.values) rows.back().push_back(value_text(value));
         rows.back().push_back(d.is_new ? "new" : fmt::format("{:+.2f} %", 100 * d.change));
+        rows.back().push_back(d.figure);
     }
     return "<div class=\"scroll\">" + html::table("", head, rows, 2) + "</div>";
 }
@@ -155,8 +156,7 @@ std::string comparison_page(const std::vector<NamedReport>& reports, const Compa
                                  {"figures differ", grouped(c.differences.size())},
                                  {"figures are equal", grouped(c.equal)}});
     page.body = html::section("settings", "What was set", settings_table(reports, c)) +
-                html::section("effects", "Effects, the largest first",
-                              html::chart("effects", "change of every figure")) +
+                html::section("effects", "Effects", html::chart("effects", "change of every figure")) +
                 pixels_section(change) +
                 html::section("table", "Every figure that differs", differences_table(reports, c)) +
                 html::section("origin", "Origin", html::table("", {"what", "value"}, lines, 2));

@@ -21,14 +21,6 @@ const char* verdict_name(Verdict v) {
     return v == Verdict::better ? "better" : v == Verdict::worse ? "worse" : "";
 }
 
-/// What people ask for first.
-bool is_key(const std::string& figure) {
-    const bool of_clock = figure.starts_with("clocks.") && std::count(figure.begin(), figure.end(), '.') == 2;
-    return (of_clock &&
-            (figure.ends_with(".cycles") || figure.ends_with(".fps") || figure.ends_with(".dram_bytes"))) ||
-           figure == "error.pixels_other_primitive" || figure == "error.psnr_db" || figure == "judge.wrong";
-}
-
 std::string table_of(const char* what, const std::vector<std::string>& names,
                      const std::vector<Difference>& differences) {
     std::vector<std::string> head{what};
@@ -68,7 +60,7 @@ std::string comparison_text(const std::vector<NamedReport>& reports, const Compa
     }
     if (c.differences.empty()) return text + fmt::format("\n  all {} figures are equal\n", grouped(c.equal));
     std::vector<Difference> key, others;
-    for (const Difference& d : c.differences) (is_key(d.figure) ? key : others).push_back(d);
+    for (const Difference& d : c.differences) (is_key_figure(d.figure) ? key : others).push_back(d);
     const std::size_t shown = most == 0 ? others.size() : std::min(most, others.size());
     others.resize(shown);
     if (!key.empty()) text += "\n" + table_of("key figures", names, key);
@@ -90,6 +82,7 @@ nlohmann::ordered_json comparison_json(const std::vector<NamedReport>& reports, 
         const char* verdict = verdict_name(d.verdict);
         differences.push_back(
             {{"figure", d.figure},
+             {"name", figure_name(d.figure)},
              {"values", values},
              {"change", d.is_new ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(d.change)},
              {"verdict", *verdict ? nlohmann::ordered_json(verdict) : nlohmann::ordered_json(nullptr)}});
