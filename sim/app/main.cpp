@@ -1,4 +1,5 @@
 // rayclock: the command line. Every command's options and work are in the file of its name.
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -117,6 +118,24 @@ int finish(int code) {
     return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
+/// The first word that looks like an option and is none of `app`; empty if there is no such word.
+std::string unknown_option(const CLI::App& app, int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i], name = word.substr(0, word.find('='));
+        const bool is_option = name.size() > 1 && name[0] == '-' && !std::isdigit(name[1]) && name[1] != '.';
+        if (is_option && name != "--" && !app.get_option_no_throw(name)) return name;
+    }
+    return {};
+}
+
+/// The long names of an application's options.
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
 /// What the parser found wrong, in one sentence that names what was typed.
 std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
                         char** argv) {
@@ -129,6 +148,11 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
     if (!used && argc > 1 && argv[1][0] != '-')
         return "no command is called " + shown(argv[1]) + did_you_mean(argv[1], names) +
                " ('rayclock --help' lists them)";
+    const CLI::App& app = used ? *used : *commands.front().parsed->get_parent();
+    if (const std::string option = unknown_option(app, argc, argv); !option.empty())
+        return (used ? used->get_name() : "rayclock") + ": no option is called " + shown(option) +
+               did_you_mean(option, option_names(app)) + " ('rayclock " +
+               (used ? used->get_name() + " " : "") + "--help' lists them)";
     std::string text = error.what();
     for (char& c : text)
         if (c == '\n') c = ' ';
