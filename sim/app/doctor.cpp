@@ -11,6 +11,7 @@
 #include "sim/app/options.hpp"
 #include "sim/chip/nextpnr.hpp"
 #include "sim/film/strip.hpp"
+#include "sim/plot/pdf.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/report_page/library.hpp"
@@ -145,6 +146,10 @@ int run(const Options& o) {
     const fs::path film = find_program(film_program);
     table.add({film_program,
                film.empty() ? "none: films are left as frames (apt-get install apngasm)" : film.string()});
+    const fs::path pdf = find_program(plot::pdf_program);
+    table.add({plot::pdf_program,
+               pdf.empty() ? "none: plots are SVG only (apt-get install librsvg2-bin)" : pdf.string()});
+    json["pdf"] = pdf.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pdf.string());
     json["film"] = film.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(film.string());
     const fs::path assimp = find_program(assimp_program);
     table.add({assimp_program,

@@ -14,6 +14,7 @@
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
+#include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/stopping.hpp"
 
@@ -27,7 +28,10 @@ struct Options {
     std::string scene, size = default_size, max_error = "0.1%", max_work = "2%", output;
     std::optional<double> min_psnr;
     ConfigChoice config;
+    Finish finish;
     ViewChoice view;
+    FramesOptions frames;
+    std::uint64_t seed = 1;
     DeviceOptions device;
     int threads = 0;
     JsonOutput json;
@@ -35,7 +39,10 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
+    finished_options(parser, o.finish);
     view_options(parser, o.view);
+    frames_options(parser, o.frames);
+    parser.option("--seed", o.seed, "seed of --jittered").within(1, 1 << 30);
     parser
         .option("--max-error", o.max_error,
                 "percentage of pixels that may hold another primitive than the reference's")
@@ -98,34 +105,60 @@ std::string hopeless(const Options& o, const Goal& goal, const Config& base, Mea
     sentence += fmt::format(
         "; because of {} the scene is {} times as large as the rest", part->what,
         part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
-    Measure rest(part->without, measure.size(), o.threads);
+    Measure rest(part->without, measure.size(), o.threads, measure.choice());
     rest.tell = measure.tell;
     const std::optional<int> bits = Search(rest, base, goal).smallest_coord_bits();
     return sentence + (bits ? fmt::format(", and without that N = {} would do", *bits)
                             : std::string(", but without that no width would do either"));
 }
 
+constexpr const char* no_proof =
+    "  no ranges are proven: the proof knows one picture of camera rays in a flat scene; rayclock verify "
+    "judges "
+    "every ray of this one";
+
+/// The options of the picture, as they were typed, for the command that verifies it.
+std::string picture_words(const Options& o) {
+    std::string words;
+    const auto add = [&](const char* option, const auto& value) {
+        if (value) words += fmt::format(" {} {}", option, *value);
+    };
+    add("--depth", o.finish.depth);
+    add("--aa", o.finish.aa);
+    add("--threshold", o.finish.threshold);
+    add("--contrast", o.finish.contrast);
+    if (o.finish.jittered) words += " --jittered";
+    if (o.finish.fresnel) words += " --fresnel";
+    if (o.frames.frames > 1) words += fmt::format(" --frames {}", o.frames.frames);
+    if (!o.frames.time.empty()) words += " --time " + o.frames.time;
+    add("--fps", o.frames.fps);
+    if (o.frames.pan != 0) words += fmt::format(" --pan {:g}", o.frames.pan);
+    return words;
+}
+
 /// What was found, and what it took.
 struct Found {
     const Scene& scene;
     FrameSize size;
+    const PictureChoice& picture;
     const Goal& goal;
     const Config& base;
     Fit fit;
     Config config;   ///< what is written
     std::optional<DeviceFit> device;
-    Ranges ranges;
+    std::optional<Ranges> ranges;   ///< of a flat scene's camera rays
     std::size_t frames = 0;
     double seconds = 0;
 };
 
 void print(const Options& o, const Found& f) {
     const Outcome& result = f.fit.outcome;
-    fmt::print("{}, {} triangles, {}x{}: {}\n\n", f.scene.name, grouped(f.scene.triangles.size()),
-               f.size.width, f.size.height, goal_text(f.goal));
-    fmt::print("{}\n{}\n", parameter_table(f.fit, f.base), needs_text(f.fit, f.base, f.ranges));
+    fmt::print("{}, {}, {}x{}: {}\n\n", f.scene.name, primitives_text(f.scene), f.size.width, f.size.height,
+               goal_text(f.goal));
+    fmt::print("{}\n{}\n", parameter_table(f.fit, f.base),
+               needs_text(f.fit, f.base, f.ranges.value_or(Ranges{})));
     fmt::print("{}\n", units_text(f.config));
-    fmt::print("{}\n", range_table(f.ranges));
+    fmt::print("{}\n", f.ranges ? range_table(*f.ranges) : std::string(no_proof) + "\n");
     fmt::print(
         "  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles "
         "than with the widest fields\n",
@@ -133,8 +166,9 @@ void print(const Options& o, const Found& f) {
         std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
         100 * (double(result.work) / double(f.fit.widest.work) - 1));
     if (f.device) fmt::print("\n{}\n", text(*f.device));
-    fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n",
-               printable(o.output), f.frames, f.seconds, printable(o.scene), o.size,
+    fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {}{} --size {} --config {}\n",
+               printable(o.output), f.frames, f.seconds, printable(o.scene), printable(picture_words(o)),
+               o.size,
                printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
 }
 
@@ -144,6 +178,8 @@ nlohmann::ordered_json json_of(const Found& f) {
     nlohmann::ordered_json report{
         {"scene", scene_json(f.scene)},
         {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
+        {"finished", f.picture.finished},
+        {"frames", f.picture.frames.frames},
         {"bounds",
          {{"max_error_percent", f.goal.max_error},
           {"min_psnr_db", psnr},
@@ -153,10 +189,10 @@ nlohmann::ordered_json json_of(const Found& f) {
         {"error", outcome_json(f.fit.outcome)},
         {"widest", outcome_json(f.fit.widest)},
         {"compile", compile_json(f.fit.outcome.compile)},
-        {"needs", needs_json(f.fit, f.ranges)},
+        {"needs", needs_json(f.fit, f.ranges.value_or(Ranges{}))},
         {"units", units_json(f.fit.config)},
         {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}},
-        {"ranges", ranges_json(f.ranges)},
+        {"ranges", f.ranges ? ranges_json(*f.ranges) : nlohmann::ordered_json(nullptr)},
         {"host", {{"seconds", f.seconds}, {"frames", f.frames}}}};
     if (f.device) report["device"] = json(*f.device);
     return report;
@@ -184,7 +220,16 @@ int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
     const std::optional<DeviceGoal> on_device = device_goal(o.device);
-    const Config base = load_config(o.config);
+    o.json.check();
+    if (o.output != "-")
+        check_writable(o.output);
+    else if (o.json.is_alone())
+        throw UserError("-o and --json cannot both go to standard output");
+    const Progress progress = terminal_progress();
+    const Request request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
+    const Scene& scene = request.scene;
+    const PictureChoice picture{request.finished, request.settings, settled_frames(o.frames, scene), o.view};
+    const Config& base = request.config;
     if (base.test() != PrimitiveTest::exact)
         throw UserError("fit: primitive_test must be exact, not " +
                         primitive_test_names()[std::size_t(base.primitive_test)] +
@@ -192,31 +237,24 @@ int run(const Options& o) {
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + structure_names()[std::size_t(base.structure)] +
                         ": the widths that it looks for are those of boxes");
-    if (base.has_instances())
-        throw UserError(
-            "fit: levels must be 1, not 2: the widths that it looks for are those of a flat scene");
-    o.json.check();
-    if (o.output != "-")
-        check_writable(o.output);
-    else if (o.json.is_alone())
-        throw UserError("-o and --json cannot both go to standard output");
-    const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
-    Measure measure(scene, size, o.threads);
+    Measure measure(scene, size, o.threads, picture);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);
     std::optional<DeviceFit> device;
-    if (on_device) device = fit_device(*on_device, scene, size, fit.config, o.threads, progress);
+    if (on_device) device = fit_device(*on_device, scene, size, fit.config, o.threads, progress, picture);
     const Config& config = device ? device->config : fit.config;
-    const Job job = make_job(scene, *scene.camera, size, config);
-    const Ranges ranges = prove_ranges(job.image, job.frame, config);
+    std::optional<Ranges> ranges;
+    if (measure.is_plain() && !config.has_instances()) {
+        const Job job = make_job(scene, *scene.camera, size, config);
+        ranges = prove_ranges(job.image, job.frame, config);
+    }
     if (progress) progress("fit", 1, 1);
-    if (!ranges.proven())
-        throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
+    if (ranges && !ranges->proven())
+        throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(*ranges));
     write_file(o.output, config_json_object(config).dump(2) + "\n");
 
     const double seconds = watch.seconds();
-    const Found found{scene, size, goal, base, fit, config, device, ranges, measure.done(), seconds};
+    const Found found{scene, size, picture, goal, base, fit, config, device, ranges, measure.done(), seconds};
     if (!o.json.is_alone() && o.output != "-") print(o, found);
     o.json.write(json_of(found));
     return device && device->routed && !device->routed->fits() ? 1 : 0;

@@ -27,12 +27,13 @@ std::string no_machine(const DeviceFit& fit) {
                        balance::excess(*first.use, fit.goal.room));
 }
 
-void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, const Progress& progress) {
+void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, const Progress& progress,
+           const PictureChoice& picture) {
     jobs::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
     fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}, fit.goal.methods}, cache, progress);
     if (!fit.routed->fits()) return;
     balance::SceneDoors at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,
-                                  fit.goal.fresh, progress);
+                                  fit.goal.fresh, progress, picture);
     std::vector<balance::Machine> one{{{}, fit.config, {}, {}}};
     if (at_routed.doors().fps(one)) fit.routed_fps = one[0].fps;
 }
@@ -82,9 +83,9 @@ std::optional<DeviceGoal> device_goal(const DeviceOptions& o) {
 }
 
 DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size, const Config& formats,
-                     int threads, const Progress& progress) {
+                     int threads, const Progress& progress, const PictureChoice& picture) {
     DeviceFit fit{goal, {}, {}, {}, {}};
-    balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress);
+    balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress, picture);
     const std::optional<balance::Found> found = balance::search(formats, goal.room, doors.doors());
     if (!found)
         throw Interrupted("interrupted: nothing is written, and the same command goes on where it was");
@@ -93,7 +94,7 @@ DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size,
     if (!best.fps || !best.use || !balance::fits(*best.use, goal.room))
         throw std::runtime_error(no_machine(fit));
     fit.config = best.config;
-    if (goal.route) route(fit, scene, size, threads, progress);
+    if (goal.route) route(fit, scene, size, threads, progress, picture);
     return fit;
 }
 

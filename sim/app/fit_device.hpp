@@ -6,7 +6,7 @@
 #include "sim/app/methods.hpp"
 #include "sim/balance/search.hpp"
 #include "sim/chip/run.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/film/choice.hpp"
 
 namespace rayclock {
 
@@ -39,7 +39,7 @@ struct DeviceFit {
 /// Looks among machines with the formats of `formats`. Throws std::runtime_error if none fits, or if
 /// interrupted().
 DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size, const Config& formats,
-                     int threads, const Progress& progress);
+                     int threads, const Progress& progress, const PictureChoice& picture);
 
 std::string text(const DeviceFit& fit);
 nlohmann::ordered_json json(const DeviceFit& fit);

@@ -25,6 +25,7 @@ void declare(Parser& parser, Options& o) {
 int run(const Options& o) {
     check_outputs(o.outputs);
     const sweep::Merged merged = sweep::merge(o.reports, axis_clock);
+    check_plots(o.outputs, merged.asked.axes);
     write_sweep(o.outputs, merged,
                 fmt::format("{} points from {} file{}", merged.outcome.results.size(), o.reports.size(),
                             o.reports.size() == 1 ? "" : "s"),

@@ -18,10 +18,13 @@ namespace rayclock {
 namespace {
 
 struct Options {
-    std::string scene, size = default_size, clock = default_clocks, cost = "multipliers";
+    std::string scene, size = default_size, clock = default_clocks, cost = "auto";
     std::vector<std::string> axes;
     ConfigChoice config;
+    Finish finish;
     ViewChoice view;
+    FramesOptions frames;
+    std::uint64_t seed = 1;
     bool fresh = false, no_netlist = false;
     int threads = 0;
     std::optional<int> cache_bytes;
@@ -31,7 +34,10 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
+    finished_options(parser, o.finish);
     view_options(parser, o.view);
+    frames_options(parser, o.frames);
+    parser.option("--seed", o.seed, "seed of --jittered").within(1, 1 << 30);
     parser
         .option("--axis", o.axes,
                 "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; a/b=1/8,2/4 changes "
@@ -41,7 +47,8 @@ void declare(Parser& parser, Options& o) {
         .option(
             "--cost", o.cost,
             "what the front weighs against speed and error: multipliers (of all pipelines), or of the "
-            "chip lut, dsp, bram (Yosys maps every different unit, which takes minutes) or bits of memory")
+            "chip lut, dsp, bram (Yosys maps every different unit, which takes minutes) or bits of memory; "
+            "auto: the first of multipliers, bits and the memory image that differs between points")
         .with_default();
     parser.option("--cache-bytes", o.cache_bytes,
                   "only points whose caches hold so many bytes in each pipeline");
@@ -87,22 +94,24 @@ int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     std::vector<sweep::Axis> axes;
     for (const std::string& text : o.axes) axes.push_back(sweep::parse_axis(text));
-    const Config config = load_config(o.config);
-    std::vector<sweep::Point> points = points_of(o, axes, config);
-    const std::vector<std::size_t> mine = keep_part(points, shard);
     check_outputs(o.outputs);
+    check_plots(o.outputs, axes);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
+    const Request request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
+    const Scene& scene = request.scene;
+    const PictureChoice picture{request.finished, request.settings, settled_frames(o.frames, scene), o.view};
+    std::vector<sweep::Point> points = points_of(o, axes, request.config);
+    const std::vector<std::size_t> mine = keep_part(points, shard);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    sweep::Merged swept{scene_json(scene),
-                        config,
-                        size,
-                        {std::move(axes), o.clock, o.cost, o.cache_bytes, !o.no_netlist},
-                        {}};
+    sweep::Merged swept{
+        scene_json(scene),
+        request.config,
+        size,
+        {std::move(axes), o.clock, o.cost, o.cache_bytes, !o.no_netlist, sweep::picture_json(picture)},
+        {}};
     sweep::Outcome& outcome = swept.outcome;
-    outcome = sweep::run(
-        {scene, size, std::move(points), o.threads, !o.no_netlist && cost == sweep::Cost::multipliers}, cache,
-        progress);
+    const bool netlists = !o.no_netlist && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
+    outcome = sweep::run({scene, size, std::move(points), o.threads, netlists, picture}, cache, progress);
     if (sweep::needs_area(cost) && !outcome.partial) {
         jobs::Cache areas(rtl_cache() / "area", o.fresh);
         sweep::count_areas(outcome, o.threads, areas, progress);

@@ -1,8 +1,10 @@
 #include "sim/app/swept.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include "model/base/quote.hpp"
+#include "model/base/nearest.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
@@ -17,19 +19,55 @@ namespace rayclock {
 
 void sweep_outputs(Parser& parser, SweepOutputs& o) {
     parser.option("-o,--output", o.table, "table as CSV");
-    parser.option("--plot", o.plot,
-                  "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
+    parser.option("--plot", o.plots,
+                  "NAME, NAME.svg or NAME.pdf: error against cost and against speed, with the fronts and the "
+                  "knee; X,Y=NAME: one column of the table against another; X,Y writes X-Y.svg; may be "
+                  "repeated");
     parser.option("--report", o.report,
                   "one HTML file: all points in linked charts, fronts, each axis alone");
     limits_options(parser, o.limits);
     json_option(parser, o.json);
 }
 
+namespace {
+
+/// What --plot asks for.
+struct Plot {
+    std::string name;
+    std::optional<std::pair<std::string, std::string>> columns;   ///< X and Y, or the fronts
+};
+Plot plot_of(const std::string& typed) {
+    const std::size_t equals = typed.find('='), comma = typed.substr(0, equals).find(',');
+    if (comma == std::string::npos) {
+        if (equals != std::string::npos)
+            throw UserError("--plot: " + shown(typed) + " is not NAME, X,Y or X,Y=NAME");
+        return {typed, std::nullopt};
+    }
+    const std::string columns = typed.substr(0, equals), x = columns.substr(0, comma),
+                      y = columns.substr(comma + 1);
+    std::string name = equals == std::string::npos ? x + "-" + y : typed.substr(equals + 1);
+    if (equals == std::string::npos) std::replace(name.begin(), name.end(), '/', '-');   // of linked axes
+    if (name.empty()) throw UserError("--plot: " + shown(typed) + " names no file after the columns");
+    return {name, std::pair(x, y)};
+}
+
+}   // namespace
+
+void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
+    const std::vector<std::string> known = sweep::column_names(axes);
+    for (const std::string& typed : o.plots)
+        if (const Plot plot = plot_of(typed); plot.columns)
+            for (const std::string& column : {plot.columns->first, plot.columns->second})
+                if (std::find(known.begin(), known.end(), column) == known.end())
+                    throw UserError("--plot: the table has no column " + shown(column) +
+                                    did_you_mean(column, known));
+}
+
 void check_outputs(const SweepOutputs& o) {
     limits_of(o.limits);
     o.json.check();
     if (!o.table.empty()) check_writable(o.table);
-    if (!o.plot.empty()) plot::check_plot_path(o.plot);
+    for (const std::string& typed : o.plots) plot::check_plot_path(plot_of(typed).name);
     if (o.report.empty()) return;
     check_writable(o.report);
     check_page_library();
@@ -53,7 +91,13 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
             write_output("  PARTIAL: interrupted; the same command goes on where it was\n");
     }
     if (!o.table.empty()) write_file(o.table, sweep::csv(axes, results, front));
-    if (!o.plot.empty()) plot::write_plot(o.plot, sweep::front_plot(scene, swept.size, axes, results, front));
+    for (const std::string& typed : o.plots) {
+        const Plot plot = plot_of(typed);
+        plot::write_plot(plot.name, plot.columns
+                                        ? sweep::column_plot(scene, swept.size, axes, results, front,
+                                                             plot.columns->first, plot.columns->second)
+                                        : sweep::front_plot(scene, swept.size, axes, results, front));
+    }
     if (!o.report.empty()) {
         std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
         for (auto& version : versions()) origin.push_back(std::move(version));
@@ -68,6 +112,8 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
                   {"front",
                    {{"error", front.measures[0].key},
                     {"cost", front.measures[1].key},
+                    {"cost_is",
+                     front.why.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(front.why)},
                     {"speed", front.measures[2].key}}},
                   {"knee", sweep::knee_json(axes, results, front)},
                   {"limits", sweep::far_json(axes, results, limits)},

@@ -6,13 +6,16 @@
 namespace rayclock {
 
 struct SweepOutputs {
-    std::string table, plot, report;
+    std::string table, report;
+    std::vector<std::string> plots;
     LimitsChoice limits;
     JsonOutput json;
 };
 void sweep_outputs(Parser& parser, SweepOutputs& o);
 /// Fails early (UserError) if something could not be written later.
 void check_outputs(const SweepOutputs& o);
+/// Throws UserError if a plot is of a column that the table has not.
+void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes);
 
 /// A value of the axis `clock` in kHz. Throws UserError.
 int axis_clock(const std::string& value);

@@ -22,14 +22,15 @@ chip::Use use_of(const synth::Count& count) { return {count.luts(), count.ff, co
 }   // namespace
 
 SceneDoors::SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh,
-                       const Progress& progress)
+                       const Progress& progress, const PictureChoice& picture)
     : scene_(scene),
       size_(size),
       khz_(khz),
       threads_(threads),
       frames_(rtl_cache() / "sweep", fresh),
       areas_(rtl_cache() / "area", fresh),
-      progress_(progress) {}
+      progress_(progress),
+      picture_(picture) {}
 
 Doors SceneDoors::doors() {
     return {[this](std::vector<Machine>& machines) { return fps(machines); },
@@ -64,10 +65,10 @@ bool SceneDoors::fps(std::vector<Machine>& machines) {
         }
     }
     const sweep::Outcome outcome =
-        sweep::run({scene_, size_, std::move(points), threads_, false}, frames_, progress_);
+        sweep::run({scene_, size_, std::move(points), threads_, false, picture_}, frames_, progress_);
     if (outcome.partial) return false;
     for (std::size_t i = 0; i < machines.size(); ++i)
-        if (outcome.results[i].complete()) machines[i].fps = outcome.results[i].fps();
+        if (outcome.results[i].complete()) machines[i].fps = outcome.results[i].speed();
     return true;
 }
 

@@ -5,7 +5,7 @@
 
 #include "model/base/progress.hpp"
 #include "sim/balance/search.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/film/choice.hpp"
 #include "sim/jobs/cache.hpp"
 
 namespace rayclock::balance {
@@ -13,8 +13,8 @@ namespace rayclock::balance {
 class SceneDoors {
 public:
     /// The scene must have a camera, and stay. Machines are compared at `khz`.
-    SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh,
-               const Progress& progress);
+    SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh, const Progress& progress,
+               const PictureChoice& picture = {});
 
     Doors doors();
 
@@ -31,6 +31,7 @@ private:
     int khz_, threads_;
     jobs::Cache frames_, areas_;
     const Progress& progress_;
+    PictureChoice picture_;
     std::map<int, CompileReport> reports_;   ///< by node_width
 };
 

@@ -1,5 +1,6 @@
 #include "sim/fit/measure.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include "model/base/error.hpp"
@@ -7,6 +8,7 @@
 #include "model/hits.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/reference/reference.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock::fit {
 
@@ -19,7 +21,8 @@ std::vector<int> image_key(const Config& c) {
 /// What an outcome depends on.
 std::vector<int> outcome_key(const Config& c) {
     std::vector<int> key = image_key(c);
-    key.insert(key.end(), {c.dir_bits, c.t_frac_bits, c.recip_bits, c.bary_bits, c.pixel_bits});
+    key.insert(key.end(),
+               {c.dir_bits, c.t_frac_bits, c.recip_bits, c.bary_bits, c.pixel_bits, c.origin_bits});
     return key;
 }
 
@@ -35,14 +38,47 @@ std::int64_t largest_square(const Frame& frame, const Config& config) {
     return largest;
 }
 
+/// Hits of another primitive than the reference's.
+std::uint64_t others(const HitFrame& frame, const HitFrame& reference) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < frame.hits.size(); ++i)
+        sum += frame.hits[i].primitive != reference.hits[i].primitive;
+    return sum;
+}
+
 }   // namespace
 
-Measure::Measure(const Scene& scene, FrameSize size, int threads)
-    : scene_(scene),
-      size_(size),
-      threads_(threads),
-      reference_(Reference(scene).frame(*scene.camera, size, threads)),
-      expected_(shade(scene, reference_)) {}
+Measure::Measure(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice)
+    : scene_(scene), size_(size), threads_(threads), choice_(choice) {
+    if (!is_plain()) {
+        expect_frames();
+        return;
+    }
+    references_.push_back(Reference(scene).frame(*scene.camera, size, threads));
+    expected_.push_back(shade(scene, references_[0]));
+}
+
+bool Measure::is_plain() const {
+    return !choice_.finished && choice_.frames.frames == 1 && !moves(scene_) && !scene_.placed;
+}
+
+void Measure::expect_frames() {
+    Film film = film_of(scene_, size_, choice_, named_config("default"), {}, false);
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const Scene& scene = film.request().scene;
+        const Reference tracer(scene);
+        if (choice_.finished) {
+            WhittedFrame frame =
+                tracer.whitted(film.camera(), size_, choice_.settings, threads_, stopping({}));
+            expected_.push_back(picture_of(frame));
+            references_.push_back(std::move(frame.hits));
+        } else {
+            references_.push_back(tracer.frame(film.camera(), size_, threads_, stopping({})));
+            expected_.push_back(shade(scene, references_.back()));
+        }
+    }
+}
 
 const Outcome& Measure::operator()(const Config& config) {
     const std::vector<int> key = outcome_key(config);
@@ -62,26 +98,49 @@ const MemoryImage& Measure::image(const Config& config) {
 
 Outcome Measure::measure(const Config& config) {
     Outcome outcome;
-    outcome.pixels = reference_.hits.size();
+    for (const HitFrame& frame : references_) outcome.pixels += frame.hits.size();
     try {
-        const MemoryImage& image = this->image(config);
-        const Frame frame = make_frame(*scene_.camera, size_, image, config);
-        const Trace trace = record_trace(image, frame, config, threads_);
-        outcome.work = trace.visits + trace.triangle_tests;
-        outcome.compile = image.report;
-        outcome.direction_squares = largest_square(frame, config);
-        const HitScale scale(frame, image.lattice, config);
-        HitFrame hits{size_, {}};
-        hits.hits.reserve(trace.hits.size());
-        for (std::uint32_t i = 0; i < trace.hits.size(); ++i) {
-            hits.hits.push_back(scale({i % frame.width, i / frame.width, trace.hits[i]}));
-            outcome.other += hits.hits[i].primitive != reference_.hits[i].primitive;
-        }
-        outcome.psnr_db = compare(shade(scene_, hits), expected_).psnr_db;
+        is_plain() ? measure_plain(config, outcome) : measure_film(config, outcome);
     } catch (const UserError& e) {
         outcome.refused = e.what();
     }
     return outcome;
+}
+
+void Measure::measure_plain(const Config& config, Outcome& outcome) {
+    const MemoryImage& image = this->image(config);
+    const Frame frame = make_frame(*scene_.camera, size_, image, config);
+    const Trace trace = record_trace(image, frame, config, threads_);
+    outcome.work = trace.visits + trace.triangle_tests;
+    outcome.compile = image.report;
+    outcome.direction_squares = largest_square(frame, config);
+    const HitScale scale(frame, image.lattice, config);
+    HitFrame hits{size_, {}};
+    hits.hits.reserve(trace.hits.size());
+    for (std::uint32_t i = 0; i < trace.hits.size(); ++i)
+        hits.hits.push_back(scale({i % frame.width, i / frame.width, trace.hits[i]}));
+    outcome.other = others(hits, references_[0]);
+    outcome.psnr_db = compare(shade(scene_, hits), expected_[0]).psnr_db;
+}
+
+void Measure::measure_film(const Config& config, Outcome& outcome) {
+    Film film = film_of(scene_, size_, choice_, config, stopping({}));
+    outcome.psnr_db = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const FrameTrace made = film.record(threads_, stopping({}));
+        const HitFrame hits = hits_of(film.job(), made);
+        const Picture picture =
+            choice_.finished ? picture_of(size_, made.trace.colours) : shade(film.request().scene, hits);
+        outcome.other += others(hits, references_[f]);
+        outcome.psnr_db = std::min(outcome.psnr_db, compare(picture, expected_[f]).psnr_db);
+        outcome.work += made.trace.visits + made.trace.triangle_tests;
+        outcome.direction_squares = std::max(outcome.direction_squares, largest_square(made.frame, config));
+        const CompileReport before = outcome.compile;
+        outcome.compile = film.job().image.report;
+        outcome.compile.bytes = std::max(outcome.compile.bytes, before.bytes);
+        outcome.compile.stack_need = std::max(outcome.compile.stack_need, before.stack_need);
+    }
 }
 
 }   // namespace rayclock::fit

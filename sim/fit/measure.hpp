@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/film/choice.hpp"
 #include "sim/image/image.hpp"
 
 namespace rayclock::fit {
 
-/// One configuration's frame.
+/// One configuration's frame, or all frames of a film: sums, and the worst.
 struct Outcome {
     std::string refused;   ///< why the scene cannot be compiled for it; nothing else is known then
     std::uint64_t pixels = 0;
@@ -30,7 +30,7 @@ struct Outcome {
 class Measure {
 public:
     /// `scene` must have a camera, and stay. The reference works at once.
-    Measure(const Scene& scene, FrameSize size, int threads);
+    Measure(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice = {});
 
     /// Throws std::runtime_error if interrupted().
     const Outcome& operator()(const Config& config);
@@ -40,16 +40,23 @@ public:
     std::size_t done() const { return done_.size(); }
     FrameSize size() const { return size_; }
     const Scene& scene() const { return scene_; }
+    const PictureChoice& choice() const { return choice_; }
+    /// One picture of what camera rays hit in triangles: the rest is done once more for each configuration.
+    bool is_plain() const;
 
 private:
     Outcome measure(const Config& config);
+    void measure_plain(const Config& config, Outcome& outcome);
+    void measure_film(const Config& config, Outcome& outcome);
+    void expect_frames();
     const MemoryImage& image(const Config& config);
 
     const Scene& scene_;
     FrameSize size_;
     int threads_;
-    HitFrame reference_;
-    Picture expected_;
+    PictureChoice choice_;
+    std::vector<HitFrame> references_;   ///< of each frame
+    std::vector<Picture> expected_;
     std::map<std::vector<int>, Outcome> done_;
     std::map<std::vector<int>, MemoryImage> images_;
 };

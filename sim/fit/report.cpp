@@ -80,17 +80,21 @@ std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges)
         table.add({part.words, grouped(before.*part.of), grouped(now.*part.of)});
     table.add({"cost", grouped(before.total()), grouped(now.total())});
     std::string fixed;
-    for (const Constant& c : constants(ranges))
-        fixed += fmt::format("{}{} {} of {}", fixed.empty() ? "" : ", ", c.name, c.needed, c.there);
+    if (!ranges.signals.empty())
+        for (const Constant& c : constants(ranges))
+            fixed +=
+                fmt::format("{} {} {} of {}",
+                            fixed.empty() ? "  constants of the machine, bits needed of those there:" : ",",
+                            c.name, c.needed, c.there);
     return fmt::format(
         "  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups "
-        "of siblings\n"
-        "  constants of the machine, bits needed of those there: {}\n\n{}",
+        "of siblings\n{}{}\n{}",
         grouped(fit.outcome.compile.bytes), grouped(std::uint64_t(lines_of(fit))), line_bytes,
-        fit.config.addr_bits, fit.outcome.compile.stack_need, fixed, table.text());
+        fit.config.addr_bits, fit.outcome.compile.stack_need, fixed, fixed.empty() ? "" : "\n", table.text());
 }
 
 std::string units_text(const Config& config) {
+    if (config.shading) return "  units: those that the finished picture of this scene needs\n";
     return fmt::format(
         "  units: triangles and camera rays need all there are{}; those for spheres, planes and finished "
         "pictures are left out\n",
@@ -98,7 +102,10 @@ std::string units_text(const Config& config) {
 }
 
 ordered_json units_json(const Config& config) {
-    ordered_json needed = ordered_json::array(), absent = ordered_json::array({"sphere", "plane", "bounce"});
+    ordered_json needed = ordered_json::array(), absent = ordered_json::array();
+    for (const auto& [name, there] :
+         {std::pair{"sphere", config.spheres}, {"plane", config.planes}, {"bounce", config.shading}})
+        (there ? needed : absent).push_back(name);
     for (std::size_t u = 0; u < unit_count; ++u)
         (is_there(Unit(u), config) ? needed : absent).push_back(unit_infos[u].name);
     return {{"needed", needed}, {"absent", absent}};
@@ -132,8 +139,9 @@ ordered_json parameters_json(const Fit& fit, const Config& base) {
 
 ordered_json needs_json(const Fit& fit, const Ranges& ranges) {
     ordered_json fixed = ordered_json::array();
-    for (const Constant& c : constants(ranges))
-        fixed.push_back({{"name", c.name}, {"bits_there", c.there}, {"bits_needed", c.needed}});
+    if (!ranges.signals.empty())
+        for (const Constant& c : constants(ranges))
+            fixed.push_back({{"name", c.name}, {"bits_there", c.there}, {"bits_needed", c.needed}});
     return {{"bytes", fit.outcome.compile.bytes},
             {"lines", lines_of(fit)},
             {"addr_bits", fit.config.addr_bits},

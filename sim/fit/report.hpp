@@ -10,9 +10,10 @@ namespace rayclock::fit {
 
 /// Which parameters have which width, why, and what happens one step below.
 std::string parameter_table(const Fit& fit, const Config& base);
-/// Memory that the scene needs, beside and on the chip, and what the formats cost.
+/// Memory that the scene needs, beside and on the chip, and what the formats cost. Ranges without a signal:
+/// nothing was proven.
 std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges);
-/// Which units a scene of triangles needs, and what the machine leaves out.
+/// Which units the scene needs, and what the machine leaves out.
 std::string units_text(const Config& config);
 /// Every signal: interval, bits needed, bits there.
 std::string range_table(const Ranges& ranges);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/scene/folded.hpp"
 
 namespace rayclock::fit {
 
@@ -66,7 +67,14 @@ Config Search::widest(const Config& config) const {
          {&Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::t_frac_bits})
         wide.*member = most(member);
     // Distances may not go together with wide edges: rc_box has 64 bits.
+    if (wide.shading) wide.origin_bits = least(&Config::origin_bits);
     while (wide.t_frac_bits > 0 && !broken_rule(wide).empty()) --wide.t_frac_bits;
+    if (!wide.shading) return wide;
+    for (Config more = wide; more.origin_bits < most(&Config::origin_bits);) {
+        ++more.origin_bits;
+        if (!broken_rule(more).empty()) break;
+        wide = more;
+    }
     return wide;
 }
 Config Search::widest(int coord_bits, int dir_bits) const {
@@ -139,8 +147,10 @@ void Search::bisect(int Config::*member) {
 void Search::descend() {
     for (bool moved = true; moved;) {
         moved = false;
-        for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits,
-                                    &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits}) {
+        for (int Config::*member :
+             {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits, &Config::box_bits,
+              &Config::t_frac_bits, &Config::bary_bits, &Config::origin_bits}) {
+            if (member == &Config::origin_bits && !base_.shading) continue;
             Config lower = best_;
             --(lower.*member);
             if (!keeps(lower)) continue;
@@ -157,7 +167,7 @@ void Search::fit_to_scene() {
     best_.stack_depth = int(std::bit_ceil(unsigned(std::max(1, outcome.compile.stack_need))));
     best_.addr_bits = std::max(
         {least(&Config::addr_bits), best_.least_addr_bits(), bits_for(outcome.compile.bytes / line_bytes)});
-    best_.prim_bits = std::max(least(&Config::prim_bits), bits_for(measure_.scene().triangles.size()));
+    best_.prim_bits = std::max(least(&Config::prim_bits), bits_for(numbered_primitives(measure_.scene())));
     best_.pixel_bits =
         std::max(least(&Config::pixel_bits),
                  bits_for(std::uint64_t(std::max(measure_.size().width, measure_.size().height))));
@@ -192,12 +202,14 @@ std::optional<Fit> Search::run() {
     for (int Config::*member :
          {&Config::recip_bits, &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits})
         bisect(member);
+    if (base_.shading) bisect(&Config::origin_bits);
     descend();
     Fit fit;
     fit.widest = measure_(widest(best_));
     for (int Config::*member :
          {&Config::coord_bits, &Config::dir_bits, &Config::t_frac_bits, &Config::bary_bits})
         fit.parameters.push_back(fitted(member, Purpose::accuracy));
+    if (base_.shading) fit.parameters.push_back(fitted(&Config::origin_bits, Purpose::accuracy));
     for (int Config::*member : {&Config::recip_bits, &Config::box_bits})
         fit.parameters.push_back(fitted(member, Purpose::work));
     fit_to_scene();
@@ -209,8 +221,8 @@ std::optional<Fit> Search::run() {
         &Config::stack_depth, fmt::format("a ray keeps up to {} groups of siblings", report.stack_need)));
     fit.parameters.push_back(
         needed(&Config::addr_bits, fmt::format("the memory image has {} lines", report.bytes / line_bytes)));
-    fit.parameters.push_back(
-        needed(&Config::prim_bits, fmt::format("the scene has {} triangles", report.triangles)));
+    fit.parameters.push_back(needed(&Config::prim_bits, fmt::format("the scene has {} primitives",
+                                                                    numbered_primitives(measure_.scene()))));
     fit.parameters.push_back(
         needed(&Config::pixel_bits,
                fmt::format("the picture has {} x {} pixels", measure_.size().width, measure_.size().height)));

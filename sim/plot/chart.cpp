@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/base/split.hpp"
 #include "sim/plot/axis.hpp"
 
 namespace rayclock::plot {
@@ -22,12 +23,12 @@ struct Rect {
 
 class PanelPainter {
 public:
-    PanelPainter(Drawing& drawing, const Panel& panel, double x)
+    PanelPainter(Drawing& drawing, const Panel& panel, double x, double down)
         : drawing_(drawing),
           panel_(panel),
           xs_(values(&Mark::x), false),
           ys_(values(&Mark::y), panel.log_y),
-          area_{x + left, top, x + panel_width - right, top + panel_height - bottom} {}
+          area_{x + left, down + top, x + panel_width - right, down + top + panel_height - bottom} {}
 
     void paint() {
         frame();
@@ -134,12 +135,40 @@ private:
 
 }   // namespace
 
+namespace {
+
+/// The text in lines of this width. A word that is wider has a line of its own.
+std::vector<std::string> lines_of(const std::string& text, double size, double width) {
+    std::vector<std::string> lines{""};
+    for (const std::string& word : split(text, ' ')) {
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || text_width(longer, size) <= width)
+            lines.back() = longer;
+        else
+            lines.push_back(word);
+    }
+    return lines;
+}
+
+}   // namespace
+
 Drawing chart(const std::string& title, const std::string& note, const std::vector<Panel>& panels) {
-    Drawing drawing{panel_width * double(panels.size()), top + panel_height - 20, {}};
-    drawing.shapes.emplace_back(Text{{left, 32}, title, 17, black});
-    drawing.shapes.emplace_back(Text{{left, 54}, note, 12.5, grey});
+    const double width = panel_width * double(panels.size());
+    Drawing drawing{width, 0, {}};
+    double y = 32;
+    const auto write = [&](const std::string& text, double size, double leading, const Colour& colour) {
+        const std::vector<std::string> lines = lines_of(text, size, width - left - right);
+        for (const std::string& line : lines) {
+            drawing.shapes.emplace_back(Text{{left, y}, line, size, colour});
+            y += leading;
+        }
+        return leading * double(lines.size() - 1);
+    };
+    double down = write(title, 17, 22, black);
+    down += write(note, 12.5, 17, grey);
+    drawing.height = top + panel_height - 20 + down;
     for (std::size_t i = 0; i < panels.size(); ++i)
-        PanelPainter(drawing, panels[i], panel_width * double(i)).paint();
+        PanelPainter(drawing, panels[i], panel_width * double(i), down).paint();
     return drawing;
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/image/image.hpp"
 #include "sim/plot/drawing.hpp"
+#include "sim/plot/pdf.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock::plot {
@@ -76,6 +77,11 @@ struct Element {
     }
 };
 
+/// What a plot of this name is written to.
+std::string plot_path(const std::string& name) {
+    return name.ends_with(".svg") || name.ends_with(".pdf") ? name : name + ".svg";
+}
+
 }   // namespace
 
 double text_width(const std::string& text, double size) {
@@ -95,8 +101,13 @@ std::string svg(const Drawing& drawing) {
     return text + "</svg>\n";
 }
 
-void check_plot_path(const std::string& name) { check_writable(name + ".svg"); }
+void check_plot_path(const std::string& name) {
+    check_writable(plot_path(name));
+    if (name.ends_with(".pdf")) check_pdf(name);
+}
 
-void write_plot(const std::string& name, const Drawing& drawing) { write_file(name + ".svg", svg(drawing)); }
+void write_plot(const std::string& name, const Drawing& drawing) {
+    write_file(plot_path(name), name.ends_with(".pdf") ? pdf(svg(drawing)) : svg(drawing));
+}
 
 }   // namespace rayclock::plot

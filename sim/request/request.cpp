@@ -10,7 +10,9 @@
 #include "sim/engine/engine.hpp"
 #include "sim/load/load.hpp"
 #include "sim/request/ground.hpp"
+#include "sim/memory/memory_file.hpp"
 #include "sim/request/idle.hpp"
+#include "sim/request/levels.hpp"
 #include "sim/request/material.hpp"
 
 namespace rayclock {
@@ -40,6 +42,14 @@ void tell(const std::vector<std::string>& notes) {
         std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
 }
 
+/// With the settings, whether they are legal together or not: units are fitted to their widths.
+Config widened(Config config, const std::vector<std::string>& set) {
+    for (const std::string& item : set)
+        if (const std::size_t equals = item.find('='); equals != std::string::npos)
+            set_value(config, item.substr(0, equals), item.substr(equals + 1), "--set");
+    return config;
+}
+
 /// Gives a scene its camera for a picture of this size, and turns it as it was asked to.
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
@@ -67,6 +77,18 @@ Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progr
     return scene;
 }
 
+void check_levels(const Scene& scene, const Config& config, bool finished, bool ground) {
+    if (is_folded(scene) && (!config.has_instances() || finished))
+        throw UserError(
+            fmt::format("{}: {} placed triangles are too many to be written out: only camera rays of a chip "
+                        "with levels=2 "
+                        "(--set levels=2) can draw them",
+                        scene.name, numbered_primitives(scene)));
+    if (ground && config.has_instances())
+        throw UserError(
+            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
+}
+
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
                    std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
     Request r;
@@ -79,24 +101,17 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
-    if (is_folded(r.scene) && (!r.config.has_instances() || r.finished))
-        throw UserError(
-            fmt::format("{}: {} placed triangles are too many to be written out: only camera rays of a chip "
-                        "with levels=2 "
-                        "(--set levels=2) can draw them",
-                        r.scene.name, numbered_primitives(r.scene)));
+    check_levels(r.scene, r.config, r.finished, false);   // before anything else is made of it
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
     look(r.scene, size, view);
     if (finish.fresnel)
         for (Material& m : r.scene.materials) m.schlick = true;
     if (r.finished && !r.config.shading && !by_hand) {
-        // The units that the scene needs; what was set by hand is set again.
-        const Config fitted = fitted_config(r.scene, r.settings, r.config);
+        // The units that the scene needs, for the widths that were set. What was set by hand is set again.
+        const Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
         r.config = with_settings(fitted, config.set, fitted.name);
     }
-    if (view.ground && r.config.has_instances())
-        throw UserError(
-            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
+    check_levels(r.scene, r.config, r.finished, view.ground);
     std::vector<std::string> idle = idle_settings(r.config, config.set);
     for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
     for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());

@@ -45,13 +45,12 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
 constexpr std::array timing_only{
-    "contexts",     "raygen_queue",   "box_queue",      "tri_queue",     "tri_interval",   "cache_queue",
-    "pipelines",    "tile_bits",      "node_sets",      "node_ways",     "node_line",      "node_mshrs",
-    "prim_sets",    "prim_ways",      "prim_line",      "prim_mshrs",    "l2_sets",        "l2_ways",
-    "l2_line",      "l2_mshrs",       "dram",           "dram_channels", "mem_latency",    "mem_interval",
-    "timing",       "lights",         "bounces",        "shade_queue",   "surf_sets",      "surf_ways",
-    "surf_line",    "surf_mshrs",     "xform_interval", "box_lanes",     "shade_interval", "scan_out",
-    "pixel_writes", "raygen_interval"};
+    "contexts",       "raygen_queue", "box_queue",      "tri_queue",     "tri_interval", "cache_queue",
+    "pipelines",      "tile_bits",    "node_sets",      "node_ways",     "node_line",    "node_mshrs",
+    "prim_sets",      "prim_ways",    "prim_line",      "prim_mshrs",    "l2_sets",      "l2_ways",
+    "l2_line",        "l2_mshrs",     "dram",           "dram_channels", "mem_latency",  "mem_interval",
+    "timing",         "shade_queue",  "surf_sets",      "surf_ways",     "surf_line",    "surf_mshrs",
+    "xform_interval", "box_lanes",    "shade_interval", "scan_out",      "pixel_writes", "raygen_interval"};
 
 /// One value for each of the linked parameters. A memory alone may be the path of its file.
 std::vector<std::string> values_of(const std::string& value, const std::string& key) {
@@ -89,14 +88,36 @@ void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(
             set_value(point.config, keys[k], values[k], "--axis");
 }
 
-void refuse_twice(const std::vector<Axis>& axes) {
+/// Every parameter that an axis changes, once.
+std::vector<std::string> keys_of(const std::vector<Axis>& axes) {
     std::vector<std::string> keys;
     for (const Axis& axis : axes)
         for (const std::string& key : split(axis.key, '/')) {
             if (std::find(keys.begin(), keys.end(), key) != keys.end())
                 throw UserError("--axis: " + shown(key) + " is given twice");
+            if (key == "shading")
+                throw UserError(
+                    "--axis: shading decides what is drawn, so its values are two sweeps: one as it is, and "
+                    "one with --depth");
             keys.push_back(key);
         }
+    return keys;
+}
+
+bool is_legal(const Config& config) {
+    try {
+        check_config(config, "");
+        return true;
+    } catch (const UserError&) {
+        return false;
+    }
+}
+
+/// Of a chip that shades: origin_bits as wide as the other widths allow, as fitted_config() makes them.
+void fit_origins(Config& config) {
+    Config fitted = config;
+    while (fitted.origin_bits > 2 && !is_legal(fitted)) --fitted.origin_bits;
+    if (is_legal(fitted)) config = fitted;
 }
 
 }   // namespace
@@ -104,7 +125,9 @@ void refuse_twice(const std::vector<Axis>& axes) {
 std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
                                int (*clock)(const std::string&)) {
     std::size_t count = 1;
-    refuse_twice(axes);
+    const std::vector<std::string> keys = keys_of(axes);
+    const bool fits_origins =
+        base.shading && std::find(keys.begin(), keys.end(), "origin_bits") == keys.end();
     for (const Axis& axis : axes) {
         count *= axis.values.size();
         if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
@@ -121,10 +144,9 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
             point.values[a] = axes[a].values[index[a]];
             set(point, axes[a], point.values[a], clock);
         }
+        if (fits_origins) fit_origins(point.config);
         try {
             check_config(point.config, "--axis");
-            if (point.config.has_instances())
-                throw UserError("levels must be 1, not 2: a sweep counts cracks, and knows flat scenes only");
             for (std::size_t a = 0; a < axes.size(); ++a) ++legal[a][index[a]];
         } catch (const UserError& e) {
             point.refused = e.what();

@@ -24,7 +24,8 @@ struct Point {
     std::string refused;   ///< the sentence, if these values do not go together
 };
 
-/// The grid, the last axis fastest. `clock` reads a value of the axis `clock`, in kHz. A combination that is
+/// The grid, the last axis fastest. If `base` shades, origin_bits follows the other widths unless it is an
+/// axis. `clock` reads a value of the axis `clock`, in kHz. A combination that is
 /// no legal configuration is a refused point; a value that is legal in no combination is a UserError.
 std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
                                int (*clock)(const std::string&));

@@ -18,11 +18,11 @@ std::uint64_t bytes_of(int sets, int ways, int line) {
 }   // namespace
 
 Cost parse_cost(const std::string& word) {
-    const std::vector<std::string> words{"multipliers", "lut", "dsp", "bram", "bits"};
+    const std::vector<std::string> words{"multipliers", "lut", "dsp", "bram", "bits", "auto"};
     for (std::size_t i = 0; i < words.size(); ++i)
         if (words[i] == word) return Cost(i);
     throw UserError("--cost: no cost is called " + shown(word) + did_you_mean(word, words) +
-                    "; there are multipliers, lut, dsp, bram and bits");
+                    "; there are multipliers, lut, dsp, bram, bits and auto");
 }
 
 std::uint64_t pipeline_cache_bytes(const Config& c) {

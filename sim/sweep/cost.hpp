@@ -10,7 +10,8 @@
 namespace rayclock::sweep {
 
 /// What a front takes as cost. `multipliers`: those of all pipelines, or the memory image if there are none.
-enum class Cost { multipliers, lut, dsp, bram, bits };
+/// `automatic`: the first of multipliers, memory on the chip and memory image that differs between points.
+enum class Cost { multipliers, lut, dsp, bram, bits, automatic };
 
 /// A word of --cost. Throws UserError with the nearest.
 Cost parse_cost(const std::string& word);

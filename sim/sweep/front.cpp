@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/synth/netlist.hpp"
 
 namespace rayclock::sweep {
@@ -23,6 +25,13 @@ std::optional<double> error_of(const Result& r) {
 }
 std::optional<double> speed_of(const Result& r) {
     return r.complete() ? std::optional(r.fps()) : std::nullopt;
+}
+std::optional<double> film_speed_of(const Result& r) {
+    return r.complete() ? std::optional(r.film_fps()) : std::nullopt;
+}
+bool is_film(const std::vector<Result>& results) {
+    return std::any_of(results.begin(), results.end(),
+                       [](const Result& r) { return r.complete() && r.frames() > 1; });
 }
 std::optional<double> bytes_of(const Result& r) {
     return r.complete() ? std::optional(double(r.picture->memory_bytes)) : std::nullopt;
@@ -49,11 +58,46 @@ Measure measure_of(Cost cost, const std::vector<Result>& results) {
         case Cost::dsp: return {"chip_multipliers", 1, area_of<multipliers>};
         case Cost::bram: return {"chip_block_rams", 1, area_of<block_rams>};
         case Cost::bits: return {"chip_memory_bits", 1, bits_of};
-        case Cost::multipliers: break;
+        case Cost::multipliers:
+        case Cost::automatic: break;
     }
     const bool netlists = std::any_of(results.begin(), results.end(),
                                       [](const Result& r) { return multipliers_of(r).has_value(); });
     return netlists ? Measure{"multipliers", 1, multipliers_of} : Measure{"memory_bytes", 1, bytes_of};
+}
+
+bool differs(const std::vector<Result>& results, std::optional<double> (*value)(const Result&)) {
+    std::optional<double> first;
+    for (const Result& r : results) {
+        const std::optional<double> here = value(r);
+        if (first && here && *here != *first) return true;
+        if (!first) first = here;
+    }
+    return false;
+}
+
+/// The cost that the axes change, and why it is this one.
+Measure automatic_cost(const std::vector<Result>& results, std::string& why) {
+    const bool counted = std::any_of(results.begin(), results.end(),
+                                     [](const Result& r) { return r.multipliers.has_value(); });
+    const char* not_multipliers =
+        counted ? "the multipliers of all points are equal" : "multipliers were not counted";
+    if (differs(results, multipliers_of)) {
+        why = "multipliers, which differ between the points";
+        return {"multipliers", 1, multipliers_of};
+    }
+    if (differs(results, bits_of)) {
+        why = fmt::format("chip_memory_bits, because {}", not_multipliers);
+        return {"chip_memory_bits", 1, bits_of};
+    }
+    if (differs(results, bytes_of)) {
+        why = fmt::format("memory_bytes, because {} and all points have the same memory on the chip",
+                          not_multipliers);
+        return {"memory_bytes", 1, bytes_of};
+    }
+    const Measure same = measure_of(Cost::multipliers, results);
+    why = same.key + ", although it is equal in all points: these axes change no cost";
+    return same;
 }
 
 }   // namespace
@@ -105,7 +149,9 @@ std::vector<Figures> figures_in(const std::vector<Result>& results, const std::v
 
 Front front_of(const std::vector<Result>& results, Cost cost) {
     Front f;
-    f.measures = {{"pixels_other_primitive", 1, error_of}, measure_of(cost, results), {"fps", -1, speed_of}};
+    f.measures = {{"pixels_other_primitive", 1, error_of},
+                  cost == Cost::automatic ? automatic_cost(results, f.why) : measure_of(cost, results),
+                  is_film(results) ? Measure{"film_fps", -1, film_speed_of} : Measure{"fps", -1, speed_of}};
     const std::vector<Figures> all = figures_in(results, f.measures);
     f.pareto = front(all);
     constexpr std::array<std::array<std::size_t, 2>, 3> planes{{{0, 1}, {0, 2}, {1, 2}}};

@@ -33,11 +33,12 @@ struct Measure {
     std::optional<double> (*value)(const Result&);
 };
 
-/// A front over a sweep. Speed is fps, error is pixels_other_primitive, cost is what was chosen: multipliers,
-/// or memory_bytes if no point has multipliers; or a figure of the chip. If some points have that figure,
-/// those without are no hardware and not on the front.
+/// A front over a sweep. Speed is fps, or film_fps of more frames than one; error is pixels_other_primitive,
+/// cost is what was chosen: multipliers, or memory_bytes if no point has multipliers; or a figure of the
+/// chip. If some points have that figure, those without are no hardware and not on the front.
 struct Front {
     std::vector<Measure> measures;   ///< error, cost, speed
+    std::string why;                 ///< the cost is this one, if nobody chose it; else empty
     std::vector<bool> pareto;        ///< [point], in all three measures
     /// The knee is that of the first pair of measures whose own front has one: error and cost, error and
     /// speed, cost and speed.

@@ -128,6 +128,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     ordered_json picture = json.at("error");
     picture["cracks"] = json.at("cracks");
     picture["memory_bytes"] = json.at("memory_bytes");
+    picture["rays"] = json.at("rays");
     r.picture = picture_of(picture);
     r.multipliers = count_or_none(json.at("multipliers"));
     r.flip_flops = count_or_none(json.at("flip_flops"));

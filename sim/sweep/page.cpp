@@ -20,9 +20,12 @@ ordered_json figures_json(const ordered_json& point, const Result& r) {
     json.erase("clock");
     json.erase("error");
     json.erase("chip");
+    json.erase("film");
     if (!r.complete()) return json;
     for (const char* key : {"cycles", "fps", "bytes_per_ray", "bound"}) json[key] = r.clock.at(key);
     json["pixels_other_primitive"] = r.picture->error.pixels_other_primitive;
+    json["rays"] = r.picture->rays.all();
+    if (r.frames() > 1) json["film_fps"] = r.film_fps();
     if (!r.area) return json;
     json["chip_luts"] = r.area->luts();
     json["chip_multipliers"] = r.area->dsp;

@@ -61,6 +61,22 @@ bool differ(const std::vector<Result>& results, const Measure& m) {
 
 }   // namespace
 
+plot::Drawing column_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
+                          const std::vector<Result>& results, const Front& front, const std::string& x,
+                          const std::string& y) {
+    const std::vector<std::optional<double>> across = column_values(axes, results, front, x),
+                                             up = column_values(axes, results, front, y);
+    plot::Panel panel{y + " against " + x, x, y, false, {}};
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (across[i] && up[i])
+            panel.marks.push_back({*across[i], *up[i], label_of(results[i]), false, false});
+    std::vector<std::string> keys;
+    for (const Axis& axis : axes) keys.push_back(axis.key);
+    return plot::chart(
+        fmt::format("{}, {}x{} pixels, {} configurations", scene, size.width, size.height, results.size()),
+        fmt::format("labels: {}", fmt::join(keys, " / ")), {panel});
+}
+
 plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
                          const std::vector<Result>& results, const Front& front) {
     std::vector<std::string> keys;

@@ -9,4 +9,9 @@ namespace rayclock::sweep {
 plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
                          const std::vector<Result>& results, const Front& front);
 
+/// One column of the table against another, of every point that has both. Throws as column_values().
+plot::Drawing column_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
+                          const std::vector<Result>& results, const Front& front, const std::string& x,
+                          const std::string& y);
+
 }   // namespace rayclock::sweep

@@ -11,6 +11,7 @@
 #include "model/base/error.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/memory/memory_file.hpp"
+#include "sim/rtl/stopping.hpp"
 #include "sim/sweep/cracks.hpp"
 #include "sim/sweep/key.hpp"
 #include "sim/sweep/table.hpp"
@@ -22,6 +23,13 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
+ordered_json rays_json(const RayCounts& rays) {
+    return {{"primary", rays.primary},
+            {"shadow", rays.shadow},
+            {"reflection", rays.reflection},
+            {"refraction", rays.refraction}};
+}
+
 PictureFigures picture_of(const ordered_json& json) {
     PictureFigures p;
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
@@ -31,17 +39,34 @@ PictureFigures picture_of(const ordered_json& json) {
     p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
     p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
     p.error.max_relative_depth = json.at("max_relative_depth").get<double>();
-    p.cracks = json.at("cracks").get<std::uint64_t>();
+    if (!json.at("cracks").is_null()) p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
+    const ordered_json& rays = json.at("rays");
+    rays.at("primary").get_to(p.rays.primary);
+    rays.at("shadow").get_to(p.rays.shadow);
+    rays.at("reflection").get_to(p.rays.reflection);
+    rays.at("refraction").get_to(p.rays.refraction);
     return p;
+}
+
+std::uint64_t Result::film_cycles() const {
+    std::uint64_t sum = 0;
+    for (const ordered_json& frame : clock.at("frames"))
+        for (const char* part : {"cycles", "upload_cycles", "reset_cycles"})
+            sum += frame.at(part).get<std::uint64_t>();
+    return sum;
+}
+double Result::film_fps() const {
+    return double(frames()) * clock.at("mhz").get<double>() * 1e6 / double(film_cycles());
 }
 
 namespace {
 
 ordered_json picture_json(const PictureFigures& p) {
     ordered_json json = error_json(p.error, std::nullopt);
-    json["cracks"] = p.cracks;
+    json["cracks"] = p.cracks ? ordered_json(*p.cracks) : ordered_json(nullptr);
     json["memory_bytes"] = p.memory_bytes;
+    json["rays"] = rays_json(p.rays);
     return json;
 }
 
@@ -72,17 +97,27 @@ struct Group {
     bool picture_known = false;
 };
 
-struct Traced {
-    Job job;
-    std::vector<FrameTrace> frames;
-};
+/// What decides the rays beside the scene, the size and the configuration.
+std::string picture_text(const Scene& scene, const PictureChoice& choice) {
+    const Whitted& w = choice.settings;
+    const FramesOptions& frames = choice.frames;
+    std::string text;
+    if (choice.finished)
+        text += fmt::format("finished {} {} {} {} {} {} ", w.depth, w.threshold, w.aa, w.jitter, w.contrast,
+                            w.seed);
+    if (frames.frames > 1) text += fmt::format("frames {} {} ", frames.frames, frames.pan);
+    if (!moves(scene)) return text;
+    return text + fmt::format("film {} {} {} {} {} ",
+                              film_digest(*scene.placed, frame_times(frames, true).times), frames.pan,
+                              frames.uploads, frames.rebuild, choice.view.is_asked());
+}
 
 class Runner {
 public:
     Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress)
         : plan_(plan), cache_(cache), progress_(progress) {
-        scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene),
-                                 plan.size.width, plan.size.height);
+        scene_key_ = fmt::format("program {} scene {} {}x{} {}", program_stamp(), scene_digest(plan.scene),
+                                 plan.size.width, plan.size.height, picture_text(plan.scene, plan.picture));
         cores_ = jobs::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
     }
@@ -195,21 +230,31 @@ private:
     /// Compiles and records for a group's format, and times its frames.
     void trace(Group& group) {
         if (stopped()) return;
-        Traced traced;
-        const Config& config = group.results[0]->point.config;
         try {
-            traced.job = {
-                config, {}, compile_scene(plan_.scene, plan_.scene.camera->eye, config), plan_.size};
+            trace_film(group);
         } catch (const UserError& e) {
             for (Result* r : group.results)
-                if (!r->refused()) refuse(*r, e.what());
-            return;
+                if (!r->refused() && r->clock.is_null()) refuse(*r, e.what());
+        } catch (const std::runtime_error&) {
+            if (!stopped()) throw;   // Progress `stop_` ends what is interrupted
         }
-        Job& job = traced.job;
-        job.frame = make_frame(*plan_.scene.camera, plan_.size, job.image, config);
-        traced.frames.push_back(record_frame(job, job.frame, inner_threads_));
+    }
+
+    void trace_film(Group& group) {
+        // As simulate draws them; whether the memory holds them is asked for each point.
+        Config config = group.results[0]->point.config;
+        config.own_dram.reset();
+        config.dram = 0;
+        config.scan_out = config.pixel_writes = 0;
+        Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
+        std::vector<FrameTrace> frames;
+        while (frames.size() < film.frames()) {
+            film.next();
+            for (Result* r : group.results) check_memory(*r, film.job().image);
+            frames.push_back(film.record(inner_threads_, stop_));
+        }
         if (!group.picture_known) {
-            const PictureFigures picture = compare_picture(traced);
+            const PictureFigures picture = compare_picture(film, frames.back());
             cache_.keep("picture", group.key, picture_json(picture));
             for (Result* r : group.results) r->picture = picture;
         }
@@ -217,36 +262,68 @@ private:
             Result& r = *group.results[i];
             if (r.refused()) return;
             if (r.clock.is_null())
-                time(r, traced);
+                time(r, frames);
             else
                 tell(1);
         });
     }
 
-    PictureFigures compare_picture(const Traced& traced) {
-        std::call_once(reference_once_, [this] {
-            reference_ = Reference(plan_.scene).frame(*plan_.scene.camera, plan_.size, cores_);
+    /// What the reference makes of the last frame, which is the same for every configuration.
+    struct Expected {
+        HitFrame hits;
+        Picture picture;   ///< of a finished picture
+    };
+    const Expected& expected(Film& film) {
+        std::call_once(reference_once_, [&] {
+            const Reference tracer(film.request().scene);
+            if (film.request().finished) {
+                WhittedFrame frame =
+                    tracer.whitted(film.camera(), plan_.size, plan_.picture.settings, cores_, stop_);
+                reference_.picture = rayclock::picture_of(frame);
+                reference_.hits = std::move(frame.hits);
+            } else {
+                reference_.hits = tracer.frame(film.camera(), plan_.size, cores_, stop_);
+            }
         });
-        return {frame_error(plan_.scene, hits_of(traced.job, traced.frames[0]), reference_),
-                count_cracks(plan_.scene, traced.job, traced.frames[0].trace.hits, inner_threads_),
-                traced.job.image.report.bytes};
+        return reference_;
     }
 
-    void time(Result& r, const Traced& traced) {
-        if (stopped()) return;
+    PictureFigures compare_picture(Film& film, const FrameTrace& last) {
+        const Expected& reference = expected(film);
+        const Request& request = film.request();
+        const HitFrame hits = hits_of(film.job(), last);
+        PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
+        if (request.finished) {
+            figures.error = frame_error(hits, rayclock::picture_of(plan_.size, last.trace.colours),
+                                        reference.hits, reference.picture);
+            return figures;
+        }
+        figures.error = frame_error(request.scene, hits, reference.hits);
+        if (!request.config.has_instances())
+            figures.cracks = count_cracks(request.scene, film.job(), last.trace.hits, inner_threads_);
+        return figures;
+    }
+
+    void check_memory(Result& r, const MemoryImage& image) {
+        if (r.refused() || !r.clock.is_null()) return;
         try {
-            check_capacity(traced.job.image, r.point.config);
+            check_capacity(image, r.point.config);
         } catch (const UserError& e) {
             refuse(r, e.what());
-            return;
         }
-        const FrameRun run =
-            frame_run(traced.frames[0], replay(r.point.config, r.point.khz, traced.frames)[0]);
-        if (run.partial) {
+    }
+
+    void time(Result& r, const std::vector<FrameTrace>& frames) {
+        if (stopped()) return;
+        const std::vector<FrameTiming> timings = replay(r.point.config, r.point.khz, frames);
+        ClockRun run{r.point.khz, {}};
+        for (std::size_t f = 0; f < timings.size(); ++f)
+            run.frames.push_back(frame_run(frames[f], timings[f]));
+        if (run.partial()) {
             stopped();
             return;
         }
-        r.clock = clock_json(r.point.config, {r.point.khz, {run}});
+        r.clock = clock_json(r.point.config, run);
         cache_.keep("frame", frame_key(r), r.clock);
         tell(1);
     }
@@ -265,8 +342,9 @@ private:
     Outcome outcome_;
     std::map<std::string, Group> groups_;
     std::vector<std::function<void()>> tasks_;   ///< netlists to be counted, then groups to be traced
+    const Progress stop_ = stopping({});
     std::once_flag reference_once_;
-    HitFrame reference_;
+    Expected reference_;
     std::mutex mutex_;
     std::size_t done_ = 0, all_ = 0;
 };

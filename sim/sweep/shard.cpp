@@ -40,7 +40,22 @@ ordered_json asked_json(const Asked& asked) {
             {"clock", asked.clock},
             {"cost", asked.cost},
             {"cache_bytes", asked.cache_bytes ? ordered_json(*asked.cache_bytes) : ordered_json(nullptr)},
-            {"netlists", asked.netlists}};
+            {"netlists", asked.netlists},
+            {"picture", asked.picture}};
+}
+
+ordered_json picture_json(const PictureChoice& choice) {
+    const Whitted& w = choice.settings;
+    const FramesOptions& frames = choice.frames;
+    ordered_json json{
+        {"finished", nullptr},      {"frames", frames.frames},
+        {"pan", frames.pan},        {"fps", frames.fps ? ordered_json(*frames.fps) : ordered_json(nullptr)},
+        {"time", frames.time},      {"uploads", frames.uploads},
+        {"rebuild", frames.rebuild}};
+    if (choice.finished)
+        json["finished"] = {{"depth", w.depth},     {"threshold", w.threshold}, {"aa", w.aa},
+                            {"jittered", w.jitter}, {"contrast", w.contrast},   {"seed", w.seed}};
+    return json;
 }
 
 Asked asked_of(const ordered_json& json) {
@@ -52,6 +67,7 @@ Asked asked_of(const ordered_json& json) {
     asked.cost = json.at("cost").get<std::string>();
     if (!json.at("cache_bytes").is_null()) asked.cache_bytes = json.at("cache_bytes").get<int>();
     asked.netlists = json.at("netlists").get<bool>();
+    asked.picture = json.at("picture");
     return asked;
 }
 

@@ -2,7 +2,8 @@
 // A sweep on several machines: which points are whose, and what their reports must agree in.
 #include <nlohmann/json.hpp>
 
-#include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
+#include "sim/film/choice.hpp"
 #include "sim/sweep/axes.hpp"
 
 namespace rayclock::sweep {
@@ -19,7 +20,10 @@ struct Asked {
     std::string cost;
     std::optional<int> cache_bytes;
     bool netlists = true;
+    nlohmann::ordered_json picture;   ///< what is drawn beside the scene at rest, as picture_json() says it
 };
+/// The finished picture's settings, or null, and the frames.
+nlohmann::ordered_json picture_json(const PictureChoice& choice);
 nlohmann::ordered_json asked_json(const Asked& asked);
 /// Throws a JSON exception if it is not as asked_json() made it.
 Asked asked_of(const nlohmann::ordered_json& json);

@@ -1,10 +1,13 @@
 #include "sim/sweep/table.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "sim/report/text.hpp"
 
@@ -28,7 +31,7 @@ std::string percent_other(const FrameError& e) {
     return fmt::format("{:.4f}", 100 * double(e.pixels_other_primitive) / double(e.pixels));
 }
 std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : ""; }
-const ordered_json& frame_of(const Result& r) { return r.clock.at("frames").at(0); }
+const ordered_json& frame_of(const Result& r) { return r.clock.at("frames").back(); }   // the last
 
 const Column columns[] = {
     {"cycles", [](const Result& r) { return fmt::format("{:.0f}", r.cycles()); }},
@@ -66,6 +69,10 @@ const Column more_columns[] = {
     {"chip_flip_flops", [](const Result& r) { return area_text(r, [](const auto& c) { return c.ff; }); }},
     {"chip_multipliers", [](const Result& r) { return area_text(r, [](const auto& c) { return c.dsp; }); }},
     {"chip_block_rams", [](const Result& r) { return area_text(r, [](const auto& c) { return c.bram; }); }},
+    {"rays", [](const Result& r) { return std::to_string(r.picture->rays.all()); }},
+    {"frames", [](const Result& r) { return std::to_string(r.frames()); }},
+    {"film_cycles", [](const Result& r) { return std::to_string(r.film_cycles()); }},
+    {"film_fps", [](const Result& r) { return fmt::format("{:.3f}", r.film_fps()); }},
 };
 
 }   // namespace
@@ -82,15 +89,6 @@ namespace {
 
 bool is_knee(const Front& front, std::size_t i) { return front.knee && front.knee->point == i; }
 
-std::vector<std::string> head(const std::vector<Axis>& axes) {
-    std::vector<std::string> names;
-    for (const Axis& axis : axes) names.push_back(axis.key);
-    for (const Column& column : columns) names.emplace_back(column.name);
-    names.insert(names.end(), {"pareto", "knee"});
-    for (const Column& column : more_columns) names.emplace_back(column.name);
-    return names;
-}
-
 std::vector<std::string> row(const Result& r, const Front& front, std::size_t i) {
     std::vector<std::string> all = r.point.values;
     const std::vector<std::string> figures = cells(r, front.pareto[i], is_knee(front, i));
@@ -100,6 +98,32 @@ std::vector<std::string> row(const Result& r, const Front& front, std::size_t i)
 
 }   // namespace
 
+std::vector<std::string> column_names(const std::vector<Axis>& axes) {
+    std::vector<std::string> names;
+    for (const Axis& axis : axes) names.push_back(axis.key);
+    for (const Column& column : columns) names.emplace_back(column.name);
+    names.insert(names.end(), {"pareto", "knee"});
+    for (const Column& column : more_columns) names.emplace_back(column.name);
+    return names;
+}
+
+std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
+                                                 const std::vector<Result>& results, const Front& front,
+                                                 const std::string& column) {
+    const std::vector<std::string> names = column_names(axes);
+    const auto at = std::size_t(std::find(names.begin(), names.end(), column) - names.begin());
+    std::vector<std::optional<double>> values;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::string cell = row(results[i], front, i).at(at);
+        const ordered_json value = value_json(cell);
+        if (!cell.empty() && !value.is_number())
+            throw UserError(fmt::format("--plot: the column {} has words, as {}: there is no place for them",
+                                        shown(column), shown(cell)));
+        values.push_back(cell.empty() ? std::nullopt : std::optional(value.get<double>()));
+    }
+    return values;
+}
+
 std::string name_of(const std::vector<Axis>& axes, const Result& r) {
     std::string name;
     for (std::size_t a = 0; a < axes.size(); ++a)
@@ -108,14 +132,14 @@ std::string name_of(const std::vector<Axis>& axes, const Result& r) {
 }
 
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front) {
-    std::string text = fmt::format("{}\n", fmt::join(head(axes), ","));
+    std::string text = fmt::format("{}\n", fmt::join(column_names(axes), ","));
     for (std::size_t i = 0; i < results.size(); ++i)
         text += fmt::format("{}\n", fmt::join(row(results[i], front, i), ","));
     return text;
 }
 
 std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front) {
-    Table table(head(axes), 0);
+    Table table(column_names(axes), 0);
     std::size_t on_front = 0;
     for (std::size_t i = 0; i < outcome.results.size(); ++i) {
         std::vector<std::string> cells = row(outcome.results[i], front, i);
@@ -131,6 +155,7 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
                             front.measures[front.plane[1]].key,
                             name_of(axes, outcome.results[front.knee->point]));
     text += "\n";
+    if (!front.why.empty()) text += fmt::format("  cost: {}; --cost chooses another\n", front.why);
     if (!outcome.netlist_note.empty()) text += "  " + outcome.netlist_note + "\n";
     return text;
 }
@@ -209,7 +234,7 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
             json["node_hit_rate"] = frame_of(r).at("node_hit_rate");
             json["prim_hit_rate"] = frame_of(r).at("prim_hit_rate");
             json["error"] = error_json(r.picture->error, std::nullopt);
-            json["cracks"] = r.picture->cracks;
+            json["cracks"] = count(r.picture->cracks);
             json["memory_bytes"] = r.picture->memory_bytes;
             json["multipliers"] = count(r.multipliers);
             json["flip_flops"] = count(r.flip_flops);
@@ -219,6 +244,8 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
             json["chip_cache_bytes"] = chip_cache_bytes(r.point.config);
             json["chip_memory_bits"] = chip_memory_bits(r.point.config);
             json["chip"] = r.area ? synth::count_json(*r.area) : ordered_json(nullptr);
+            json["rays"] = rays_json(r.picture->rays);
+            json["film"] = {{"frames", r.frames()}, {"cycles", r.film_cycles()}, {"fps", r.film_fps()}};
         }
         if (r.refused()) json["refused"] = r.point.refused;
         rows.push_back(std::move(json));

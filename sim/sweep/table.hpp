@@ -9,6 +9,13 @@ namespace rayclock::sweep {
 /// stays where it is.
 std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 
+/// Of the whole table: axes, then figures.
+std::vector<std::string> column_names(const std::vector<Axis>& axes);
+/// A column as numbers; a cell that is empty has none. Throws UserError if it has words.
+std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
+                                                 const std::vector<Result>& results, const Front& front,
+                                                 const std::string& column);
+
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
 std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front);
 nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results,

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/browser.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;
@@ -38,7 +39,9 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.out.find("6 points from 3 traces, 0 of them known before") != std::string::npos);
-    CHECK(first.out.find("Pareto front of pixels_other_primitive, memory_bytes and fps") !=
+    CHECK(first.out.find("Pareto front of pixels_other_primitive, chip_memory_bits and fps") !=
+          std::string::npos);
+    CHECK(first.out.find("cost: chip_memory_bits, because multipliers were not counted") !=
           std::string::npos);
     const std::string table = bytes_of(csv), whole = bytes_of(report);
     CHECK(
@@ -60,7 +63,7 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     CHECK(parsed["points"][0]["error"] == parsed["points"][1]["error"]);
     CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] >
           parsed["points"][4]["error"]["pixels_other_primitive"]);
-    CHECK(parsed["front"]["cost"] == "memory_bytes");
+    CHECK(parsed["front"]["cost"] == "chip_memory_bits");
     // What simulate says of the same frame.
     const json single = json::parse(run_program({"simulate", "tetra:4", "--size", "64x48", "--set",
                                                  "coord_bits=12", "--clock", "33", "--json", "-"})
@@ -78,6 +81,101 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     CHECK(fresh.out.find("0 of them known before") != std::string::npos);
     CHECK(bytes_of(csv) == table);
     CHECK(bytes_of(report) == whole);
+}
+
+namespace {
+
+/// What both of `sweep` and `simulate` are told, and an axis.
+struct Swept {
+    std::vector<std::string> words;
+    std::string key;
+    std::vector<std::string> values;
+};
+
+/// Every figure of a sweep's row that simulate has, too.
+void check_row(const json& point, const json& single) {
+    const json &swept = point["clock"], &alone = single["clocks"][0];
+    for (const auto& [key, value] : alone.items()) {
+        INFO(key);
+        CHECK(swept[key] == value);
+    }
+    CHECK(point["error"] == single["error"]);
+    CHECK(point["memory_bytes"] == single["compile"]["bytes"]);
+    CHECK(point["rays"] == single["rays"]);
+}
+
+}   // namespace
+
+TEST_CASE("a sweep's row is the frame that simulate draws with the same machine") {
+    const std::vector<Swept> sweeps{
+        {{"balls:1", "--depth", "2", "--threshold", "0.1"}, "coord_bits", {"16", "20"}},
+        {{"spheres", "--depth", "3", "--aa", "2", "--jittered", "--fresnel"}, "surf_sets", {"1", "64"}},
+        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},   // fewer than it has are refused
+        {{"crowd", "--frames", "3", "--fps", "5"}, "levels", {"1", "2"}},
+        {{"crowd", "--set", "levels=2", "--depth", "1", "--frames", "2"}, "pipelines", {"1", "2"}},
+        {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},
+        {{"gears:1", "--frames", "2", "--pan", "9", "--orbit", "30"}, "dram", {"sdr", "ddr3"}}};
+    for (const Swept& s : sweeps) {
+        const Folder folder;
+        const auto run = [&](const char* command, std::vector<std::string> more) {
+            std::vector<std::string> words{command};
+            words.insert(words.end(), s.words.begin(), s.words.end());
+            words.insert(words.end(), {"--size", "24x18", "--clock", "66"});
+            words.insert(words.end(), more.begin(), more.end());
+            return run_program(words, {"RAYCLOCK_CACHE=" + folder.name("cache")});
+        };
+        std::string values;
+        for (const std::string& value : s.values) values += (values.empty() ? "" : ",") + value;
+        const Outcome swept =
+            run("sweep", {"--axis", s.key + "=" + values, "--no-netlist", "--json", folder.name("a.json")});
+        INFO(s.words[0] << ", " << s.key << ": " << swept.err);
+        REQUIRE(swept.code == 0);
+        const json report = json::parse(bytes_of(folder.name("a.json")));
+        for (std::size_t i = 0; i < s.values.size(); ++i) {
+            CAPTURE(s.values[i]);
+            const json& point = report["points"][i];
+            const Outcome single =
+                run("simulate", {"--set", s.key + "=" + s.values[i], "--no-judge", "--json", "-"});
+            if (single.code == 2) {
+                CHECK(single.err.find(point["refused"].get<std::string>()) != std::string::npos);
+                continue;
+            }
+            INFO(single.err);
+            REQUIRE(single.code == 0);
+            check_row(point, json::parse(single.out));
+        }
+        // Known, and merged, it is the same to the byte.
+        CHECK(run("sweep", {"--axis", s.key + "=" + values, "--no-netlist"}).out.find("2 of them known") !=
+              std::string::npos);
+        REQUIRE(run_program({"merge", folder.name("a.json"), "--json", folder.name("b.json")}).code == 0);
+        CHECK(json::parse(bytes_of(folder.name("b.json")))["points"] == report["points"]);
+    }
+}
+
+TEST_CASE("what is drawn decides what a sweep takes from its cache") {
+    const Folder folder;
+    const auto known = [&](std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"sweep", "crowd", "--size", "8x6", "--axis", "contexts=16", "--no-netlist"});
+        const Outcome o = run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
+        INFO(o.err);
+        REQUIRE(o.code == 0);
+        return o.out.find(", 1 of them known") != std::string::npos;
+    };
+    const std::vector<std::vector<std::string>> all{
+        {},
+        {"--depth", "1"},
+        {"--depth", "2"},
+        {"--depth", "1", "--threshold", "0.5"},
+        {"--depth", "1", "--aa", "2"},
+        {"--depth", "1", "--aa", "2", "--jittered"},
+        {"--depth", "1", "--aa", "2", "--jittered", "--seed", "2"},
+        {"--frames", "2"},
+        {"--frames", "2", "--fps", "5"},
+        {"--frames", "2", "--time", "1"},
+        {"--frames", "2", "--pan", "3"}};
+    for (const auto& words : all) CHECK(!known(words));
+    for (const auto& words : all) CHECK(known(words));
 }
 
 TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
@@ -177,9 +275,36 @@ TEST_CASE("a sweep draws its front, whole or not at all") {
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.ends_with("</svg>\n"));
     CHECK(svg.find("coord_bits / clock") != std::string::npos);
+    REQUIRE(run_program(sweep({"--plot", "coord_bits,bytes_per_ray=" + folder.name("two.svg"), "--plot",
+                               folder.name("three")}),
+                        cache)
+                .code == 0);
+    CHECK(bytes_of(folder.name("two.svg")).find("bytes_per_ray against coord_bits") != std::string::npos);
+    CHECK(bytes_of(folder.name("three.svg")) == svg);
     const auto before = folder.contents();
     check_refused(run_program(sweep({"--plot", folder.name("no/such/plot")}), cache), {"no/such/plot.svg"});
+    check_refused(run_program(sweep({"--plot", "cycls,fps"}), cache), {"--plot", "'cycls'", "'cycles'"});
+    check_refused(run_program(sweep({"--plot", "cycles,fps="}), cache), {"--plot", "'cycles,fps='"});
+    check_refused(run_program(sweep({"--plot", "cycles,bound=" + folder.name("x")}), cache),
+                  {"--plot", "bound", "words"});
     CHECK(folder.contents() == before);
+}
+
+TEST_CASE("a plot is a PDF if it is called so, and says what it needs for that") {
+    const Folder folder;
+    const std::string cache = "RAYCLOCK_CACHE=" + folder.name("cache"), file = folder.name("plot.pdf");
+    check_refused(run_program(sweep({"--plot", file}), {cache, "PATH=" + folder.name("nothing")}),
+                  {"plot.pdf", "rsvg-convert", "librsvg2-bin"});
+    if (!is_installed("rsvg-convert")) {
+        WARN("rsvg-convert is not installed");
+        return;
+    }
+    REQUIRE(run_program(sweep({"--plot", file}), {cache}).code == 0);
+    const std::string first = bytes_of(file);
+    CHECK(first.starts_with("%PDF-"));
+    CHECK(first.find("%%EOF") != std::string::npos);
+    REQUIRE(run_program(sweep({"--plot", file}), {cache}).code == 0);
+    CHECK(bytes_of(file) == first);
 }
 
 TEST_CASE("tradeoff writes its page with a plot for each scene") {

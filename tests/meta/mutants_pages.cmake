@@ -44,6 +44,31 @@ mutant(merge_takes_what_was_interrupted FILE sim/sweep/merge.cpp TEST cli "files
   OLD [[checked["partial"] != false]]
   NEW [[checked["partial"] == 1]])
 
+mutant(sweep_takes_one_depth_for_another FILE sim/sweep/run.cpp TEST cli "what is drawn decides*"
+  OLD [[w.depth, w.threshold]]
+  NEW [[0, w.threshold]])
+mutant(sweep_takes_one_film_for_another FILE sim/sweep/key.cpp TEST cli "what is drawn decides*"
+  OLD [[        pose(scene, time);]]
+  NEW [[        pose(scene, 0 * time);]])
+mutant(sweep_draws_with_usual_settings FILE sim/film/choice.cpp TEST cli "a sweep's row*"
+  OLD [[choice.finished || config.shading, choice.settings}]]
+  NEW [[choice.finished || config.shading, Whitted{}}]])
+mutant(sweep_shows_the_first_frame FILE sim/sweep/run.cpp TEST cli "a sweep's row*"
+  OLD [[compare_picture(film, frames.back())]]
+  NEW [[compare_picture(film, frames.front())]])
+mutant(sweep_lets_too_few_lights_pass FILE sim/sweep/axes.cpp TEST cli "a sweep's row*"
+  OLD [["timing",]]
+  NEW [["lights", "timing",]])
+mutant(sweep_has_one_cost FILE sim/sweep/front.cpp TEST sweep "the automatic cost*"
+  OLD [[    if (differs(results, bits_of)) {]]
+  NEW [[    if (false) {]])
+mutant(chart_cuts_its_title FILE sim/plot/chart.cpp TEST sweep "title and note*"
+  OLD [[text_width(longer, size) <= width)]]
+  NEW [[text_width(longer, size) <= 4 * width)]])
+mutant(compare_ranks_side_effects_first FILE sim/compare/compare.cpp TEST cli "compare finds*"
+  OLD [[is_key_figure(d.figure) ? 0 : ]]
+  NEW [[is_key_figure(d.figure) ? 3 : ]])
+
 mutant(compare_takes_better_for_worse FILE sim/compare/compare.cpp TEST cli "compare finds*"
   OLD [[d.verdict = (last > first) == (direction > 0) ?]]
   NEW [[d.verdict = (last > first) != (direction > 0) ?]])

@@ -64,6 +64,19 @@ TEST_CASE("values that do not go together are a refused point, a value that goes
     CHECK_THROWS_AS(points_of({"coord_bits=18", "contexts=3,4"}), UserError);
 }
 
+TEST_CASE("a chip that shades gets origins as wide as its other widths allow, unless they are an axis") {
+    Config base = named_config("ulx3s-shaded");
+    for (const sweep::Point& point : points_of({"coord_bits=14:20:2", "bary_bits=8,16"}, base)) {
+        INFO(point.values[0] << " and " << point.values[1] << ": " << point.refused);
+        const Config& c = point.config;
+        CHECK(point.refused.empty());
+        CHECK(c.origin_bits == std::min({base.origin_bits, 30 - c.coord_bits, c.bary_bits}));
+    }
+    for (const sweep::Point& point : points_of({"origin_bits=8,9"}, base))
+        CHECK(std::to_string(point.config.origin_bits) == point.values[0]);
+    CHECK_THROWS_AS(points_of({"shading=0,1"}), UserError);
+}
+
 TEST_CASE("timing does not make another trace, every width does") {
     const Config base = named_config("default");
     for (const Parameter& p : parameters()) {
@@ -78,7 +91,8 @@ TEST_CASE("timing does not make another trace, every width does") {
                                          key == "straddlers" || key == "splits" || key == "references" ||
                                          key == "levels" || key == "mesh_structure" || key == "shading" ||
                                          key == "spheres" || key == "planes" || key == "smooth" ||
-                                         key == "refraction" || key == "supersampling";
+                                         key == "refraction" || key == "supersampling" || key == "lights" ||
+                                         key == "bounces";   // which may be too few
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }

@@ -113,6 +113,39 @@ TEST_CASE("every part of a scene that a picture shows changes its digest") {
     CHECK(changed([](Scene& s) { s.background.x += 0.1; }));
 }
 
+TEST_CASE("spheres, planes, checkers and instances change a scene's digest as well, and motion a film's") {
+    const auto changes = [](const Scene& scene, auto change) {
+        Scene other = scene;
+        change(other);
+        return sweep::scene_digest(other) != sweep::scene_digest(scene);
+    };
+    const Scene round = load_scene("spheres", {}, Primitives::native);
+    CHECK(changes(round, [](Scene& s) { s.spheres[0].radius *= 1.001; }));
+    CHECK(changes(round, [](Scene& s) { s.spheres[0].centre.x += 0.01; }));
+    CHECK(changes(round, [](Scene& s) { s.planes[0].point.y += 0.01; }));
+    CHECK(changes(round, [](Scene& s) { s.planes[0].u.x += 0.01; }));
+    for (std::size_t m = 0; m < round.materials.size(); ++m) {
+        CHECK(changes(round, [&](Scene& s) { s.materials[m].checkered = !s.materials[m].checkered; }));
+        CHECK(changes(round, [&](Scene& s) { s.materials[m].other.x += 0.01; }));
+        CHECK(changes(round, [&](Scene& s) { s.materials[m].schlick = !s.materials[m].schlick; }));
+    }
+    const Scene crowd = load_scene("crowd");
+    REQUIRE(crowd.placed);
+    const auto placed = [&](auto change) {
+        return changes(crowd, [&](Scene& s) {
+            PlacedScene other = *s.placed;
+            change(other);
+            s.placed = std::make_shared<const PlacedScene>(other);
+        });
+    };
+    CHECK(placed([](PlacedScene& p) { p.instances[0].place[3].x += 0.01; }));
+    CHECK(placed([](PlacedScene& p) { p.meshes[0].vertices[0].x += 0.01; }));
+    CHECK(!placed([](PlacedScene&) {}));
+    const std::string film = sweep::film_digest(*crowd.placed, {0, 0.1});
+    CHECK(film == sweep::film_digest(*crowd.placed, {0, 0.1}));
+    CHECK(film != sweep::film_digest(*crowd.placed, {0, 0.2}));
+}
+
 TEST_CASE("a sweep that is known is not worked out again, and says the same") {
     const CacheFolder folder;
     const Scene scene = scene_with_camera("teapot:4");

@@ -17,7 +17,7 @@ std::vector<Figures> points(std::initializer_list<std::vector<double>> list) {
 /// A result with these figures; 0 multipliers: none counted.
 sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers, std::uint64_t bytes = 1000) {
     sweep::Result r;
-    r.clock = {{"cycles", 100.0}, {"fps", fps}};
+    r.clock = {{"cycles", 100.0}, {"fps", fps}, {"frames", {nullptr}}};
     r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, bytes};
     if (multipliers) r.multipliers = multipliers;
     return r;
@@ -50,6 +50,38 @@ TEST_CASE("the knee lies farthest below the chord") {
     REQUIRE(scaled);
     CHECK(scaled->point == 1);
     CHECK(scaled->distance == Approx(knee->distance));
+}
+
+TEST_CASE("the automatic cost is the first that differs between points, and says so") {
+    const auto chosen = [](const std::vector<sweep::Result>& results) {
+        const sweep::Front front = sweep::front_of(results, sweep::Cost::automatic);
+        CHECK(front.why.starts_with(front.measures[1].key + ", "));
+        return front.measures[1].key;
+    };
+    std::vector<sweep::Result> results{result(5, 50, 90), result(4, 49, 100)};
+    CHECK(chosen(results) == "multipliers");
+    results[1].multipliers = 90;
+    results[1].picture->memory_bytes = 2000;
+    CHECK(chosen(results) == "memory_bytes");
+    results[1].point.config.node_sets *= 2;   // a cache costs memory on the chip
+    CHECK(chosen(results) == "chip_memory_bits");
+    CHECK(chosen({result(5, 50, 0), result(4, 49, 0, 2000)}) == "memory_bytes");
+    CHECK(chosen({result(5, 50, 90), result(4, 49, 90)}) == "multipliers");
+    CHECK(chosen({result(5, 50, 0), result(4, 49, 0)}) == "memory_bytes");
+    CHECK(sweep::front_of(results).why.empty());
+}
+
+TEST_CASE("the speed of a film is that of all its frames") {
+    std::vector<sweep::Result> results{result(5, 50, 90), result(4, 49, 100)};
+    for (sweep::Result& r : results) {
+        const nlohmann::ordered_json first{{"cycles", 100}, {"upload_cycles", 0}, {"reset_cycles", 0}},
+            second{{"cycles", 200}, {"upload_cycles", 60}, {"reset_cycles", 40}};
+        r.clock["frames"] = {first, second};
+        r.clock["mhz"] = 66.0;
+        CHECK(r.film_cycles() == 400);
+        CHECK(r.film_fps() == Approx(2 * 66e6 / 400));
+    }
+    CHECK(sweep::front_of(results).measures[2].key == "film_fps");
 }
 
 TEST_CASE("no knee where there is none") {

@@ -58,7 +58,7 @@ std::vector<Box> labels_of(const plot::Drawing& drawing, double size) {
 sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers) {
     sweep::Result r;
     r.point.values = {std::to_string(wrong)};
-    r.clock = {{"cycles", 100.0}, {"fps", fps}};
+    r.clock = {{"cycles", 100.0}, {"fps", fps}, {"frames", {nullptr}}};
     r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, 1000};
     r.multipliers = multipliers;
     return r;
@@ -122,6 +122,31 @@ TEST_CASE("labels cover neither points nor one another") {
     }
 }
 
+TEST_CASE("title and note of a chart are never cut off, and cover no panel") {
+    plot::Panel panel{"speed against cost", "x", "y", false, {{1, 1, "", false, false}}};
+    const std::string word = "configurations ";
+    for (const std::size_t words : {1, 8, 40}) {
+        std::string text;
+        for (std::size_t i = 0; i < words; ++i) text += word;
+        text.pop_back();
+        const plot::Drawing drawing = plot::chart(text, text, {panel});
+        std::size_t seen = 0;
+        double lowest = 0, panel_title = 0;
+        for (const plot::Shape& shape : drawing.shapes) {
+            const auto* t = std::get_if<plot::Text>(&shape);
+            if (!t) continue;
+            if (t->text == panel.title) panel_title = t->base.y;
+            if (t->text.find("config") != 0) continue;
+            CHECK(t->base.x + plot::text_width(t->text, t->size) <= drawing.width);
+            seen += std::size_t(std::count(t->text.begin(), t->text.end(), 'f'));
+            lowest = std::max(lowest, t->base.y);
+        }
+        CHECK(seen == 2 * words);
+        CHECK(lowest + 8 < panel_title - 14);
+        CHECK(panel_title < drawing.height - 300);
+    }
+}
+
 TEST_CASE("scales have ticks inside, and a place for zero") {
     for (const bool logarithmic : {false, true})
         for (const std::vector<double>& values : std::vector<std::vector<double>>{
@@ -156,6 +181,12 @@ TEST_CASE("a plot of a front names the knee and is well formed") {
         INFO(word);
         CHECK(svg.find(word) != std::string::npos);
     }
+    // Any two columns, without a front.
+    const std::vector<sweep::Axis> axes{{"coord_bits", {"500", "40", "5", "0"}}};
+    const std::string columns =
+        plot::svg(sweep::column_plot("s", {40, 25}, axes, {}, {}, "coord_bits", "cycles"));
+    CHECK(is_well_formed(columns));
+    CHECK(columns.find("cycles against coord_bits") != std::string::npos);
     for (const std::size_t count : {0, 1}) {   // nothing to see is no reason to fail
         const std::vector<sweep::Result> few(results.begin(), results.begin() + std::ptrdiff_t(count));
         CHECK(is_well_formed(

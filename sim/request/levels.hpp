@@ -1,0 +1,10 @@
+#pragma once
+#include "model/core/config.hpp"
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+/// Throws UserError if a machine of so many levels cannot draw the scene, or not with --ground.
+void check_levels(const Scene& scene, const Config& config, bool finished, bool ground);
+
+}   // namespace rayclock
