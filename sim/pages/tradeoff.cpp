@@ -124,7 +124,7 @@ private:
             for (const SceneStudy& scene : scenes_) {
                 const Result& r = result(scene, series.points[i]);
                 cells.push_back(r.complete() ? percent_text(r) : "refused");
-                if (r.complete()) cracks += r.picture->cracks;
+                if (r.complete()) cracks += r.picture->cracks.value_or(0);
             }
             cells.push_back(grouped(cracks));
             table.add(cells);
