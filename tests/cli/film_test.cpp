@@ -105,7 +105,7 @@ TEST_CASE("a film that is not whole leaves the old one and its frames") {
     const auto before = folder.contents();
     std::filesystem::create_directory(folder.name("bin"));
     // Each leaves what a full disk leaves; the last says nothing of it.
-    for (const std::string& then :
+    for (const std::string then :
          {"echo 'ERROR: disk'; exit 1", "rm film.png", "truncate -s -1 film.png", "truncate -s 60 film.png",
           "printf x | dd of=film.png bs=1 seek=99 conv=notrunc"}) {
         INFO(then);

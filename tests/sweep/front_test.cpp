@@ -18,7 +18,7 @@ std::vector<Figures> points(std::initializer_list<std::vector<double>> list) {
 sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers, std::uint64_t bytes = 1000) {
     sweep::Result r;
     r.clock = {{"cycles", 100.0}, {"fps", fps}, {"frames", {nullptr}}};
-    r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, bytes};
+    r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, bytes, {}};
     if (multipliers) r.multipliers = multipliers;
     return r;
 }

@@ -59,7 +59,7 @@ sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers)
     sweep::Result r;
     r.point.values = {std::to_string(wrong)};
     r.clock = {{"cycles", 100.0}, {"fps", fps}, {"frames", {nullptr}}};
-    r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, 1000};
+    r.picture = sweep::PictureFigures{{1000, wrong, 40, 1000, 0.1}, 0, 1000, {}};
     r.multipliers = multipliers;
     return r;
 }
