@@ -362,9 +362,9 @@ int run(const Options& o) {
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
     }
     if (!o.output.empty() && !simulated.partial) {
+        finish_film(simulated.strip, o.json.is_alone());   // if it fails, all that was there stays
         const std::string paths = write_pictures(o, work, simulated);
         if (!o.json.is_alone()) fmt::print("  pictures: {}\n", paths);
-        finish_film(simulated.strip, o.json.is_alone());
     }
     o.json.write(json);
     return simulated.partial || (simulated.judgement() && simulated.judgement()->wrong_for(config) > 0) ? 1

@@ -57,10 +57,14 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
     const std::vector<std::string> known = sweep::column_names(axes);
     for (const std::string& typed : o.plots)
         if (const Plot plot = plot_of(typed); plot.columns)
-            for (const std::string& column : {plot.columns->first, plot.columns->second})
+            for (const std::string& column : {plot.columns->first, plot.columns->second}) {
                 if (std::find(known.begin(), known.end(), column) == known.end())
                     throw UserError("--plot: the table has no column " + shown(column) +
                                     did_you_mean(column, known));
+                if (sweep::has_words(axes, column))
+                    throw UserError("--plot: the column " + shown(column) +
+                                    " has words, which have no place on an axis");
+            }
 }
 
 void check_outputs(const SweepOutputs& o) {

@@ -319,8 +319,8 @@ int run(const Options& o) {
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
     compare(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) {
+        finish_film(verified.strip, o.json.is_alone());   // if it fails, all that was there stays
         write_pictures(o.output, verified.named_pictures());
-        finish_film(verified.strip, o.json.is_alone());
     }
     const double seconds = watch.seconds();
 

@@ -210,15 +210,24 @@ private:
         }
         if (!best) return false;
         note(place, module, best->line, best->kind == SignalDriver::Kind::registered);
-        if (next.empty()) return false;
+        if (next.empty()) {
+            for (const SignalDriver* driver : drivers)
+                if (driver != best && driver->kind != SignalDriver::Kind::instance)
+                    steps_.back().others.push_back(source_of(module, driver->line));
+            return false;
+        }
         place.name = next, place.cycle = cycle;
         return true;
     }
 
-    void note(const Place& place, const ModuleText& module, std::size_t line, bool is_register) {
-        const std::string text = module.lines[line - 1];
+    static SourceLine source_of(const ModuleText& module, std::size_t line) {
+        const std::string& text = module.lines[line - 1];
         const std::size_t first = text.find_first_not_of(' ');
-        steps_.push_back({{module.file, line, first == std::string::npos ? "" : text.substr(first)},
+        return {module.file, line, first == std::string::npos ? "" : text.substr(first)};
+    }
+    void note(const Place& place, const ModuleText& module, std::size_t line, bool is_register) {
+        steps_.push_back({source_of(module, line),
+                          {},
                           place.levels.back().instance + place.name,
                           place.cycle,
                           is_register});

@@ -12,9 +12,10 @@
 namespace rayclock {
 
 struct ConeStep {
-    SourceLine source;         ///< that gives the signal its value
-    std::string signal;        ///< from the unit's instance: "u_hitdiv.u_o"
-    std::uint64_t cycle = 0;   ///< of the machine, in which it holds the value
+    SourceLine source;                ///< that gives the signal its value
+    std::vector<SourceLine> others;   ///< of other branches of `if`, which may be the one that was built
+    std::string signal;               ///< from the unit's instance: "u_hitdiv.u_o"
+    std::uint64_t cycle = 0;          ///< of the machine, in which it holds the value
     bool is_register = false;
 };
 

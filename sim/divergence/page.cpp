@@ -164,10 +164,14 @@ std::string signal_table(const Divergence& f, const Capture& capture, const std:
 /// Where the value that differs is made, and the first register that holds it.
 std::string cone_lines(const std::vector<ConeStep>& steps) {
     if (steps.empty()) return {};
-    const auto line = [](const char* what, const ConeStep& step) {
-        return fmt::format("<dt>{}</dt><dd>rtl/{}:{} <code>{}</code>, signal {}, cycle {}</dd>", what,
-                           escaped(step.source.file), step.source.line, escaped(step.source.text),
-                           escaped(step.signal), step.cycle);
+    const auto place = [](const SourceLine& source) {
+        return fmt::format("rtl/{}:{} <code>{}</code>", escaped(source.file), source.line,
+                           escaped(source.text));
+    };
+    const auto line = [&](const char* what, const ConeStep& step) {
+        std::string text = fmt::format("<dt>{}</dt><dd>{}", what, place(step.source));
+        for (const SourceLine& other : step.others) text += " or " + place(other);
+        return text + fmt::format(", signal {}, cycle {}</dd>", escaped(step.signal), step.cycle);
     };
     std::string text = line("made by", steps.back());
     const auto first =

@@ -15,7 +15,8 @@ enum class Owner { user, program };
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by = {},
                       std::uint64_t most = std::uint64_t{1} << 40, Owner owner = Owner::user);
 
-/// All bytes of a file of this program's own; empty if it cannot be read.
+/// All bytes of a file of this program's own; empty if it cannot be read. Of a file that still grows, those
+/// that it has now.
 std::string read_if_there(const std::filesystem::path& path);
 
 /// The extension in small letters without the dot: "obj".

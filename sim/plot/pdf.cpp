@@ -2,6 +2,7 @@
 #include "sim/plot/pdf.hpp"
 
 #include <chrono>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/output.hpp"
 #include "sim/rtl/process.hpp"
 #include "sim/rtl/stopping.hpp"
 
@@ -21,8 +21,14 @@ namespace {
 /// A file without a name, which other programs open by its path.
 class NamelessFile {
 public:
-    NamelessFile() : file_(memfd_create("plot", MFD_CLOEXEC)) {
-        if (file_ < 0) throw std::runtime_error("no memory for a plot");
+    explicit NamelessFile(std::string_view text = {}) : file_(memfd_create("plot", MFD_CLOEXEC)) {
+        bool whole = file_ >= 0;
+        while (whole && !text.empty()) {
+            const ssize_t put = write(file_, text.data(), text.size());
+            whole = put > 0;
+            if (whole) text.remove_prefix(std::size_t(put));
+        }
+        if (!whole) throw UserError("not enough memory for a plot");
     }
     ~NamelessFile() { close(file_); }
     NamelessFile(const NamelessFile&) = delete;
@@ -52,8 +58,7 @@ void check_pdf(const std::string& path) {
 }
 
 std::string pdf(const std::string& svg) {
-    const NamelessFile in, out;
-    write_bytes(in.path(), svg);
+    const NamelessFile in(svg), out;
     // The time that stands in a PDF is always the same, so that the same plot has the same bytes.
     Process process({{"env", "SOURCE_DATE_EPOCH=0", pdf_program, "-f", "pdf", "-o", out.path(), in.path()},
                      {},

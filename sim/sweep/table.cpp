@@ -21,6 +21,7 @@ namespace {
 struct Column {
     const char* name;
     std::string (*cell)(const Result& r);
+    bool has_words = false;
 };
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : ""; }
@@ -40,7 +41,7 @@ const Column columns[] = {
     {"node_hit_rate", [](const Result& r) { return fixed<4>(frame_of(r).at("node_hit_rate")); }},
     {"prim_hit_rate", [](const Result& r) { return fixed<4>(frame_of(r).at("prim_hit_rate")); }},
     {"bytes_per_ray", [](const Result& r) { return fixed<2>(r.clock.at("bytes_per_ray")); }},
-    {"bound", [](const Result& r) { return r.clock.at("bound").get<std::string>(); }},
+    {"bound", [](const Result& r) { return r.clock.at("bound").get<std::string>(); }, true},
     {"bound_reached", [](const Result& r) { return fixed<3>(r.clock.at("bound_reached")); }},
     {"pixels_other_primitive",
      [](const Result& r) { return count_text(r.picture->error.pixels_other_primitive); }},
@@ -60,7 +61,7 @@ std::string area_text(const Result& r, std::uint64_t (*figure)(const synth::Coun
 /// After those that were there from the beginning, and after pareto and knee: whose figure it is stands in
 /// its name.
 const Column more_columns[] = {
-    {"clock_is", [](const Result& r) { return r.clock.value("clock_is", std::string()); }},
+    {"clock_is", [](const Result& r) { return r.clock.value("clock_is", std::string()); }, true},
     {"pipeline_cache_bytes",
      [](const Result& r) { return std::to_string(pipeline_cache_bytes(r.point.config)); }},
     {"chip_cache_bytes", [](const Result& r) { return std::to_string(chip_cache_bytes(r.point.config)); }},
@@ -107,6 +108,16 @@ std::vector<std::string> column_names(const std::vector<Axis>& axes) {
     return names;
 }
 
+bool has_words(const std::vector<Axis>& axes, const std::string& column) {
+    for (const Axis& axis : axes)
+        if (axis.key == column)
+            return std::any_of(axis.values.begin(), axis.values.end(),
+                               [](const std::string& value) { return !value_json(value).is_number(); });
+    const auto is = [&](const Column& c) { return c.name == column && c.has_words; };
+    return std::any_of(std::begin(columns), std::end(columns), is) ||
+           std::any_of(std::begin(more_columns), std::end(more_columns), is);
+}
+
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
                                                  const std::vector<Result>& results, const Front& front,
                                                  const std::string& column) {
@@ -115,11 +126,7 @@ std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
     std::vector<std::optional<double>> values;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const std::string cell = row(results[i], front, i).at(at);
-        const ordered_json value = value_json(cell);
-        if (!cell.empty() && !value.is_number())
-            throw UserError(fmt::format("--plot: the column {} has words, as {}: there is no place for them",
-                                        shown(column), shown(cell)));
-        values.push_back(cell.empty() ? std::nullopt : std::optional(value.get<double>()));
+        values.push_back(cell.empty() ? std::nullopt : std::optional(value_json(cell).get<double>()));
     }
     return values;
 }

@@ -11,7 +11,9 @@ std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 
 /// Of the whole table: axes, then figures.
 std::vector<std::string> column_names(const std::vector<Axis>& axes);
-/// A column as numbers; a cell that is empty has none. Throws UserError if it has words.
+/// True for a column whose cells are words, as "memory", and not numbers.
+bool has_words(const std::vector<Axis>& axes, const std::string& column);
+/// A column of numbers; a cell that is empty has none.
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
                                                  const std::vector<Result>& results, const Front& front,
                                                  const std::string& column);

@@ -129,7 +129,7 @@ TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache
     fs::create_directory(folder.name("cache"));
     const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
                                         {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});
-    CHECK(outcome.code == 1);
+    CHECK(outcome.code == 2);
     CHECK(outcome.err.find("rc_rank.sv") != std::string::npos);
     for (const auto& [name, bytes] : folder.contents())
         if (name.starts_with("cache/") && !name.starts_with("cache/rc_verilated-"))   // that one is whole

@@ -66,11 +66,4 @@ TEST_CASE("two levels refuse what they cannot draw") {
     refused({"gearbox:1", "--set", "structure=none"}, {"levels=2", "structure", "none"});
     refused({"gearbox:1", "--set", "primitive_test=sheared"}, {"levels=2", "primitive_test=exact"});
     check_refused(drawn({"gearbox:1", "--set", "levels=3"}), {"levels", "1..2", "3"});
-    const std::vector<std::string> scene{"gearbox:1", "--size", "16x12"};
-    const auto run = [&](std::vector<std::string> command) {
-        command.insert(command.begin() + 1, scene.begin(), scene.end());
-        return run_program(command);
-    };
-    check_refused(run({"fit", "--set", "levels=2", "-o", "-"}), {"levels", "1"});
-    check_refused(run({"sweep", "--axis", "levels=2"}), {"levels", "1"});
 }

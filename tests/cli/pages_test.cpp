@@ -88,7 +88,7 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
     const std::size_t at = broken.find("\"data\":\"", broken.find("\"key\":\"cycles\""));
     broken.replace(at + 20, 8, "AAAAAAAA");
     const std::string bad = folder.write("bad.html", broken);
-    check_refused(run_program({"compare", a, bad}), {"bad.html", "figures of pixels"});
+    check_refused(run_program({"compare", a, bad}), {"bad.html", "cycles of its pixels"});
     check_refused(run_program({"compare", a, folder.write("cut.html", broken.substr(0, at))}), {"cut.html"});
 }
 

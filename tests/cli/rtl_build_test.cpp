@@ -75,7 +75,10 @@ TEST_CASE("of two compilers the first that fails ends the other") {
     tools.replace("c++", FakeTools::compiler("case $out in support.o) echo built > $out; exit;; esac; "
                                              "echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec "
                                              "/bin/sleep 600;; esac; echo start.cpp: no; exit 1"));
-    check_refused(tools.rtl(), {"the C++ compiler on the verilated rc_chip failed: start.cpp: no"});
+    const Outcome outcome = tools.rtl();
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err,
+               Contains("rayclock: the C++ compiler on the verilated rc_chip failed: start.cpp: no\n"));
     CHECK(living(tools.path("pids")) == 0);
     CHECK(tools.names().empty());
 }

@@ -256,8 +256,8 @@ TEST_CASE("without a home RTL is kept in a folder of one's own, with a warning")
     CHECK(fs::status(place).permissions() == fs::perms::owner_all);
     CHECK_THAT(run_program({"doctor"}, environment).out, Contains("HOME is not set"));
     fs::permissions(place, fs::perms::all);   // anybody may plant a library there
-    check_refused(run_program({"rtl"}, environment), {place, "not yours alone"});
+    check_refused(run_program({"rtl"}, environment), {place, "others can write to this folder"});
     fs::remove_all(place);
     link(place, tools.path("rtl"));
-    check_refused(run_program({"rtl"}, environment), {place, "not yours alone"});
+    check_refused(run_program({"rtl"}, environment), {place, "this is a link"});
 }

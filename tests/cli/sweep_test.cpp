@@ -234,9 +234,10 @@ TEST_CASE("a sweep weighs what is asked for, over caches of one size") {
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.find("front of pixels_other_primitive, chip_memory_bits and fps") != std::string::npos);
-    CHECK(bytes_of(csv).find(",pareto,knee,clock_is,pipeline_cache_bytes,chip_cache_bytes,chip_memory_bits,"
-                             "chip_luts,chip_flip_flops,chip_multipliers,chip_block_rams\n") !=
-          std::string::npos);
+    CHECK(bytes_of(csv).find(
+              ",pareto,knee,clock_is,pipeline_cache_bytes,chip_cache_bytes,chip_memory_bits,"
+              "chip_luts,chip_flip_flops,chip_multipliers,chip_block_rams,rays,frames,film_cycles,"
+              "film_fps\n") != std::string::npos);
     const json report = json::parse(bytes_of(folder.name("a.json")));
     CHECK(report["front"]["cost"] == "chip_memory_bits");
     REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, of four ways and 64 bytes

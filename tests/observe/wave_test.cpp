@@ -86,7 +86,7 @@ TEST_CASE("bits of a payload are digits from the top down") {
 }
 
 TEST_CASE("what is no waveform is refused") {
-    CHECK_THROWS_WITH(waves_of("no waveform at all"), Catch::Contains("is no waveform"));
+    CHECK_THROWS_WITH(waves_of("no waveform at all"), Catch::Contains("is not a waveform"));
 }
 
 TEST_CASE("a save file of GTKWave names its waveform, its marker and its groups") {
