@@ -1,7 +1,9 @@
 // compile_scene: lattice, tree, image, in that order.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include "model/accel/emit.hpp"
@@ -68,9 +70,26 @@ std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const C
     return boxes;
 }
 
+/// Refuses a scene none of whose triangles has an area as it is given, and which has nothing else.
+void check_visible(const Scene& scene, const std::string& name) {
+    const bool is_invisible =
+        scene.spheres.empty() && scene.planes.empty() &&
+        std::all_of(scene.triangles.begin(), scene.triangles.end(), [&](const Triangle& t) {
+            const glm::dvec3 a = scene.vertices[t.vertex[0]];
+            return glm::cross(scene.vertices[t.vertex[1]] - a, scene.vertices[t.vertex[2]] - a) ==
+                   glm::dvec3(0);
+        });
+    if (is_invisible)
+        throw UserError(name +
+                        ": every surface is invisible: it is left out, or has no area. A machine cannot hold "
+                        "an empty scene; "
+                        "render --engine reference draws its background");
+}
+
 void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
                 const std::string& name) {
     const std::size_t all = primitive_count(scene);
+    if (kept.empty()) check_visible(scene, name);
     if (kept.empty())
         throw UserError(name + ": all " + std::to_string(all) +
                         (all == scene.triangles.size() ? " triangles" : " primitives") +
@@ -134,6 +153,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
     if (config.has_instances()) {
+        if (!given.placed) check_visible(given, name);
         const PlacedScene alone{given.placed ? Scene{} : given, {}, {}};
         MemoryImage image = compile_levels(given.placed ? *given.placed : alone, eye, config).image;
         if (progress) progress("compiling " + name, 4, 4);

@@ -191,7 +191,8 @@ private:
             material && this->material(material->whole(materials_.size())).is_invisible) {
             for (const glm::vec3& p : vectors(in.at("attributes").at("POSITION")).values)
                 widen(into.invisible, glm::dvec3(p));
-            left_out("invisible primitive", "left out: opacity below the cutoff of the material");
+            left_out("invisible primitive",
+                     "left out: opacity below the cutoff of the material (alphaMode MASK)");
             return false;
         }
         return true;

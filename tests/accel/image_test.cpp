@@ -120,6 +120,14 @@ TEST_CASE("what cannot be compiled is refused in one sentence") {
     CHECK_THAT(error_of(dust, shape(12, 8, 1)),
                Catch::Contains("dust: all 3 triangles vanish on a lattice of 12 bits"));
 
+    Scene nothing = named("nothing");   // no area as given: no lattice would help
+    add(nothing, {0, 0, 0}, {1, 2, 3}, {1, 2, 3});
+    for (const int levels : {1, 2}) {
+        Config config = shape(12, 8, 1);
+        config.levels = levels;
+        CHECK_THAT(error_of(nothing, config), Catch::Contains("nothing: every surface is invisible"));
+    }
+
     Config shallow = shape(18, 2, 1);
     shallow.stack_depth = 2;
     CHECK_THAT(error_of(soup(1000, 0.1, 4), shallow),

@@ -97,6 +97,30 @@ TEST_CASE("a directory, a device or nothing in place of a scene") {
     check_refused(run_program({"verify", folder.name("none.glb")}), {"none.glb", "no such file"});
 }
 
+TEST_CASE("a file of which nothing is visible has a background, and no machine holds it") {
+    const Folder folder;
+    // One triangle, whose opacity is below the cutoff.
+    const std::string file = folder.write("mask.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+"scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+"materials": [{"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.2]}}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+    for (const char* levels : {"levels=1", "levels=2"}) {
+        const Outcome refused = run_program({"simulate", file, "--size", "8x6", "--set", levels});
+        INFO(refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.err.find("opacity below the cutoff of the material (alphaMode MASK)") !=
+              std::string::npos);
+        CHECK(refused.err.find("mask.gltf: every surface is invisible") != std::string::npos);
+    }
+    const Outcome drawn = run_program(
+        {"render", file, "--engine", "reference", "--size", "8x6", "-o", folder.name("background.png")});
+    INFO(drawn.err);
+    CHECK(drawn.code == 0);
+}
+
 TEST_CASE("configuration files that make no sense") {
     const std::vector<std::vector<std::string>> commands{
         {"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"},

@@ -131,7 +131,7 @@ TEST_CASE("gltf: a constant opacity below the cutoff is invisible") {
     CHECK(made.scene.materials.at(made.scene.triangles[0].material).colour == glm::dvec3(0, 1, 0));
     CHECK(made.scene.materials.at(made.scene.triangles[0].material).transmit == 0);
     CHECK(made.notes == Notes{"1 invisible primitive left out: opacity below the cutoff of the material "
-                              "('meshes[0].primitives[0]')"});
+                              "(alphaMode MASK) ('meshes[0].primitives[0]')"});
 }
 
 TEST_CASE("gltf: a file of which nothing is visible is an empty picture") {
