@@ -96,16 +96,16 @@ int run(const Options& o) {
     if (costs.partial) throw Interrupted("interrupted: nothing is written");
     observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
-    std::optional<FrameError> error;
+    std::vector<FrameError> error;   // of the frame that is explained
     if (!o.no_reference) {
         const Trace& trace = traces.back().trace;
         const Compared compared = compare(
             request, job, {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
             !o.no_judge, o.threads, progress, pixel);
         e.colour = colour_finding(compared, pixel);
-        error = compared.error;
+        error = {compared.error};
     }
-    const std::string far = error ? far_from_reference(limits, *error) : "";
+    const std::string far = far_frames(limits, error);
     if (!o.json.is_alone())
         write_output((far.empty() ? "" : far + "\n") + heading(request.scene, size, job) + "\n" +
                      explanation_text(e, o.steps));

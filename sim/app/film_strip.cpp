@@ -20,17 +20,29 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// What the model made of the frame at hand.
-Picture drawn(const Request& request, const Job& job, const FrameTrace& trace) {
-    return request.finished ? picture_of(job.size, trace.trace.colours)
-                            : shade(request.scene, hits_of(job, trace));
+/// The model's picture of the frame at hand, and what its pixels hit.
+struct Drawn {
+    HitFrame hits;
+    Picture picture;
+};
+Drawn drawn(const Request& request, const Job& job, const FrameTrace& trace) {
+    HitFrame hits = hits_of(job, trace);
+    Picture picture =
+        request.finished ? picture_of(job.size, trace.trace.colours) : shade(request.scene, hits);
+    return {std::move(hits), std::move(picture)};
 }
 
 /// The reference draws the frame from the scene alone, and knows no other frame.
-Picture drawn_by_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
+Drawn drawn_by_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
     const Reference tracer(request.scene);
-    return request.finished ? picture_of(tracer.whitted(camera, size, request.settings, threads))
-                            : shade(request.scene, tracer.frame(camera, size, threads));
+    if (request.finished) {
+        WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads);
+        Picture picture = picture_of(frame);
+        return {std::move(frame.hits), std::move(picture)};
+    }
+    HitFrame hits = tracer.frame(camera, size, threads);
+    Picture picture = shade(request.scene, hits);
+    return {std::move(hits), std::move(picture)};
 }
 
 }   // namespace
@@ -47,17 +59,24 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
         traces.push_back(film.record(o.threads, progress));
-        if (!is_film || (o.folder.empty() && !o.compares)) continue;
+        const bool is_written = !strip.folder.empty(),
+                   is_compared = o.compares && film.frames() > 1 && !film.is_still();
+        if (!is_written && !is_compared) continue;
         const Request& request = film.request();
-        const Picture picture = drawn(request, film.job(), traces.back());
-        if (!o.folder.empty())
-            write_pictures(*strip.staged, {{frame_name(f), picture, hits_of(film.job(), traces.back())}});
-        if (o.compares)
-            strip.psnr.push_back(
-                compare(picture, drawn_by_reference(request, film.camera(), film.job().size, o.threads))
-                    .psnr_db);
+        const Drawn model = drawn(request, film.job(), traces.back());
+        if (is_written) write_pictures(*strip.staged, {{frame_name(f), model.picture, model.hits}});
+        if (!is_compared) continue;
+        const Drawn reference = drawn_by_reference(request, film.camera(), film.job().size, o.threads);
+        strip.errors.push_back(frame_error(model.hits, model.picture, reference.hits, reference.picture));
     }
     return strip;
+}
+
+std::vector<FrameError> all_errors(const FilmStrip& strip, const FrameError& last) {
+    std::vector<FrameError> errors = strip.errors;
+    if (errors.empty()) return {last};
+    errors.back() = last;
+    return errors;
 }
 
 void check_film_folder(const std::string& folder, std::size_t frames) {
@@ -160,13 +179,15 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
     const std::vector<FrameFigures> all = all_figures(runs[0], traces);
     std::vector<std::string> head{"frame", "time s"};
     for (const Figure& figure : figures) head.emplace_back(figure.head);
-    if (!strip.psnr.empty()) head.emplace_back("PSNR dB");
+    std::vector<double> psnr;
+    for (const FrameError& error : strip.errors) psnr.push_back(error.psnr_db);
+    if (!psnr.empty()) head.emplace_back("PSNR dB");
     Table table(head);
     const auto psnr_cell = [&](double db) { return std::isfinite(db) ? fmt::format("{:.1f}", db) : "equal"; };
     for (std::size_t f = 0; f < all.size(); ++f) {
         std::vector<std::string> row{std::to_string(f + 1), fmt::format("{:.3f}", strip.times[f])};
         for (const Figure& figure : figures) row.push_back(cell(figure, all[f].*figure.value));
-        if (!strip.psnr.empty()) row.push_back(psnr_cell(strip.psnr[f]));
+        if (!psnr.empty()) row.push_back(psnr_cell(psnr[f]));
         table.add(row);
     }
     const char* const names[] = {"least", "mean", "most"};
@@ -176,11 +197,10 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
             const Summary s = summary(all, figure.value);
             row.push_back(cell(figure, k == 0 ? s.least : k == 1 ? s.mean : s.most));
         }
-        if (!strip.psnr.empty())
-            row.push_back(k == 1
-                              ? ""
-                              : psnr_cell(k == 0 ? *std::min_element(strip.psnr.begin(), strip.psnr.end())
-                                                 : *std::max_element(strip.psnr.begin(), strip.psnr.end())));
+        if (!psnr.empty())
+            row.push_back(k == 1   ? ""
+                          : k == 0 ? psnr_cell(*std::min_element(psnr.begin(), psnr.end()))
+                                   : psnr_cell(*std::max_element(psnr.begin(), psnr.end())));
         table.add(row);
     }
     const bool is_whole =
@@ -210,7 +230,8 @@ ordered_json film_json(const Config&, const std::vector<ClockRun>& runs, const F
         for (std::size_t f = 0; f < all.size(); ++f) {
             ordered_json frame{{"time", strip.times[f]}, {"host_whole", traces[f].upload.is_whole}};
             for (const Figure& figure : figures) frame[figure.key] = number(all[f].*figure.value);
-            frame["psnr_db"] = f < strip.psnr.size() ? decibel(strip.psnr[f]) : ordered_json(nullptr);
+            frame["psnr_db"] =
+                f < strip.errors.size() ? decibel(strip.errors[f].psnr_db) : ordered_json(nullptr);
             frames.push_back(std::move(frame));
         }
         ordered_json least, mean, most;

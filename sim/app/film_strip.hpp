@@ -13,9 +13,9 @@ namespace rayclock {
 struct FilmStrip {
     bool moves = false;
     double fps = 0;
-    std::vector<double> times;   ///< seconds of the scene
-    std::vector<double> psnr;    ///< of the model's picture beside the reference's, dB, if it was asked for
-    std::string folder;          ///< of numbered pictures; empty: there are none
+    std::vector<double> times;        ///< seconds of the scene
+    std::vector<FrameError> errors;   ///< of the model's pictures beside the reference's, if it was asked for
+    std::string folder;               ///< of numbered pictures; empty: there are none
     std::shared_ptr<StagedFiles> staged;   ///< where they wait for the film
 };
 
@@ -32,6 +32,8 @@ FilmStrip record_film(Film& film, const StripOptions& options, const Progress& p
 
 /// Fails early (UserError) if the frames could not be written.
 void check_film_folder(const std::string& folder, std::size_t frames);
+/// The errors of all frames of a film, the last of which is `last`; of a single frame that alone.
+std::vector<FrameError> all_errors(const FilmStrip& strip, const FrameError& last);
 /// Joins the pictures, publishes all, and says so, unless `quiet`.
 void finish_film(const FilmStrip& strip, bool quiet);
 

@@ -110,6 +110,14 @@ Limits limits_of(const LimitsChoice& o) {
     return limits;
 }
 
+std::string typed_limits(const LimitsChoice& o) {
+    std::string text;
+    if (o.max_other) text += " --max-other " + *o.max_other;
+    if (o.min_psnr) text += fmt::format(" --min-psnr {:g}", *o.min_psnr);
+    if (o.max_depth_error) text += " --max-depth-error " + *o.max_depth_error;
+    return text;
+}
+
 void fresh_option(Parser& parser, bool& fresh) {
     parser.flag("--fresh", fresh,
                 "work everything out again, and take no finished result of an earlier run from the cache");

@@ -32,6 +32,8 @@ struct LimitsChoice {
 void limits_options(Parser& parser, LimitsChoice& limits);
 /// Throws UserError.
 Limits limits_of(const LimitsChoice& limits);
+/// As they were typed, for pages that tell their command: " --min-psnr 60".
+std::string typed_limits(const LimitsChoice& limits);
 
 void fresh_option(Parser& parser, bool& fresh);
 void netlist_option(Parser& parser, bool& no_netlist);

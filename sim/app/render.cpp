@@ -1,4 +1,5 @@
 // rayclock render: a picture with one engine.
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -112,15 +113,21 @@ Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& pr
                                    : draw_machine(request, film.job(), o.engine == "rtl", progress);
 }
 
-/// The picture beside the reference's; of several frames, the one with the least PSNR.
+/// The pictures beside the reference's.
 struct Comparison {
-    std::optional<FrameError> error;
+    std::vector<FrameError> errors;
 
+    /// Of several frames, the one with the least PSNR.
+    std::optional<FrameError> error() const {
+        const auto least =
+            std::min_element(errors.begin(), errors.end(),
+                             [](const FrameError& a, const FrameError& b) { return a.psnr_db < b.psnr_db; });
+        return least == errors.end() ? std::nullopt : std::make_optional(*least);
+    }
     void add(const Drawn& drawn, const Request& request, FrameSize size, int threads,
              const Progress& progress) {
         const Drawn reference = draw_reference(request, size, threads, progress);
-        const FrameError next = frame_error(drawn.hits, drawn.picture, reference.hits, reference.picture);
-        if (!error || next.psnr_db < error->psnr_db) error = next;
+        errors.push_back(frame_error(drawn.hits, drawn.picture, reference.hits, reference.picture));
     }
 };
 
@@ -173,20 +180,21 @@ int run(const Options& o) {
     }
     const double seconds = watch.seconds();
     const Scene& scene = film.request().scene;
+    const std::optional<FrameError> error = comparison.error();
     if (!o.json.is_alone()) {
-        const std::string far = comparison.error ? far_from_reference(limits, *comparison.error) : "";
+        const std::string far = far_frames(limits, comparison.errors);
         fmt::print("{}{}: {}, {}x{}, {} -> {}\n{}{}", far.empty() ? "" : far + "\n", scene.name,
                    primitives_text(scene), size.width, size.height, o.engine, printable(o.output),
                    said.empty() ? "" : "  " + said + "\n",
-                   comparison.error ? error_line("against the reference", *comparison.error) : "");
+                   error ? error_line("against the reference", *error) : "");
     }
     nlohmann::ordered_json report{{"scene", scene_json(scene)},
                                   {"frame", {{"width", size.width}, {"height", size.height}}},
                                   {"engine", o.engine}};
     report.update(json);
-    if (comparison.error) {
-        report["error"] = error_json(comparison.error, std::nullopt);
-        report["limits"] = limits_json(limits, comparison.error);
+    if (error) {
+        report["error"] = error_json(error, std::nullopt);
+        report["limits"] = limits_json(limits, comparison.errors);
     }
     report["host"] = {{"seconds", seconds}};
     o.json.write(report);

@@ -124,6 +124,10 @@ struct Simulated {
     std::optional<FrameError> error() const {
         return compared ? std::optional(compared->error) : std::nullopt;
     }
+    /// Of all frames that were compared.
+    std::vector<FrameError> errors() const {
+        return compared ? all_errors(strip, compared->error) : std::vector<FrameError>{};
+    }
     const std::optional<Judgement>& judgement() const {
         static const std::optional<Judgement> none;
         return compared ? compared->judgement : none;
@@ -189,7 +193,7 @@ Totals totals_of(const Simulated& s) {
 
 void print(const Work& work, const Simulated& s, const Limits& limits, const Totals& t, double seconds) {
     const Config& config = work.request().config;
-    const std::string far = s.compared ? far_from_reference(limits, s.compared->error) : "";
+    const std::string far = far_frames(limits, s.errors());
     if (!far.empty()) fmt::print("{}\n", far);
     fmt::print("{}\n{}{}\n{}\n{}", heading(work.request().scene, work.size, work.job()),
                clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
@@ -230,7 +234,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, s.runs[0].khz, frame)},
             {"error", error_json(s.error(), s.judgement())},
-            {"limits", limits_json(limits, s.error())},
+            {"limits", limits_json(limits, s.errors())},
             {"judge", judge_json(s.judgement())},
             {"host",
              {{"seconds", t.engine_seconds},

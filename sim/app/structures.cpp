@@ -25,6 +25,7 @@ struct Options {
     ConfigChoice config;
     std::string output, size = usual_size;
     std::vector<std::string> scenes = structures::large_scenes(), round{"balls:4"};
+    LimitsChoice limits;
     JsonOutput json;
     bool fresh = false, no_netlist = false;
     int threads = 0;
@@ -38,6 +39,7 @@ void declare(Parser& parser, Options& o) {
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
+    limits_options(parser, o.limits);
     json_option(parser, o.json);
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
@@ -51,7 +53,7 @@ std::string command_of(const Options& o) {
     if (o.scenes != structures::large_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.round != Options{}.round) text += fmt::format(" --round {}", fmt::join(o.round, ","));
     if (o.size != usual_size) text += " --size " + o.size;
-    return text + (o.no_netlist ? " --no-netlist" : "");
+    return text + (o.no_netlist ? " --no-netlist" : "") + typed_limits(o.limits);
 }
 
 /// One pipeline of each structure's machine, without and with the units of finished pictures.
@@ -73,7 +75,8 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kin
 }
 
 int run(const Options& o) {
-    structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.round, o.threads};
+    structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.round, o.threads,
+                            limits_of(o.limits)};
     const auto kinds = structures::trees(study.base);
     for (const structures::Kind& kind : kinds) check_config(kind.config, "structures");
     const std::filesystem::path folder(o.output);
@@ -97,7 +100,7 @@ int run(const Options& o) {
     study.size = parse_size(o.size);
     plot::write_plot(plot, structures::picture(figures, study));
     write_file(path, structures::page(figures, study, command_of(o), "structures"));
-    o.json.write(structures::rows(figures));
+    o.json.write(structures::rows(figures, study.limits));
     if (!o.json.is_alone()) fmt::print("{} written\n", printable(path));
     return 0;
 }

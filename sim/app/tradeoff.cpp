@@ -16,6 +16,7 @@ namespace {
 struct Options {
     std::string output, size = default_size;
     std::vector<std::string> scenes = sweep::default_tradeoff_scenes();
+    LimitsChoice limits;
     bool fresh = false, no_netlist = false;
     int threads = 0;
 };
@@ -26,6 +27,7 @@ void declare(Parser& parser, Options& o) {
     size_option(parser, o.size);
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
+    limits_options(parser, o.limits);
     threads_option(parser, o.threads);
 }
 
@@ -35,15 +37,16 @@ std::string command_of(const Options& o) {
         text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.size != default_size) text += " --size " + o.size;
     if (o.no_netlist) text += " --no-netlist";
-    return text;
+    return text + typed_limits(o.limits);
 }
 
 int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
+    const Limits limits = limits_of(o.limits);
     sweep::check_tradeoff_paths(o.output, o.scenes);
     const Progress progress = terminal_progress();
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist}, command_of(o), cache,
+    sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist, limits}, command_of(o), cache,
                           progress);
     fmt::print("{} written\n", printable(o.output));
     return 0;

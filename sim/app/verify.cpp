@@ -146,6 +146,8 @@ struct Verified {
     /// If the RTL is the model, what is said of one holds for both.
     const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
     const FrameError& error() const { return result.agrees() ? model : rtl; }
+    /// Of all frames that were compared; the earlier ones are the model's.
+    std::vector<FrameError> errors() const { return all_errors(strip, error()); }
     bool is_good(const Config& config) const {
         return result.agrees() && !partial() && (!judgement || judgement->wrong_for(config) == 0) &&
                (!golden.found || golden.within);
@@ -277,7 +279,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verifie
             {"counters_compared", result.counters_compared},
             {"first_counter", counter_json(result.counter)},
             {"reference", error_json(v.model, v.judgement)},
-            {"limits", v.partial() ? nullptr : limits_json(limits, v.error())},
+            {"limits", v.partial() ? nullptr : limits_json(limits, v.errors())},
             {"judge", judge_json(v.judgement)},
             {"golden", golden},
             {"rays", rays_json(frame)},
@@ -324,7 +326,7 @@ int run(const Options& o) {
     }
     const double seconds = watch.seconds();
 
-    const std::string far = verified.partial() ? "" : far_from_reference(limits, verified.error());
+    const std::string far = verified.partial() ? "" : far_frames(limits, verified.errors());
     const bool agrees = verified.is_good(config), good = agrees && far.empty();
     if (!o.json.is_alone()) {
         if (!far.empty()) fmt::print("{}\n", far);

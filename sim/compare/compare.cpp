@@ -130,6 +130,18 @@ NamedReport read_report(const std::string& file) {
     return read;
 }
 
+std::vector<std::string> far_sentences(const std::vector<NamedReport>& reports) {
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        const json limits = reports[i].report.value("limits", json()),
+                   told = limits.is_object() ? limits.value("sentence", json()) : json();
+        sentences.push_back(told.is_string() ? fmt::format("{} ({}: {})", told.get<std::string>(),
+                                                           char('A' + int(i % 26)), reports[i].file)
+                                             : "");
+    }
+    return sentences;
+}
+
 int direction_of(const std::string& figure) {
     if (ends(figure,
              {".fps", ".mrays_per_s", ".bound_reached", "psnr_db", ".hits", ".row_hits", "_hit_rate"}))

@@ -48,6 +48,9 @@ Comparison compare_reports(const std::vector<NamedReport>& reports);
 /// Whether more or less of a figure is better, or neither.
 int direction_of(const std::string& figure);
 
+/// Of each report the sentence that its picture is far from the reference's, as it was told; or empty.
+std::vector<std::string> far_sentences(const std::vector<NamedReport>& reports);
+
 /// What people ask for first: cycles, frames a second and bytes of a clock, and errors.
 bool is_key_figure(const std::string& figure);
 

@@ -162,6 +162,8 @@ std::string comparison_page(const std::vector<NamedReport>& reports, const Compa
                 html::section("origin", "Origin", html::table("", {"what", "value"}, lines, 2));
     page.data = html::data_element("data", data);
     page.scripts = page_compare;
+    for (const std::string& far : far_sentences(reports))
+        if (!far.empty()) page.far += (page.far.empty() ? "" : "; ") + far;
     return framed(page);
 }
 

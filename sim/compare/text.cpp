@@ -45,6 +45,8 @@ std::string comparison_text(const std::vector<NamedReport>& reports, const Compa
     std::vector<std::string> names;
     for (std::size_t i = 0; i < reports.size(); ++i) names.push_back(std::string(1, char('A' + int(i % 26))));
     std::string text;
+    for (const std::string& far : far_sentences(reports))
+        if (!far.empty()) text += printable(far, 400) + "\n";
     for (std::size_t i = 0; i < reports.size(); ++i)
         text += fmt::format("  {}: {}\n", names[i], printable(reports[i].file));
     if (!c.settings.empty()) {
@@ -88,7 +90,14 @@ nlohmann::ordered_json comparison_json(const std::vector<NamedReport>& reports, 
              {"verdict", *verdict ? nlohmann::ordered_json(verdict) : nlohmann::ordered_json(nullptr)}});
     }
     for (const auto& [key, values] : c.settings) settings.push_back({{"key", key}, {"values", values}});
-    return {{"files", files}, {"settings", settings}, {"differences", differences}, {"equal", c.equal}};
+    nlohmann::ordered_json far = nlohmann::ordered_json::array();
+    for (const std::string& sentence : far_sentences(reports))
+        far.push_back(sentence.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(sentence));
+    return {{"files", files},
+            {"far", far},
+            {"settings", settings},
+            {"differences", differences},
+            {"equal", c.equal}};
 }
 
 }   // namespace rayclock

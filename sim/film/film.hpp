@@ -47,7 +47,8 @@ public:
 
     std::size_t frames() const { return times_.times.size(); }
     const FrameTimes& times() const { return times_; }
-    bool moves() const { return moves_; }   ///< anything but the camera by --pan
+    bool moves() const { return moves_; }                    ///< anything but the camera by --pan
+    bool is_still() const { return !moves_ && pan_ == 0; }   ///< all frames are alike
 
     /// Makes the next frame the one at hand: its place in time, the memory, the registers.
     void next();

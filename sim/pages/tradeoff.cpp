@@ -24,21 +24,26 @@ constexpr int khz = default_khz;
 Table table_of(std::vector<std::string> head) { return Table(std::move(head), Table::words_only); }
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? grouped(*n) : "-"; }
-std::string percent_text(const Result& r) {
-    return fmt::format(
-        "{:.3f} %", 100 * double(r.picture->error.pixels_other_primitive) / double(r.picture->error.pixels));
-}
 std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.1f}", psnr) : "equal"; }
 
 class Page {
 public:
-    Page(const Study& study, const std::vector<SceneStudy>& scenes) : study_(study), scenes_(scenes) {}
+    Page(const Study& study, const std::vector<SceneStudy>& scenes, const Limits& limits)
+        : study_(study), scenes_(scenes), limits_(limits) {}
 
     std::string series_text(const Series& series) const {
         std::string text = fmt::format("\n### {}\n\n{}\n\n", series.axis.key, series.about);
         text += error_table(series) + "\n" + other_table(series);
         if (series.axis.key.ends_with("_bits")) text += "\n" + step_table(series);
-        return text;
+        std::vector<NamedError> pictures;
+        for (std::size_t i = 0; i < series.points.size(); ++i)
+            for (const SceneStudy& scene : scenes_) {
+                const Result& r = result(scene, series.points[i]);
+                const std::string name =
+                    fmt::format("{}, {} {}", scene.name, series.axis.key, series.axis.values[i]);
+                if (r.complete()) pictures.push_back({name, r.picture->error});
+            }
+        return text + far_note(pictures);
     }
 
     std::string grid_text(const SceneStudy& scene) const {
@@ -58,12 +63,17 @@ public:
                        count_text(r.multipliers), count_text(r.flip_flops), grouped(r.picture->memory_bytes),
                        knee ? "**knee**" : "on it"});
         }
-        return text + table.markdown();
+        std::vector<NamedError> pictures;
+        for (std::size_t i = 0; i < results.size(); ++i)
+            if (results[i].complete() && (front.pareto[i] || (front.knee && front.knee->point == i)))
+                pictures.push_back({name_of(study_.grid, results[i]), results[i].picture->error});
+        return text + table.markdown() + far_note(pictures);
     }
 
     std::string knee_table() const {
         Table table = table_of({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps",
                                 "its multipliers", "error of `default`", "fps", "multipliers"});
+        std::vector<NamedError> pictures;
         for (const SceneStudy& scene : scenes_) {
             const std::vector<Result> results = grid_results(study_, scene.outcome);
             const Front front = front_of(results);
@@ -75,12 +85,18 @@ public:
                 cells.push_back(r ? count_text(r->multipliers) : "-");
             };
             const Result* knee = front.knee ? &results[front.knee->point] : nullptr;
+            const Result& usual = scene.outcome.results[at_default(study_.series[0])];
+            if (knee && knee->complete())
+                pictures.push_back(
+                    {fmt::format("{}, {}", scene.name, name_of(study_.grid, *knee)), knee->picture->error});
+            if (usual.complete())
+                pictures.push_back({fmt::format("{}, default", scene.name), usual.picture->error});
             cells.push_back(knee ? name_of(study_.grid, *knee) : "none");
             add(knee);
-            add(&scene.outcome.results[at_default(study_.series[0])]);
+            add(&usual);
             table.add(cells);
         }
-        return table.markdown();
+        return table.markdown() + far_note(pictures);
     }
 
     bool has_netlists() const {
@@ -90,6 +106,18 @@ public:
     }
 
 private:
+    /// Pixels with another primitive; a dagger if the picture is beyond a limit.
+    std::string percent_text(const Result& r) const {
+        const FrameError& error = r.picture->error;
+        return fmt::format("{:.3f} %{}", 100 * double(error.pixels_other_primitive) / double(error.pixels),
+                           far_from_reference(limits_, error).empty() ? "" : " †");
+    }
+    /// What the dagger says, below the table that has one.
+    std::string far_note(const std::vector<NamedError>& pictures) const {
+        const std::string far = far_from_reference(limits_, pictures, pictures.size(), "pictures");
+        return far.empty() ? "" : "\n† " + far + "\n";
+    }
+
     const Result& result(const SceneStudy& scene, std::size_t point) const {
         return scene.outcome.results[point];
     }
@@ -187,11 +215,13 @@ private:
 
     const Study& study_;
     const std::vector<SceneStudy>& scenes_;
+    const Limits& limits_;
 };
 
 constexpr const char* what_counts = R"(
 - **Pixels with another primitive**, **PSNR**, **depth error**: against the double-precision reference
-  on the scene as given, not snapped.
+  on the scene as given, not snapped. A dagger (†) marks a picture beyond a limit
+  ([report.md](report.md#limits)), and the sentence below the table names the farthest.
 - **Cracks**: pixels whose ray slips through a surface. The exact oracle, on the same snapped scene and
   quantised ray, says which triangle is met first; a crack is an answer that is neither that triangle
   nor one that shares a corner with it, and lies farther away or is nothing. With the exact test the
@@ -209,8 +239,9 @@ constexpr const char* what_counts = R"(
   point that lies farthest below the chord between the front's ends.
 )";
 
-std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes, const std::string& command) {
-    const Page page(study, scenes);
+std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes, const Limits& limits,
+                      const std::string& command) {
+    const Page page(study, scenes, limits);
     std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
     text += fmt::format(
         "Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: "
@@ -275,7 +306,7 @@ void write_tradeoff(const std::string& path, const Tradeoff& what, const std::st
         plot::write_plot(plot_path(path, what.scenes[i]),
                          front_plot(scenes[i].name, what.size, study.grid, results, front_of(results)));
     }
-    write_file(path, page_text(study, scenes, command));
+    write_file(path, page_text(study, scenes, what.limits, command));
 }
 
 }   // namespace rayclock::sweep

@@ -1,6 +1,7 @@
 #pragma once
 // docs/speed-against-error.md: what each bit costs and brings.
 #include "sim/pages/study.hpp"
+#include "sim/report/limits.hpp"
 
 namespace rayclock::sweep {
 
@@ -10,6 +11,7 @@ struct Tradeoff {
     FrameSize size;
     int threads = 0;
     bool netlists = true;
+    Limits limits{};   ///< beyond which a figure gets a mark
 };
 
 /// The scenes of the page in docs/.

@@ -1,6 +1,6 @@
 #include "sim/report/limits.hpp"
 
-#include <vector>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -40,19 +40,45 @@ std::string far_from_reference(const Limits& limits, const FrameError& error) {
     return beyond.empty() ? "" : fmt::format("FAR FROM THE REFERENCE: {}", fmt::join(beyond, "; "));
 }
 
+std::string far_from_reference(const Limits& limits, const std::vector<NamedError>& errors, std::size_t all,
+                               const char* what) {
+    std::size_t far = 0;
+    const NamedError* farthest = nullptr;
+    for (const NamedError& e : errors) {
+        if (far_from_reference(limits, e.error).empty()) continue;
+        ++far;
+        if (!farthest || e.error.psnr_db < farthest->error.psnr_db) farthest = &e;
+    }
+    if (!farthest) return {};
+    return fmt::format("{} ({}; {} of {} {} are far)", far_from_reference(limits, farthest->error),
+                       farthest->name, far, all, what);
+}
+
+std::string far_frames(const Limits& limits, const std::vector<FrameError>& frames) {
+    if (frames.size() == 1) return far_from_reference(limits, frames[0]);
+    std::vector<NamedError> named;
+    for (std::size_t f = 0; f < frames.size(); ++f)
+        named.push_back({fmt::format("frame {}", f + 1), frames[f]});
+    return far_from_reference(limits, named, frames.size(), "frames");
+}
+
 ordered_json limit_values_json(const Limits& limits) {
     return {{"max_other_percent", limits.max_other},
             {"min_psnr_db", limits.min_psnr},
             {"max_depth_error_percent", limits.max_depth_error}};
 }
 
-ordered_json limits_json(const Limits& limits, const std::optional<FrameError>& error) {
-    if (!error) return nullptr;
-    const std::string sentence = far_from_reference(limits, *error);
+ordered_json limits_json(const Limits& limits, const std::vector<FrameError>& frames) {
+    if (frames.empty()) return nullptr;
+    const auto any = [&](bool (*is_beyond)(const Limits&, const FrameError&)) {
+        return std::any_of(frames.begin(), frames.end(),
+                           [&](const FrameError& error) { return is_beyond(limits, error); });
+    };
+    const std::string sentence = far_frames(limits, frames);
     ordered_json json = limit_values_json(limits);
-    json["beyond_other"] = is_beyond_other(limits, *error);
-    json["beyond_psnr"] = is_beyond_psnr(limits, *error);
-    json["beyond_depth"] = is_beyond_depth(limits, *error);
+    json["beyond_other"] = any(is_beyond_other);
+    json["beyond_psnr"] = any(is_beyond_psnr);
+    json["beyond_depth"] = any(is_beyond_depth);
     json["far"] = !sentence.empty();
     json["sentence"] = sentence.empty() ? ordered_json(nullptr) : ordered_json(sentence);
     return json;

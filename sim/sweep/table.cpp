@@ -169,17 +169,10 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
 
 std::string far_points(const std::vector<Axis>& axes, const std::vector<Result>& results,
                        const Limits& limits) {
-    std::size_t far = 0;
-    const Result* farthest = nullptr;
-    for (const Result& r : results) {
-        if (!r.picture || far_from_reference(limits, r.picture->error).empty()) continue;
-        ++far;
-        if (!farthest || r.picture->error.psnr_db < farthest->picture->error.psnr_db) farthest = &r;
-    }
-    if (!farthest) return {};
-    return fmt::format("{} ({}; {} of {} points are far)",
-                       far_from_reference(limits, farthest->picture->error), name_of(axes, *farthest), far,
-                       results.size());
+    std::vector<NamedError> pictures;
+    for (const Result& r : results)
+        if (r.picture) pictures.push_back({name_of(axes, r), r.picture->error});
+    return far_from_reference(limits, pictures, results.size(), "points");
 }
 
 ordered_json far_json(const std::vector<Axis>& axes, const std::vector<Result>& results,

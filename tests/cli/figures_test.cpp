@@ -123,14 +123,21 @@ TEST_CASE("rays of tetra are the published ones", "[slow]") {
 
 TEST_CASE("the page of structures has every structure on every scene, and the list on small ones") {
     const Folder folder;
-    const Outcome outcome = run_program(
-        {"structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24", "--no-netlist"});
+    const Outcome outcome =
+        run_program({"structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24",
+                     "--no-netlist", "--min-psnr", "200", "--json", folder.name("rows.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const std::string page = bytes_of(folder.name("structures.md"));
-    for (const char* part : {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished |",
-                             "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist"})
+    for (const char* part :
+         {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished |",
+          "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist --min-psnr 200",
+          "\n| kd, finished † |", "| octree, inner † |", "\n† FAR FROM THE REFERENCE: PSNR ",
+          "(limit 200 dB, --min-psnr) (", "12 of 12 pictures are far)"}) {
+        INFO(part);
         CHECK(page.find(part) != std::string::npos);
+    }
+    for (const json& row : json::parse(bytes_of(folder.name("rows.json")))["rows"]) CHECK(row["far"] == true);
     CHECK(page.find("is not there") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"structures"}), {"--output"});

@@ -96,6 +96,46 @@ TEST_CASE("a sweep says which of its points is farthest, and which points are fa
           nlohmann::json{true, false, true, false});
 }
 
+TEST_CASE("every frame of a film is held against the limits, and the farthest is named") {
+    const Folder folder;
+    // The last frame sees nothing but background: it is the reference's.
+    const std::vector<std::string> frames{"--frames", "3", "--pan", "90"};
+    const std::string told = sentence + " (frame 1; 1 of 3 frames are far)";
+    const auto command = GENERATE("simulate", "verify", "render");
+    std::vector<std::string> more = frames;
+    const std::string report = folder.name("r.json");
+    more.insert(more.end(), {"--json", report});
+    if (std::string(command) == "render") more.insert(more.end(), {"--compare", "-o", folder.name("film")});
+    const Outcome far = run(command, more);
+    INFO(command << far.out << far.err);
+    CHECK(far.code == (std::string(command) == "verify" ? 1 : 0));
+    CHECK(begins(far.out, told + "\n"));
+    const auto limits = nlohmann::json::parse(bytes_of(report)).at("limits");
+    CHECK(limits.at("sentence") == told);
+    CHECK(limits.at("beyond_other") == true);
+    more.insert(more.end(), {"--max-other", "4%"});
+    if (std::string(command) == "render") more[more.size() - 3] = folder.name("other");
+    const Outcome within = run(command, more);
+    INFO(within.out << within.err);
+    CHECK(within.code == 0);
+    CHECK(!has(within.out, "FAR"));
+}
+
+TEST_CASE("compare says which of its reports are far from the reference") {
+    const Folder folder;
+    const std::string a = folder.name("a.json"), b = folder.name("b.json"), page = folder.name("page.html"),
+                      json = folder.name("c.json");
+    REQUIRE(run("simulate", {"--json", a}).code == 0);
+    REQUIRE(run("simulate", {"--json", b, "--max-other", "4%"}).code == 0);
+    const std::string told = sentence + " (A: " + a + ")";
+    const Outcome both = run_program({"compare", a, b, "--report", page, "--json", json});
+    INFO(both.out << both.err);
+    CHECK(begins(both.out, told + "\n"));
+    CHECK(has(bytes_of(page), "<p class=\"far\">" + told + "</p>"));
+    CHECK(nlohmann::json::parse(bytes_of(json)).at("far") == nlohmann::json{told, nullptr});
+    CHECK(!has(run_program({"compare", b, b}).out, "FAR"));
+}
+
 TEST_CASE("a depth that is far off is told, and has a limit of its own") {
     // The eye is as near to the surface as the lattice is coarse.
     std::vector<std::string> close{"simulate", "square",       "--size", "24x18",

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/hits.hpp"
+#include "model/reference/reference.hpp"
 #include "sim/load/load.hpp"
 #include "sim/request/request.hpp"
 #include "sim/rtl/stopping.hpp"
@@ -51,15 +53,40 @@ int dram_called(const char* name) {
     return int(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+/// The reference's picture, which all structures of a scene are set beside.
+struct Drawn {
+    HitFrame hits;
+    Picture picture;
+};
+Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, bool shades, int threads) {
+    const Reference tracer(scene);
+    if (shades) {
+        WhittedFrame frame = tracer.whitted(*scene.camera, size, settings, threads, stopping({}));
+        Picture picture = picture_of(frame);
+        return {std::move(frame.hits), std::move(picture)};
+    }
+    HitFrame hits = tracer.frame(*scene.camera, size, threads, stopping({}));
+    Picture picture = shade(scene, hits);
+    return {std::move(hits), std::move(picture)};
+}
+
+FrameError error_of(const Scene& scene, const Job& job, const FrameTrace& made, const Drawn& reference) {
+    const HitFrame hits = hits_of(job, made);
+    const Picture picture =
+        job.config.shading ? picture_of(job.size, made.trace.colours) : shade(scene, hits);
+    return frame_error(hits, picture, reference.hits, reference.picture);
+}
+
 /// `settings` of a chip that shades: only that one meets true spheres.
 void measure_camera(const Scene& scene, const Config& chip, const Whitted& settings, const Study& study,
-                    Cell& cell) {
+                    const Drawn& reference, Cell& cell) {
     const double begin = processor_seconds();
     const Job job = make_job(scene, *scene.camera, study.size, chip, stopping({}), settings);
     cell.build = processor_seconds() - begin;
     cell.report = job.image.report;
     const std::vector<FrameTrace> frames = recorded(job, study);
     cell.camera = frame_of(job.config, frames);
+    cell.camera.error = error_of(scene, job, frames[0], reference);
     for (const Surroundings& around : surroundings()) {
         Config config = job.config;
         config.node_sets = config.prim_sets = around.sets;
@@ -69,12 +96,17 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
     }
 }
 
-Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study) {
-    const FrameSize half{study.size.width / 2, study.size.height / 2};
-    const Whitted settings{.depth = depth};
-    const Job job = make_job(scene, *scene.camera, half, fitted_config(scene, settings, kind.config),
-                             stopping({}), settings);
-    return frame_of(job.config, recorded(job, study));
+constexpr Whitted finished_settings{.depth = depth};
+FrameSize half_of(FrameSize size) { return {size.width / 2, size.height / 2}; }
+
+Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study, const Drawn& reference) {
+    const Job job =
+        make_job(scene, *scene.camera, half_of(study.size),
+                 fitted_config(scene, finished_settings, kind.config), stopping({}), finished_settings);
+    const std::vector<FrameTrace> frames = recorded(job, study);
+    Frame frame = frame_of(job.config, frames);
+    frame.error = error_of(scene, job, frames[0], reference);
+    return frame;
 }
 
 }   // namespace
@@ -118,6 +150,11 @@ SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, cons
     if (!scene.camera) scene.camera = fit_camera(scene, double(study.size.width) / study.size.height);
     native.camera = scene.camera;
     const Whitted no_bounces{.depth = 0};
+    const Drawn reference = reference_of(scene, study.size, no_bounces, is_round, study.threads);
+    Drawn finished_reference;
+    if (finished)
+        finished_reference =
+            reference_of(native, half_of(study.size), finished_settings, true, study.threads);
     SceneCells result{
         name, is_round, scene.triangles.size() + scene.spheres.size() + scene.planes.size(), {}};
     for (const Kind& kind : kinds) {
@@ -126,8 +163,8 @@ SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, cons
         cell.structure = kind.name;
         try {
             const Config chip = is_round ? fitted_config(scene, no_bounces, kind.config) : kind.config;
-            measure_camera(scene, chip, no_bounces, study, cell);
-            if (finished) cell.finished = finished_frame(native, kind, study);
+            measure_camera(scene, chip, no_bounces, study, reference, cell);
+            if (finished) cell.finished = finished_frame(native, kind, study, finished_reference);
         } catch (const UserError& error) {
             if (interrupted()) throw;
             cell.refused = error.what();

@@ -7,6 +7,7 @@
 #include "sim/area/run.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/report/accounts.hpp"
+#include "sim/report/limits.hpp"
 
 namespace rayclock::structures {
 
@@ -17,6 +18,7 @@ struct Study {
     std::vector<std::string> scenes;
     std::vector<std::string> round;   ///< of these, those whose camera rays meet true spheres as well
     int threads = 0;
+    Limits limits{};   ///< beyond which a picture gets a mark
     bool is_round(const std::string& scene) const;
 };
 
@@ -35,6 +37,7 @@ struct Frame {
     FrameRun run;
     Bound bound;
     double tri_busy = 0;   ///< share of cycles in which tri begins a test
+    FrameError error{};    ///< of its picture, beside the reference's
     double rays() const { return rays_of(run); }
     double cycles_per_ray() const { return double(run.cycles) / rays(); }
     double fps() const { return per_second(run, default_khz); }

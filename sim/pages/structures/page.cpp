@@ -46,8 +46,27 @@ Table tree_table(const SceneCells& scene) {
     return table;
 }
 
-void add_frame(Table& table, const std::string& what, const Frame& f, const area::Count* area) {
-    std::vector<std::string> row{what,
+/// Pictures of a scene, for the sentence below its table.
+std::vector<NamedError> pictures_of(const SceneCells& scene) {
+    std::vector<NamedError> pictures;
+    for (const Cell& c : scene.cells) {
+        if (!c.refused.empty()) continue;
+        pictures.push_back({c.structure, c.camera.error});
+        if (c.finished) pictures.push_back({c.structure + ", finished", c.finished->error});
+    }
+    return pictures;
+}
+std::string far_note(const Limits& limits, const std::vector<NamedError>& pictures) {
+    const std::string far = far_from_reference(limits, pictures, pictures.size(), "pictures");
+    return far.empty() ? "" : "\n† " + far + "\n";
+}
+const char* mark_of(const Limits& limits, const Frame& frame) {
+    return far_from_reference(limits, frame.error).empty() ? "" : " †";
+}
+
+void add_frame(Table& table, const std::string& what, const Frame& f, const area::Count* area,
+               const Limits& limits) {
+    std::vector<std::string> row{what + mark_of(limits, f),
                                  per_ray(f.run.visits, f),
                                  per_ray(f.run.triangle_tests, f),
                                  fmt::format("{:.2f}", f.cycles_per_ray()),
@@ -63,7 +82,7 @@ void add_frame(Table& table, const std::string& what, const Frame& f, const area
     }
     table.add(row);
 }
-Table frame_table(const Figures& figures, const SceneCells& scene) {
+Table frame_table(const Figures& figures, const SceneCells& scene, const Limits& limits) {
     std::vector<std::string> head{"structure", "visits a ray",   "tests a ray", "cycles a ray",   "fps",
                                   "node hits", "primitive hits", "bytes a ray", "bound, reached", "tri busy"};
     if (figures.areas) head.insert(head.end(), {"fps per 1,000 LUTs", "fps per multiplier"});
@@ -73,7 +92,7 @@ Table frame_table(const Figures& figures, const SceneCells& scene) {
             const Cell& c = scene.cells[i];
             if (!c.refused.empty() || (finished && !c.finished)) continue;
             add_frame(table, finished ? c.structure + ", finished" : c.structure,
-                      finished ? *c.finished : c.camera, area_of(figures, scene, i, finished));
+                      finished ? *c.finished : c.camera, area_of(figures, scene, i, finished), limits);
         }
     return table;
 }
@@ -118,12 +137,12 @@ Table area_table(const Figures& figures, bool finished) {
     return table;
 }
 
-Table list_table(const std::vector<SceneCells>& scenes) {
+Table list_table(const std::vector<SceneCells>& scenes, const Limits& limits) {
     Table table({"scene", "primitives", "structure", "tests a ray", "cycles a ray", "tri busy"}, 3);
     for (const SceneCells& scene : scenes)
         for (const Cell& c : scene.cells) {
             if (!c.refused.empty()) continue;
-            table.add({scene.name, grouped(scene.primitives), c.structure,
+            table.add({scene.name, grouped(scene.primitives), c.structure + mark_of(limits, c.camera),
                        per_ray(c.camera.run.triangle_tests, c.camera),
                        fmt::format("{:.2f}", c.camera.cycles_per_ray()),
                        fmt::format("{:.0f} %", 100 * c.camera.tri_busy)});
@@ -146,6 +165,8 @@ pays (`splits=on`). Each has a `box_queue` above the latency of its unit: a slan
 - **pays after rays**: camera rays that a chip with a list of all primitives, one test a cycle, would trace in
   the time that building takes, longer than with the tree. **Frames of the chip**: frames that the chip with
   the tree draws in that time.
+- A dagger (†) marks a picture beyond a limit ([report.md](report.md#limits)); the sentence below the table
+  names the farthest.
 - **bound, reached**: the largest of visits, tests (one a cycle each) and what memory can carry, and its share
   of the frame's cycles. **tri busy**: the share of cycles in which an intersection test begins.
 
@@ -205,12 +226,18 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
     for (const SceneCells& scene : figures.large) {
         text += fmt::format("\n## {}\n\n{} primitives{}.\n\n", printable(scene.name),
                             grouped(scene.primitives), scene.is_round ? ", true spheres" : "");
-        text += tree_table(scene).markdown() + "\n" + frame_table(figures, scene).markdown();
+        text += tree_table(scene).markdown() + "\n" + frame_table(figures, scene, study.limits).markdown() +
+                far_note(study.limits, pictures_of(scene));
         for (const Cell& c : scene.cells)
             if (!c.refused.empty()) text += fmt::format("\n{} is not there: {}.\n", c.structure, c.refused);
         if (const std::string why = reason(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
     }
-    return text + list_words + list_table(figures.small).markdown();
+    std::vector<NamedError> small;
+    for (const SceneCells& scene : figures.small)
+        for (const NamedError& picture : pictures_of(scene))
+            small.push_back({fmt::format("{}, {}", scene.name, picture.name), picture.error});
+    return text + list_words + list_table(figures.small, study.limits).markdown() +
+           far_note(study.limits, small);
 }
 
 plot::Drawing picture(const Figures& figures, const Study& study) {

@@ -24,7 +24,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
                  const std::string& picture);
 plot::Drawing picture(const Figures& figures, const Study& study);
 /// The same figures, a row for each scene, structure and kind of frame (docs/report.md).
-nlohmann::ordered_json rows(const Figures& figures);
+nlohmann::ordered_json rows(const Figures& figures, const Limits& limits);
 
 /// A frame's pipeline, if areas were counted: with all units if its rays meet true spheres or are shaded.
 const area::Count* area_of(const Figures& figures, const SceneCells& scene, std::size_t structure,

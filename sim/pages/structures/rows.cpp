@@ -12,7 +12,7 @@ namespace rayclock::structures {
 namespace {
 
 nlohmann::ordered_json row_of(const SceneCells& scene, const Cell& cell, const Frame& frame, bool finished,
-                              const area::Count* area) {
+                              const area::Count* area, const Limits& limits) {
     nlohmann::ordered_json row{
         {"scene", scene.name},
         {"structure", cell.structure},
@@ -29,7 +29,10 @@ nlohmann::ordered_json row_of(const SceneCells& scene, const Cell& cell, const F
         {"fps", frame.fps()},
         {"bytes_read", bytes_read(frame.run)},
         {"bound", frame.bound.unit},
-        {"bound_reached", frame.bound.reached}};
+        {"bound_reached", frame.bound.reached},
+        {"pixels_other_primitive", frame.error.pixels_other_primitive},
+        {"psnr_db", decibel(frame.error.psnr_db)},
+        {"far", !far_from_reference(limits, frame.error).empty()}};
     for (const char* key : {"lut", "ff", "dsp", "bram"}) row[key] = nullptr;
     if (area)
         row["lut"] = area->luts(), row["ff"] = area->ff, row["dsp"] = area->dsp, row["bram"] = area->bram;
@@ -61,15 +64,16 @@ const area::Count* area_of(const Figures& figures, const SceneCells& scene, std:
     return finished || scene.is_round ? &areas.all : &areas.hits;
 }
 
-nlohmann::ordered_json rows(const Figures& figures) {
+nlohmann::ordered_json rows(const Figures& figures, const Limits& limits) {
     auto all = nlohmann::ordered_json::array();
     for (const SceneCells& scene : figures.large)
         for (std::size_t i = 0; i < scene.cells.size(); ++i) {
             const Cell& cell = scene.cells[i];
             if (!cell.refused.empty()) continue;
-            all.push_back(row_of(scene, cell, cell.camera, false, area_of(figures, scene, i, false)));
+            all.push_back(row_of(scene, cell, cell.camera, false, area_of(figures, scene, i, false), limits));
             if (cell.finished)
-                all.push_back(row_of(scene, cell, *cell.finished, true, area_of(figures, scene, i, true)));
+                all.push_back(
+                    row_of(scene, cell, *cell.finished, true, area_of(figures, scene, i, true), limits));
         }
     return {{"rows", all}};
 }
