@@ -43,8 +43,9 @@ public:
 
     /// A sample of the pixel begins with a camera ray.
     virtual void begin_sample(std::uint32_t sample, RefPath& path) = 0;
-    /// The samples of the pixel end here; `own`: the tracer would end them.
-    virtual bool ends(std::uint32_t samples, bool own) = 0;
+    /// The samples of the pixel end here. `difference`: the largest of a channel among them; `own`: the
+    /// tracer would end them.
+    virtual bool ends(std::uint32_t samples, double difference, bool own) = 0;
 
     virtual RefClosest met(const RefPath& path, const RefClosest& own) = 0;
     /// Normals of a smooth triangle's corners, and the weights by which they are interpolated.

@@ -310,11 +310,11 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
         total += colour;
         darkest = glm::min(darkest, colour);
         brightest = glm::max(brightest, colour);
-        const glm::dvec3 difference = brightest - darkest;
-        const bool is_even =
-            std::max(difference.r, std::max(difference.g, difference.b)) <= settings_.contrast;
-        bool ends = s + 1 == first_samples && settings_.contrast > 0 && is_even;
-        if (steer_ && s + 1 == first_samples && settings_.contrast > 0) ends = steer_->ends(s + 1, ends);
+        const glm::dvec3 range = brightest - darkest;
+        const double difference = std::max(range.r, std::max(range.g, range.b));
+        const bool may_end = s + 1 == first_samples && settings_.contrast > 0;
+        bool ends = may_end && difference <= settings_.contrast;
+        if (steer_ && may_end) ends = steer_->ends(s + 1, difference, ends);
         if (ends) return total / static_cast<double>(first_samples);
     }
     return total / static_cast<double>(samples);

@@ -12,7 +12,9 @@
 #include "model/reference/reference.hpp"
 #include "model/reference/tiles.hpp"
 #include "model/scene/folded.hpp"
+#include "sim/cause/camera_rung.hpp"
 #include "sim/cause/seam.hpp"
+#include "sim/cause/snapped.hpp"
 #include "sim/cause/truth.hpp"
 #include "sim/image/srgb.hpp"
 
@@ -22,8 +24,12 @@ namespace {
 
 constexpr int stages = 7;
 constexpr int packed_width = 256;
+constexpr std::size_t most_faults = 20;
+constexpr std::size_t lit_stride = 61;   // pixels of which one is asked for its light, whether it differs or
+                                         // not
+constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
-/// The scene as the machine has it, in lattice steps, for the reference.
+/// Triangles as the machine has them, in lattice steps, for the reference.
 Scene on_lattice(const Scene& scene, const Lattice& lattice) {
     Scene snapped;
     snapped.triangles = scene.triangles;
@@ -49,8 +55,12 @@ public:
     Judgement operator()(const Progress& progress) {
         const Stopwatch watch;
         prepare();
+        for (const std::string& sentence : snapping_faults(asked_, world_ ? &*world_ : nullptr))
+            report(0, sentence);
         find(progress);
         explain();
+        climb();
+        check_light();
         for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
         judgement_.seconds = watch.seconds();
         return std::move(judgement_);
@@ -79,16 +89,24 @@ private:
             [&] {
                 if (!world_) truth_.emplace(asked_.scene, asked_.lattice, asked_.config);
             },
-            [&] { snapped_.emplace(world_ ? placed_scene_ : on_lattice(asked_.scene, asked_.lattice)); },
+            [&] {
+                if (!world_) steps_ = on_lattice(asked_.scene, asked_.lattice);
+                snapped_.emplace(steps_);
+            },
             [&] { expected_ = shade(asked_.scene, answered_.reference); });
+        rung_.emplace(asked_, steps_, *snapped_, world_ ? &*world_ : nullptr, seams_ ? &*seams_ : nullptr);
     }
     void prepare_levels() {
         world_.emplace(asked_, image_);
         truth_.emplace(*world_, asked_.config);
         seams_.emplace(*world_, asked_.config);
-        placed_scene_ = is_folded(asked_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
-        for (const std::string& sentence : world_->faults()) judgement_.faults.push_back({0, 0, 0, sentence});
-        judgement_.wrong = judgement_.faults.size();
+        steps_ = is_folded(asked_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
+        for (const std::string& sentence : world_->faults()) report(0, sentence);
+    }
+    void report(std::size_t pixel, const std::string& sentence) {
+        ++judgement_.wrong;
+        if (judgement_.faults.size() < most_faults)
+            judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
     /// As the flat scene has its corners: of a mirrored instance the second and the third change places.
     Hit as_flat(Hit hit) const {
@@ -135,10 +153,7 @@ private:
         for (std::size_t i = 0; i < pixels; ++i) {
             if (open[i]) open_.push_back(i);
             judgement_.other[i] = holds_another(i);
-            judgement_.wrong += wrong[i];
-            if (wrong[i] && judgement_.faults.size() < 20)
-                judgement_.faults.push_back({std::uint32_t(x(i)), std::uint32_t(y(i)), 0,
-                                             "the camera ray's answer is not the exact one"});
+            if (wrong[i]) report(i, "the camera ray's answer is not the exact one");
         }
         judgement_.rays.primary = pixels;
     }
@@ -205,10 +220,55 @@ private:
             case RayFinding::seam: return PixelCause::seam;
             case RayFinding::none: break;
         }
-        ++judgement_.wrong;
-        if (judgement_.faults.size() < 20)
-            judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, no_finding});
+        report(pixel, no_finding);
         return PixelCause::bug;
+    }
+
+    /// Whatever the cause: the reference's rules must hold on the machine's ray, and for both colours.
+    void climb() {
+        std::vector<CameraFinding> found(open_.size());
+        tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) { found[i] = decide(open_[i]); });
+        for (std::size_t i = 0; i < open_.size(); ++i) {
+            judgement_.ties += found[i].is_tie;
+            if (found[i].fault.empty() || judgement_.pixels[open_[i]] == PixelCause::bug) continue;
+            judgement_.pixels[open_[i]] = PixelCause::bug;
+            report(open_[i], found[i].fault);
+        }
+    }
+    /// Both pictures are lit by shade(), so that a fault of it need not show as a difference.
+    void check_light() {
+        const std::size_t pixels = judgement_.pixels.size();
+        std::vector<std::uint8_t> wrong((pixels + lit_stride - 1) / lit_stride);
+        tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t i) {
+            const std::size_t pixel = i * lit_stride;
+            wrong[i] = !is_local_light(answered_.reference.hits[pixel], expected_.pixels[pixel], pixel);
+        });
+        for (std::size_t i = 0; i < wrong.size(); ++i) {
+            PixelCause& cause = judgement_.pixels[i * lit_stride];
+            if (!wrong[i] || cause == PixelCause::bug) continue;
+            cause = PixelCause::bug;
+            report(i * lit_stride, wrong_light);
+        }
+    }
+    CameraFinding decide(std::size_t pixel) const {
+        const int px = x(pixel), py = y(pixel);
+        const Vec3i d = exact_direction(asked_.frame, asked_.config, {}, px, py, 0);
+        CameraFinding found = rung_->look(px, py, d, truth_->answer(truth_->pixel(asked_.frame, px, py)));
+        const Hit mine = as_flat(HitScale(asked_.frame, asked_.lattice, asked_.config)(
+            {std::uint32_t(px), std::uint32_t(py), answered_.answers[pixel]}));
+        const bool is_lit_right =
+            is_local_light(answered_.reference.hits[pixel], expected_.pixels[pixel], pixel) &&
+            is_local_light(mine, answered_.picture.pixels[pixel], pixel);
+        if (!is_lit_right && found.fault.empty()) found.fault = wrong_light;
+        return found;
+    }
+    /// Floats hold it.
+    bool is_local_light(const Hit& hit, const glm::vec3& colour, std::size_t pixel) const {
+        const std::optional<glm::dvec3> light = rung_->local_light(hit, x(pixel), y(pixel));
+        for (int k = 0; light && k < 3; ++k)
+            if (std::abs(std::min(double(colour[k]), 1.0) - std::min((*light)[k], 1.0)) > 0x1p-22)
+                return false;
+        return true;
     }
 
     static PixelCause cause(const std::array<std::uint32_t, stages>& primitive,
@@ -238,9 +298,10 @@ private:
     FrameSize size_;
     std::optional<PlacedWorld> world_;   // of two levels
     std::optional<Seams> seams_;
-    Scene placed_scene_;
+    Scene steps_;   // the scene as the machine has it
     std::optional<Truth> truth_;
-    std::optional<Reference> snapped_;
+    std::optional<Reference> snapped_;   // of steps_
+    std::optional<CameraRung> rung_;
     Picture expected_;
     std::vector<std::size_t> open_;
     Judgement judgement_;

@@ -16,6 +16,10 @@
 // once more. If it finds neither, the pixel is a bug. If the primitive differs in the end, the cause is the
 // first stage that changed it; otherwise the one that changed the colour most. With the exact primitive test
 // stage 4 is stage 3 to the bit, or the pixel is a bug, whether or not it shows.
+//
+// The stages share rules with the machine: the camera's registers, the lattice, what t, u and v mean, and
+// shade(). So whatever the cause, the reference decides each pixel that differs once more by rules of its own
+// (camera_rung.hpp), and what it finds wrong is a bug.
 #include <array>
 #include <span>
 

@@ -66,6 +66,7 @@ public:
           size_{int(asked.frame.width), int(asked.frame.height)},
           world_(snapped_scene(asked, judge.placed())),
           camera_(snapped_camera(asked)),
+          rays_(pixel_rays(asked.camera, size_)),
           reference_(world_.scene) {
         if (judge.placed()) seams_.emplace(*judge.placed(), asked.config);
     }
@@ -114,15 +115,18 @@ private:
         bench.judge.start(x, y);
         bench.path.start();
         bench.recorder.follow(x, y, bench.scratch, both);
-        const GuideRules rules{asked_, world_.scene, reference_, judge_.placed(),
-                               seams_ ? &*seams_ : nullptr};
-        Guide guide(rules, bench.path);
+        const std::array<Range, 3> bounds = bench.judge.bounds();
+        double width = unit_step;
+        for (const Range& range : bounds) width = std::max(width, range.hi - range.lo + unit_step);
+        const GuideRules rules{asked_, world_.scene,       reference_,      world_.first_alike,
+                               rays_,  settings_.contrast, judge_.placed(), seams_ ? &*seams_ : nullptr};
+        Guide guide(rules, bench.path, width * double(bench.path.samples.size()));
         const WhittedPixel pixel = reference_.pixel(camera_, size_, settings_, x, y, &guide);
+        guide.finish();
         GuideFinding found = guide.finding();
         // What the bounds leave out: R0 of Schlick's term has unit_bits, which each bounce may add to a
         // weight.
         const double slack = unit_step * double(1 + bench.path.visits.size());
-        const std::array<Range, 3> bounds = bench.judge.bounds();
         for (std::size_t k = 0; k < 3 && found.fault.empty() && !found.has_horizon; ++k)
             if (bounds[k].wider(slack).holds(pixel.colour[int(k)]))
                 continue;
@@ -154,6 +158,7 @@ private:
     FrameSize size_;
     SnappedScene world_;
     Camera camera_;
+    PixelRays rays_;
     Reference reference_;
     std::optional<Seams> seams_;
 };

@@ -9,45 +9,19 @@
 
 #include "model/accel/levels/maps.hpp"
 #include "model/reference/geometry.hpp"
+#include "sim/cause/camera_ray.hpp"
+#include "sim/cause/tie.hpp"
 #include "sim/judge/steps.hpp"
 
 namespace rayclock {
 
 namespace {
 
-/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far
-/// below a step of any lattice.
-constexpr double tie_size = 0x1p-34;
-
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
 /// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
 
-glm::dvec3 across(const glm::dvec3& d) {
-    const glm::dvec3 size = glm::abs(d);
-    const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
-                            : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
-                                                                 : glm::dvec3(0, 0, 1);
-    return glm::normalize(glm::cross(d, axis));
-}
-
-/// The path, turned and moved by next to nothing in sixteen manners: try_path(path) until one is taken.
-template <class Try> bool any_moved(const RefPath& path, double reach, const Try& try_path) {
-    const glm::dvec3 right = across(path.direction), up = glm::cross(path.direction, right);
-    const double size =
-        tie_size * (1 + std::max({std::abs(path.from.x), std::abs(path.from.y), std::abs(path.from.z)}));
-    for (int i = 0; i < 16; ++i) {
-        const double angle = (0.5 + i) * 0.39269908169872414;   // an eighth of a turn, twice round
-        const glm::dvec3 off = std::cos(angle) * right + std::sin(angle) * up;
-        RefPath moved = path;
-        if (i < 8)
-            moved.direction = glm::normalize(path.direction + tie_size * off);
-        else
-            moved.from += size * off + (i % 2 ? size : -size) * path.direction;
-        if (try_path(moved, reach)) return true;
-    }
-    return false;
-}
+constexpr const char* shaded_by_double = "a sphere is shaded by a second one at the same place";
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
     return lattice.centre + lattice.pitch * steps;
@@ -101,29 +75,26 @@ double Guide::normal_error(const MachineVisit& at) const {
 
 // ---- Rays.
 
-/// Each component of the machine's direction is rounded once, and its registers were: docs in
-/// model/accel/frame.cpp. The largest is 2^(M-2) at least.
 void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
     at_.assign(1, sample < path_.samples.size() ? path_.samples[sample] : MachineVisit::none);
     const MachineVisit* at = visit();
     if (!at) return fail("the machine took fewer samples than the pixel has");
-    const Config& config = rules_.asked.config;
-    const glm::dvec3 machine = direction(at->ray.d);
-    const double registers =
-        0.5 * (rules_.asked.frame.width + rules_.asked.frame.height) * std::exp2(most_shift - guard_bits);
-    const Vec3i& d = at->ray.d;
-    const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]);
-    const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-    if (largest < std::exp2(config.dir_bits - 2) - 1) fail("a camera ray's direction is too short");
-    // A pitch is at most twice another: so much may an angle grow.
-    if (chord(machine, path.direction) > 2 * 1.7320509 * (0.51 + std::min(registers, 4.0)) / length)
+    ++visited_;
+    if (!goes_through(rules_.asked, rules_.rays, path.direction, at->ray.d))
         fail("the camera ray does not go through its sample");
-    path.direction = machine;
+    path.direction = direction(at->ray.d);
 }
 
-bool Guide::ends(std::uint32_t samples, bool own) {
+/// The machine compares its own colours, each of which lies within sample_width_ of the reference's, and the
+/// register for the contrast is rounded up.
+bool Guide::ends(std::uint32_t samples, double difference, bool own) {
     const bool machine = path_.samples.size() <= samples;
-    if (machine != own) tie();   // whether samples are alike is judged with their colours
+    if (machine == own) return machine;
+    if (std::abs(difference - rules_.contrast) <= 2 * sample_width_ + unit_step)
+        tie();
+    else
+        fail(machine ? "the pixel ends though its first samples differ"
+                     : "the pixel goes on though its first samples are alike");
     return machine;
 }
 
@@ -134,21 +105,21 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     const auto is_as_deep = [&](const RefClosest& hit) {
         return std::abs(hit.depth - own.depth) <= 4 * tie_size * (1 + own.depth);
     };
-    const auto look = [&](const RefPath& moved, double) {
+    const auto look = [&](const RefPath& moved) {
         const RefClosest hit = geometry.closest(moved);
         if (hit.primitive != wanted) return false;
         found = hit;
         return true;
     };
-    if (any_moved(path, own.depth, look)) return found;
+    if (any_moved(path, look)) return found;
     if (wanted == no_primitive) return std::nullopt;
-    const auto look_deep = [&](const RefPath& moved, double) {
+    const auto look_deep = [&](const RefPath& moved) {
         const RefClosest hit = geometry.only(moved, wanted);
         if (hit.primitive != wanted || !is_as_deep(hit)) return false;
         found = hit;
         return true;
     };
-    if (look_deep(path, 0) || any_moved(path, own.depth, look_deep)) return found;
+    if (look_deep(path) || any_moved(path, look_deep)) return found;
     return std::nullopt;
 }
 
@@ -178,6 +149,32 @@ double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) cons
                           rules_.asked.lattice.coarsest();
     return 9 * std::exp2(1 - config.dir_bits - config.t_frac_bits) * length +
            2 * radius * std::exp2(1 - root_bits) + 3 * std::exp2(-config.origin_frac());
+}
+
+/// Two spheres with one centre and one radius. By the reference's rules the second is never met by a ray that
+/// leaves the first; the machine knows the sphere that is left by its number alone, and its rounded point may
+/// lie on either side of the other.
+bool Guide::are_doubles(std::uint32_t a, std::uint32_t b) const {
+    const std::size_t first = rules_.scene.triangles.size();
+    const auto is_sphere = [&](std::uint32_t p) {
+        return p >= first && p < first + rules_.first_alike.size();
+    };
+    return a != b && is_sphere(a) && is_sphere(b) &&
+           rules_.first_alike[a - first] == rules_.first_alike[b - first];
+}
+
+bool Guide::has_double(std::uint32_t primitive) const {
+    const std::size_t first = rules_.scene.triangles.size();
+    if (primitive < first || primitive >= first + rules_.first_alike.size()) return false;
+    const std::uint32_t group = rules_.first_alike[primitive - first];
+    return std::count(rules_.first_alike.begin(), rules_.first_alike.end(), group) > 1;
+}
+
+bool Guide::is_shaded_by_double(const RefPath& path, double distance) const {
+    if (path.left == no_primitive) return false;
+    const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
+    return !blockers.empty() && std::all_of(blockers.begin(), blockers.end(),
+                                            [&](std::uint32_t b) { return are_doubles(path.left, b); });
 }
 
 bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
@@ -230,6 +227,9 @@ RefClosest Guide::met(const RefPath& path, const RefClosest& own) {
     }
     const std::uint32_t wanted = at->hit.found ? at->hit.prim : no_primitive;
     is_substituted_ = false;
+    if (are_doubles(path.left, wanted) && rules_.reference.geometry().only(path, wanted).depth <=
+                                              2 * sphere_error(*at, wanted) * step() + tie_size)
+        fail("a ray that leaves a sphere meets a second one at the same place");
     if (own.primitive == wanted) return own;
     for (const RefPath& from : {path, from_own(path, HUGE_VAL)})
         if (const std::optional<RefClosest> hit = find_tie(from, own, wanted)) {
@@ -425,12 +425,12 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
 
 bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) const {
     const RefGeometry& geometry = rules_.reference.geometry();
-    const auto look = [&](const RefPath& moved, double reach) {
+    const auto look = [&](const RefPath& moved) {
         for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size})
-            if (geometry.is_blocked(moved, reach * scale) == wanted) return true;
+            if (geometry.is_blocked(moved, distance * scale) == wanted) return true;
         return false;
     };
-    return look(path, distance) || any_moved(path, distance, look);
+    return look(path) || any_moved(path, look);
 }
 
 /// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies: what is seen
@@ -467,6 +467,7 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
     if (!at || light >= at->lights.size()) return own;
     const MachineLight& seen = at->lights[light];
     const bool machine = !seen.is_lit;
+    if (machine && is_shaded_by_double(path, distance)) fail(shaded_by_double);
     if (machine == own) return own;
     if (is_blocking_tied(path, distance, machine) ||
         is_blocking_tied(from_own(path, distance), distance, machine)) {
@@ -498,8 +499,9 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         finding_.has_horizon = true;
         return machine;
     }
-    fail(machine ? "a light is hidden that nothing hides by the reference's rules"
-                 : "a light is seen through something that hides it by the reference's rules");
+    fail(machine && has_double(path.left) ? shaded_by_double
+         : machine                        ? "a light is hidden that nothing hides by the reference's rules"
+                   : "a light is seen through something that hides it by the reference's rules");
     return machine;
 }
 
@@ -587,6 +589,11 @@ void Guide::enter(RefBounce::Kind kind) {
     at_.push_back(!at                                  ? MachineVisit::none
                   : kind == RefBounce::Kind::reflected ? at->reflected
                                                        : at->refracted);
+    if (at_.back() != MachineVisit::none) ++visited_;
+}
+
+void Guide::finish() {
+    if (visited_ != path_.visits.size()) fail("the machine follows a ray that the reference does not send");
 }
 
 }   // namespace rayclock

@@ -11,9 +11,9 @@
 // The two may part where doubles cannot tell, or where a stated rounding decides. Then the reference follows
 // the machine, and the step is counted:
 //   tie      a ray moved by 2^-34 of its length, or a quantity within its stated bound, gives the machine's
-//   answer horizon  a bounce from a point of a plane beyond the lattice meets another plane there: the
-//   machine does not
-//            look for it (docs/origins.md, Points of a plane beyond the lattice)
+//            answer
+//   horizon  a bounce from a point of a plane beyond the lattice meets another plane there: the machine does
+//            not look for it (docs/origins.md, Points of a plane beyond the lattice)
 //   seam     two levels: the instance sees a ray that was rounded for it (seam.hpp)
 // Anything else is a fault.
 #include <optional>
@@ -28,10 +28,13 @@ namespace rayclock {
 
 /// What all pixels share.
 struct GuideRules {
-    const Asked& asked;                    ///< the frame; the scene as given
-    const Scene& scene;                    ///< the scene as the machine has it, in the given scene's units
-    const Reference& reference;            ///< of `scene`
-    const PlacedWorld* placed = nullptr;   ///< of two levels
+    const Asked& asked;           ///< the frame; the scene as given
+    const Scene& scene;           ///< the scene as the machine has it, in the given scene's units
+    const Reference& reference;   ///< of `scene`
+    const std::vector<std::uint32_t>& first_alike;   ///< SnappedScene
+    const PixelRays& rays;                           ///< of the picture
+    double contrast = 0;                             ///< of samples, at which a pixel ends
+    const PlacedWorld* placed = nullptr;             ///< of two levels
     const Seams* seams = nullptr;
 };
 
@@ -45,11 +48,15 @@ struct GuideFinding {
 
 class Guide final : public RefSteer {
 public:
-    Guide(const GuideRules& rules, const MachinePath& path) : rules_(rules), path_(path) {}
+    /// `sample_width`: how far apart the machine's colour of a sample and the reference's may be.
+    Guide(const GuideRules& rules, const MachinePath& path, double sample_width)
+        : rules_(rules), path_(path), sample_width_(sample_width) {}
+    /// The reference is through with the pixel: nothing of the machine's path may be left.
+    void finish();
     const GuideFinding& finding() const { return finding_; }
 
     void begin_sample(std::uint32_t sample, RefPath& path) override;
-    bool ends(std::uint32_t samples, bool own) override;
+    bool ends(std::uint32_t samples, double difference, bool own) override;
     RefClosest met(const RefPath& path, const RefClosest& own) override;
     void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) override;
     glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
@@ -84,6 +91,9 @@ private:
                                        std::uint32_t wanted) const;
     RefPath from_own(const RefPath& path, double distance) const;
     double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
+    bool are_doubles(std::uint32_t a, std::uint32_t b) const;
+    bool has_double(std::uint32_t primitive) const;
+    bool is_shaded_by_double(const RefPath& path, double distance) const;
     bool is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
@@ -92,6 +102,8 @@ private:
 
     const GuideRules& rules_;
     const MachinePath& path_;
+    double sample_width_;
+    std::size_t visited_ = 0;   ///< of path_.visits
     GuideFinding finding_;
     std::vector<int> at_;
     std::vector<glm::dvec3> moved_;   ///< at each of them, from the reference's point to the machine's

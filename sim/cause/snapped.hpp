@@ -14,10 +14,15 @@ namespace rayclock {
 struct SnappedScene {
     Scene scene;
     std::vector<std::string> faults;   ///< a sentence for each kind of change that is beyond its bound
+    /// Of each sphere the first one that has its centre and radius: itself, unless it is a double.
+    std::vector<std::uint32_t> first_alike{};
 };
 
 /// `placed`: of two levels, or null.
 SnappedScene snapped_scene(const Asked& asked, const PlacedWorld* placed);
+
+/// The same faults alone, for a scene of triangles that is not shaded.
+std::vector<std::string> snapping_faults(const Asked& asked, const PlacedWorld* placed);
 
 /// The camera with its eye where the machine has it.
 Camera snapped_camera(const Asked& asked);

@@ -95,6 +95,7 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
         if (is_there && placed.found.empty()) placed.found.emplace_back();
         const Placement map = placed.found.empty() ? Placement{} : placed.found[0];
         if (!made.is_within) fault(": a corner of its mesh lies outside of the mesh's lattice");
+        if (!made.is_near) fault(": a corner of its mesh lies further from the scene's than it may");
         if (is_there) judge_map(placed, lattices.classes[placed.mesh_class], map);
         const SolidPlace& place = places.emplace_back(solid_place(placed.mesh_class, placed.first, map));
         glm::dmat3 linear;
@@ -155,6 +156,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     Made made;
     append(made.scene, part, of.before, {}, 0);
     const std::vector<glm::dvec3> given = made.scene.vertices;
+    const std::vector<double> most = corner_bounds(made.scene, of.lattice, config_);
     if (config_.shading)
         if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
@@ -172,11 +174,15 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,
-                 slack = 1e-6 + (config_.shading ? std::ldexp(1, most_fine) : 0);
+                 slack = lattice_slack + (config_.shading ? std::ldexp(1, most_fine) : 0);
     for (const Triangle& triangle : made.scene.triangles)
         for (const std::uint32_t index : triangle.vertex) {
             const glm::dvec3 at = glm::abs((given[index] - of.lattice.centre) / of.lattice.pitch);
             made.is_within = made.is_within && std::max({at.x, at.y, at.z}) <= end + slack;
+            made.is_near =
+                made.is_near &&
+                corner_error(of.lattice, steps(config_.coord_bits).snap(made.scene.vertices[index]),
+                             given[index]) <= most[index];
         }
     return made;
 }

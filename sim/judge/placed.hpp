@@ -50,6 +50,7 @@ private:
         Scene scene;
         std::vector<oracle::Solid> solids;
         bool is_within = true;   ///< the lattice, with all corners
+        bool is_near = true;     ///< each corner to the scene's: corner_bounds()
     };
     struct Placed {
         std::string name;

@@ -159,6 +159,30 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
     return solids;
 }
 
+std::vector<double> corner_bounds(const Scene& scene, const Lattice& lattice, const Config& config) {
+    std::vector<double> shortest(scene.vertices.size(), HUGE_VAL);
+    for (const Triangle& t : scene.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t from = t.vertex[i], to = t.vertex[(i + 1) % 3];
+            const double edge = glm::length((scene.vertices[to] - scene.vertices[from]) / lattice.pitch);
+            for (const std::uint32_t v : t.vertex) shortest[v] = std::min(shortest[v], edge);
+        }
+    for (double& bound : shortest)
+        if (std::isfinite(bound)) bound = 0.5 + lattice_slack + (config.shading ? std::ldexp(bound, -13) : 0);
+    return shortest;
+}
+
+double corner_error(const Lattice& lattice, const Vec3i& steps, const glm::dvec3& given) {
+    double most = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double size = std::abs(given[k]) + std::abs(lattice.centre[k]);
+        most = std::max(most,
+                        std::abs(steps[std::size_t(k)] - (given[k] - lattice.centre[k]) / lattice.pitch[k]) -
+                            0x1p-50 * size / lattice.pitch[k]);
+    }
+    return most;
+}
+
 void snap_round(const Lattice& lattice, Scene& scene) {
     for (Sphere& s : scene.spheres) {
         const double radius = s.radius / lattice.pitch.x;

@@ -22,6 +22,18 @@ struct Asked {
 /// triangles lie on coarser points (aligned()): `scene` is the scene with those moved.
 std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits);
 
+/// Of a step: what doubles may add on the way to the lattice.
+constexpr double lattice_slack = 1e-6;
+
+/// Steps by which each corner of a scene may lie off on each axis, the bound of aligned(): half a step, and
+/// of a chip that shades 2^-14 of its shortest edge, 2^-13 at the end of the lattice. Any, if no triangle has
+/// it.
+std::vector<double> corner_bounds(const Scene& scene, const Lattice& lattice, const Config& config);
+
+/// Steps by which a point of the lattice lies off one of the scene, on the axis where it is most, without
+/// what doubles lose far from the scene's origin.
+double corner_error(const Lattice& lattice, const Vec3i& steps, const glm::dvec3& given);
+
 /// Spheres and planes of a scene as the lattice has them, in its steps.
 void snap_round(const Lattice& lattice, Scene& scene);
 

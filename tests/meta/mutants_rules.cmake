@@ -7,6 +7,9 @@ set(turned "tests/system/scenes/octa_turned.json --depth 1 --set levels=2 --size
 mutant(rule_corners_aligned_64_times_more_coarsely FILE model/accel/surfaces.cpp TEST simulate "cornell --depth 1"
   OLD [[std::ilogb(steps) - 13 : 0]]
   NEW [[std::ilogb(steps) - 7 : 0]])
+mutant(rule_corners_of_instances_aligned_64_times_more_coarsely FILE model/accel/surfaces.cpp TEST simulate "cornell --depth 1 --set levels=2"
+  OLD [[std::ilogb(steps) - 13 : 0]]
+  NEW [[std::ilogb(steps) - 7 : 0]])
 mutant(rule_points_rounded_down_to_the_lattice FILE model/accel/lattice.cpp TEST simulate "gears:1 --depth 1"
   OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
   NEW [[std::floor((point[k] - centre[k]) / pitch[k])]])
@@ -16,6 +19,9 @@ mutant(rule_planes_turned FILE model/accel/plane.cpp TEST simulate "spheres --de
 mutant(rule_planes_pass_beside_their_point FILE model/accel/plane.cpp TEST simulate "spheres --depth 1"
   OLD [[out.a = out.b = out.c = lattice.snap(at);]]
   NEW [[out.a = out.b = out.c = lattice.snap(at + 40.0 * lattice.pitch);]])
+mutant(rule_squares_begin_one_square_on FILE model/accel/plane.cpp TEST simulate "spheres --depth 1"
+  OLD [[at += out.at[i] * part;]]
+  NEW [[at += out.at[i] * part, out.at[i] += i == 0 ? std::ldexp(1.0, out.level[0]) : 0;]])
 mutant(rule_spheres_smaller_than_the_scene_s FILE model/accel/surfaces.cpp TEST simulate "spheres --depth 1"
   OLD [[const double radius = sphere.radius / lattice.pitch.x;]]
   NEW [[const double radius = 0.999 * sphere.radius / lattice.pitch.x;]]
@@ -27,6 +33,18 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/accel/surfaces.cpp TEST 
 mutant(rule_camera_narrower_by_a_thousandth FILE model/accel/frame.cpp TEST simulate "gears:1 --depth 1 | gears:1"
   OLD [[frame.right = fixed(rays.right, scale);]]
   NEW [[frame.right = fixed(rays.right, 0.999 * scale);]])
+mutant(rule_camera_rays_beside_their_pixels FILE model/accel/frame.cpp TEST simulate "gears:1 | teapot:3"
+  OLD [[frame.corner = fixed(rays.corner, scale);]]
+  NEW [[frame.corner = fixed(rays.corner - 0.01 * rays.right, scale);]])
+mutant(rule_camera_rays_rounded_down FILE model/raygen/raygen.cpp TEST simulate "gears:1 | teapot:3"
+  OLD [[+ (std::int64_t(1) << (drop - 1))) >> drop]]
+  NEW [[) >> drop]]
+  FILE2 sim/judge/camera.cpp
+  OLD2 [[nearest_of(sum[k], unit)]]
+  NEW2 [[floor_of(sum[k], unit)]])
+mutant(rule_eye_one_step_aside FILE model/accel/frame.cpp TEST simulate "gears:1"
+  OLD [[frame.eye = lattice.snap(rays.eye);]]
+  NEW [[frame.eye = lattice.snap(rays.eye + lattice.pitch);]])
 mutant(rule_excess_from_the_smaller_weight FILE model/isect/origin.cpp TEST simulate "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120 | cornell --depth 1 --size 160x120 | gears:2 --depth 1 --size 320x240"
   OLD [[(w.u > w.v ? w.u : w.v) -= excess;]]
   NEW [[(w.u > w.v && w.v > excess ? w.v : w.u > excess ? w.u : w.v) -= excess;]])
@@ -58,13 +76,51 @@ mutant(rule_opaque_spheres_are_seen_from_inside FILE model/accel/surfaces.cpp TE
   OLD2 [[scene.materials[s.material].transmit > 0});]]
   NEW2 [[scene.materials[s.material].transmit >= 0});]])
 
+mutant(rule_smooth_normals_are_not_turned_to_the_side_seen FILE model/shade/surf.cpp TEST simulate "tests/system/scenes/octa_from_inside.json --depth 0"
+  OLD [[toward[k] = -toward[k];]]
+  NEW [[toward[k] = c.smooth && s.smooth ? toward[k] : -toward[k];]]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];]]
+  NEW2 [[std::int64_t(smooth) : s.n[k];]])
+mutant(rule_normals_of_spheres_point_out_inside FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
+  OLD [=[if (in.hit.back) state.n[k]]=]
+  NEW [=[if (in.hit.back && !is_sphere) state.n[k]]=]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[s.n[k] == (answer_.back ? -normal : normal)]]
+  NEW2 [[s.n[k] == normal]])
+mutant(rule_normals_of_instances_turned_by_the_map_itself FILE model/shade/surf.cpp TEST simulate "${turned}"
+  OLD [=[in.placement.a[3 * i + k]) * state.normal[i]]=]
+  NEW [=[in.placement.a[3 * k + i]) * state.normal[i]]=]
+  FILE2 sim/judge/path_placed.cpp
+  OLD2 [[turned[k] += a[3 * i + k] * before.normal[i];
+            exact[int(k)] += double(a[3 * i + k]) * place_.normal[int(i)];]]
+  NEW2 [[turned[k] += a[3 * k + i] * before.normal[i];
+            exact[int(k)] += double(a[3 * k + i]) * place_.normal[int(i)];]])
+mutant(rule_weights_of_corners_change_places_in_hits FILE model/trace/record.inl WITH model/trace/record.cpp TEST simulate "teapot:3 | gears:1"
+  OLD [[e.num, e.det, e.u, e.v};]]
+  NEW [[e.num, e.det, e.v, e.u};]]
+  FILE2 sim/cause/truth.cpp
+  OLD2 [[size(oracle::volume<Int128>(d, oracle::area(c, a))),
+            size(oracle::volume<Int128>(d, oracle::area(a, b)))};]]
+  NEW2 [[size(oracle::volume<Int128>(d, oracle::area(a, b))),
+            size(oracle::volume<Int128>(d, oracle::area(c, a)))};]])
+
 # ---- Lights.
+mutant(rule_pictures_of_camera_rays_lit_from_behind FILE model/shade/shade.cpp TEST simulate "teapot:3 | mount:2"
+  OLD [[const double lambert = glm::dot(point.normal, to_light);]]
+  NEW [[const double lambert = std::abs(glm::dot(point.normal, to_light));]])
 mutant(rule_light_behind_a_surface_counts FILE model/shade/light.cpp TEST simulate "teapot:3 --depth 1 --size 96x72 | mount:2 --depth 1 --size 96x72 | ${turned}"
   OLD [[out.counts = side > 0 && cosine > 0;]]
   NEW [[out.counts = cosine > 0;]]
   FILE2 sim/judge/path_surface.cpp
   OLD2 [[if (side <= 0 || out.light.cosine == 0 ||]]
   NEW2 [[if (out.light.cosine == 0 ||]])
+mutant(rule_hidden_lights_count FILE model/shade/pass.cpp TEST simulate "spheres --depth 0"
+  OLD [[pending == Pending::answer && !in.hit.found]]
+  NEW [[pending == Pending::answer]]
+  FILE2 sim/judge/path.cpp
+  OLD2 [[(lit_if_free_ && !answer_.found)]]
+  NEW2 [[lit_if_free_]])
 mutant(rule_far_points_see_all_lights FILE model/shade/pass.cpp TEST simulate "scenes/pebble.json --depth 1 | spheres --depth 1"
   OLD [[if (!found.counts || (s.far && !clear)) return;]]
   NEW [[if (!found.counts || s.far) return;]]
@@ -103,6 +159,26 @@ mutant(rule_reflectance_of_another_index FILE model/accel/surfaces.cpp TEST simu
   FILE2 sim/judge/world.cpp
   OLD2 [[reflectance = (index - 1) / (index + 1),]]
   NEW2 [[reflectance = (index - 1) / (index + 2),]])
+mutant(rule_reflectance_to_the_fourth_power FILE model/shade/bounce.cpp TEST simulate "spheres --depth 3 --fresnel | spheres --depth 4 --fresnel --size 96x72"
+  OLD [[q5 = rounded(q4 * q, unit_bits);]]
+  NEW [[q5 = q4;]]
+  FILE2 sim/judge/path_bounce.cpp
+  OLD2 [[q5 = nearest_of_power(q4 * q, unit_bits);
+    const double r0 = s.r0 * unit_step;
+    const Range cosine =
+        Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
+    const auto fifth = [](double x) { return x * x * x * x * x; };]]
+  NEW2 [[q5 = q4;
+    const double r0 = s.r0 * unit_step;
+    const Range cosine =
+        Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
+    const auto fifth = [](double x) { return x * x * x * x; };]])
+mutant(rule_squares_are_stripes FILE model/shade/surf.cpp TEST simulate "spheres --depth 1 | plane --depth 1"
+  OLD [[return second(hit.u, 0) != second(hit.v, 1) ? s.other : s.colour;]]
+  NEW [[return second(hit.u, 0) ? s.other : s.colour;]]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[odd ^= floor_of(sides + (at << config_.bary_bits), Int128(1) << bit) % 2 != 0;]]
+  NEW2 [[odd ^= i == 0 && floor_of(sides + (at << config_.bary_bits), Int128(1) << bit) % 2 != 0;]])
 mutant(rule_light_s_colour_halved FILE model/accel/surfaces.cpp TEST simulate "spheres --depth 1"
   OLD [[fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);]]
   NEW [[fixed(scene.lights[i].colour[int(k)] / 2, share_bits, (1u << strength_bits) - 1);]]
@@ -117,3 +193,41 @@ mutant(rule_total_reflection_loses_what_transmits FILE model/shade/bounce.cpp TE
   FILE2 sim/judge/path_bounce.cpp
   OLD2 [[    if (s.total) {]]
   NEW2 [[    if (s.total && s.mirror > s.transmit) {]])
+mutant(rule_refracted_rays_stay_outside FILE model/shade/pass.cpp TEST simulate "spheres --depth 4"
+  OLD [[s.inside ^ std::uint32_t(through)]]
+  NEW [[s.inside + 0 * through]]
+  FILE2 sim/judge/path_bounce.cpp
+  OLD2 [[s.inside ^ std::uint32_t(through)]]
+  NEW2 [[s.inside]])
+mutant(rule_one_bounce_more_than_the_depth FILE model/shade/pass.cpp TEST simulate "spheres --depth 2"
+  OLD [[if (s.depth >= frame.shade.depth)]]
+  NEW [[if (s.depth > frame.shade.depth)]]
+  FILE2 sim/judge/path.cpp
+  OLD2 [[if (branch_.depth >= std::uint32_t(rules_.settings.depth))]]
+  NEW2 [[if (branch_.depth > std::uint32_t(rules_.settings.depth))]])
+mutant(rule_background_of_bounces_is_not_weighed FILE model/shade/pass.cpp TEST simulate "spheres --depth 3"
+  OLD [[rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits)]]
+  NEW [[rounded(std::uint64_t(one) * frame.shade.background[k], unit_bits)]]
+  FILE2 sim/judge/path.cpp
+  OLD2 [[nearest_of_power(Int128(weight) * frame_.shade.background[k], unit_bits));
+        range[k] =
+            (exact * Range::around]]
+  NEW2 [[nearest_of_power(Int128(one) * frame_.shade.background[k], unit_bits));
+        range[k] =
+            (Range{1, 1} * Range::around]])
+
+# ---- What a pixel is made of its samples.
+mutant(rule_last_sample_counts_for_all FILE model/shade/pass.cpp TEST simulate "spheres --depth 1 --aa 2"
+  OLD [[s.sum[k] += s.colour[k];]]
+  NEW [[s.sum[k] = (s.sample + 1) * s.colour[k];]]
+  FILE2 sim/judge/path.cpp
+  OLD2 [[sum_[k] += colour_[k];
+        exact_sum_[k] = exact_sum_[k] + exact_[k].clamped(0, 1);]]
+  NEW2 [[sum_[k] = (sample_ + 1) * colour_[k];
+        exact_sum_[k] = (sample_ + 1.0) * exact_[k].clamped(0, 1);]])
+mutant(rule_pixels_end_at_twice_the_contrast FILE model/shade/pass.cpp TEST simulate "spheres --depth 1 --aa 3 --contrast 0.05 | gears:1 --depth 1 --aa 3 --contrast 0.1"
+  OLD [[s.most[k] - s.least[k] <= frame.shade.contrast;]]
+  NEW [[s.most[k] - s.least[k] <= 2 * frame.shade.contrast;]]
+  FILE2 sim/judge/path.cpp
+  OLD2 [[std::clamp(rules_.settings.contrast, 0.0, 1.0) / unit_step;]]
+  NEW2 [[2 * std::clamp(rules_.settings.contrast, 0.0, 1.0) / unit_step;]])

@@ -115,7 +115,7 @@ TEST_CASE("few bits for u and v: what differs was rounded", "[cause]") {
     CHECK(j.causes_other == PixelCauses{});
 }
 
-TEST_CASE("right answers with another colour: shading", "[cause]") {
+TEST_CASE("right answers with another colour: not the reference's local light", "[cause]") {
     Case made = make_case(waves(16), formats(16, 24, 24));
     const Judgement before = made.judged();
     const auto same =
@@ -124,9 +124,30 @@ TEST_CASE("right answers with another colour: shading", "[cause]") {
     REQUIRE(same < before.pixels.size());
     made.picture.pixels[same].g += 0.1f;
     const Judgement j = made.judged();
-    CHECK(count(j, PixelCause::shading) == 1);
-    CHECK(j.pixels[same] == PixelCause::shading);
-    CHECK(j.wrong == 0);
+    CHECK(count(j, PixelCause::shading) == 0);
+    CHECK(j.pixels[same] == PixelCause::bug);
+    CHECK(j.wrong == 1);
+    CHECK(j.faults.at(0).what == "the colour is not the local light of the hit by the reference's rules");
+}
+
+TEST_CASE("registers that host, model and judge share are held against the camera", "[cause]") {
+    struct Fault {
+        const char* what;
+        void (*change)(Frame&);
+    };
+    const auto fault = GENERATE(
+        Fault{"the camera ray does not go through its pixel",
+              [](Frame& f) { f.corner[0] += f.right[0] / 64; }},
+        Fault{"the camera ray does not go through its pixel",
+              [](Frame& f) { f.right[0] += f.right[0] / 512; }},
+        Fault{"the eye lies further from the camera's than it may", [](Frame& f) { f.eye[1] += 1; }});
+    Job job = make_case("teapot:6", quick_config("default")).job;
+    const Scene scene = make_deep_shot("teapot:6", size, quick_config("default")).scene;
+    fault.change(job.frame);
+    const Judgement j = Case(scene, job).judged();
+    INFO(fault.what);
+    REQUIRE(j.wrong > 0);
+    CHECK(j.faults.at(0).what == fault.what);
 }
 
 TEST_CASE("the oracle finds every answer right, and every pixel that differs has a cause", "[cause]") {

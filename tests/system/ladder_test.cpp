@@ -2,6 +2,9 @@
 // are drawn at random they must agree in every pixel.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/accel/surfaces.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
@@ -14,25 +17,36 @@ using namespace rayclock::test;
 
 namespace {
 
-Judgement judged(const RandomScene& drawn, FrameSize size) {
-    const Scene scene = flattened(drawn.placed);
-    check_scene(scene, "a random scene");
-    const Config config = fitted_config(scene, drawn.settings, drawn.config);
-    const Job job = make_job(scene, *scene.camera, size, config, {}, drawn.settings);
+Judgement judged(const Scene& scene, const Whitted& settings, const Config& wanted, FrameSize size) {
+    check_scene(scene, "the scene");
+    const Config config = fitted_config(scene, settings, wanted);
+    const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
     const FrameTrace trace = record_frame(job, job.frame);
-    const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, drawn.settings);
+    const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     const Picture picture = picture_of(size, trace.trace.colours);
     const Given given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
     return judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
-                          drawn.settings, {reference, picture, given},
-                          scaled(job, job.frame, trace.trace.hits));
+                          settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));
+}
+
+/// On grey tiles without end, u and v their sides.
+Scene tiles(const glm::dvec3& u, const glm::dvec3& v) {
+    Scene scene;
+    Material tiles;
+    tiles.checkered = true, tiles.other = {0.1, 0.1, 0.1};
+    scene.materials = {tiles};
+    scene.planes = {{{0.3, 0, 0.2}, u, v, 0}};
+    scene.lights = {{{3, 6, 5}, glm::dvec3(0.9)}};
+    scene.camera = Camera{{0.5, 2, 6}, {0, 0.5, 0}, {0, 1, 0}, 50};
+    return scene;
 }
 
 void check_scenes(std::uint64_t first, std::uint64_t count) {
     PixelCauses causes{};
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         INFO("seed " << seed);
-        const Judgement j = judged(random_scene(seed), {20, 15});
+        const RandomScene drawn = random_scene(seed);
+        const Judgement j = judged(flattened(drawn.placed), drawn.settings, drawn.config, {20, 15});
         for (const PictureFault& f : j.faults) FAIL_CHECK("pixel (" << f.x << ", " << f.y << "): " << f.what);
         CHECK(j.wrong == 0);
         CHECK(j.bugs() == 0);
@@ -51,4 +65,36 @@ TEST_CASE("the reference's rules hold in 200 random scenes as the machine draws 
 
 TEST_CASE("the reference's rules hold in 10,000 random scenes as the machine draws them", "[ladder][slow]") {
     check_scenes(200, 9800);
+}
+
+TEST_CASE("two spheres at one place are told wherever one of them is met from the other", "[ladder]") {
+    Scene scene = tiles({1, 0, 0}, {0, 0, 1});
+    Material glass, tinted;
+    glass.transmit = 0.9, glass.mirror = 0.1, glass.index = 1.5;
+    tinted = glass, tinted.colour = {0.9, 0.2, 0.1};
+    scene.materials.insert(scene.materials.end(), {glass, tinted, Material{}});
+    const Whitted settings{.depth = 3};
+    const Config config = named_config("default");
+    scene.spheres = {{{0, 1.2, 0}, 1, 1}};
+    CHECK(judged(scene, settings, config, {48, 36}).wrong == 0);
+    const std::uint32_t second = GENERATE(1u, 2u, 3u);   // the last is opaque
+    scene.spheres.push_back({{0, 1.2, 0}, 1, second});
+    const Judgement j = judged(scene, settings, config, {48, 36});
+    CHECK(j.bugs() > 0);
+    CHECK(j.bugs() == j.wrong);
+    REQUIRE(!j.faults.empty());
+    for (const PictureFault& f : j.faults) {
+        INFO(f.what);
+        CHECK(f.what.find("second one at the same place") != std::string::npos);
+    }
+}
+
+TEST_CASE("the more a plane's sides lean towards each other, the more it may turn", "[ladder]") {
+    const double degrees = GENERATE(90, 30, 5, 1);
+    const double angle = degrees * 0.017453292519943295;
+    const Judgement j = judged(tiles({0.7, 0.1, 0}, {0.7 * std::cos(angle), 0.1, 0.7 * std::sin(angle)}),
+                               {.depth = 1}, named_config("default"), {48, 36});
+    INFO(degrees);
+    for (const PictureFault& f : j.faults) UNSCOPED_INFO(f.what);
+    CHECK(j.wrong == 0);
 }
