@@ -312,7 +312,7 @@ TEST_CASE("tradeoff writes its page with a plot for each scene") {
     const Folder folder;
     const std::string page = folder.name("page.md");
     const Outcome outcome = run_program({"tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2", "--size",
-                                         "24x18", "--no-netlist", "--max-other", "0.5%"},
+                                         "24x18", "--no-netlist", "--min-psnr", "200"},
                                         {"RAYCLOCK_CACHE=" + folder.name("cache")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
@@ -320,9 +320,9 @@ TEST_CASE("tradeoff writes its page with a plot for each scene") {
     for (const char* word :
          {"# Speed against error", "### coord_bits", "### dir_bits", "### box_bits", "### recip_bits",
           "### node_width", "### primitive_test",
-          "--scenes tetra:2,icosphere:2 --size 24x18 --no-netlist --max-other 0.5%", "](page-tetra-2.svg)",
+          "--scenes tetra:2,icosphere:2 --size 24x18 --no-netlist --min-psnr 200", "](page-tetra-2.svg)",
           "](page-icosphere-2.svg)", "| moller |", " % † |",
-          "\n† FAR FROM THE REFERENCE: ", "(limit 0.5 %, --max-other)", "pictures are far)"}) {
+          "\n† FAR FROM THE REFERENCE: ", "(limit 200 dB, --min-psnr)", "pictures are far)"}) {
         INFO(word);
         CHECK(text.find(word) != std::string::npos);
     }
