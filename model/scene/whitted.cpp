@@ -6,8 +6,8 @@ namespace rayclock {
 
 namespace {
 
-/// Prime to n * n, and such that the first four cells lie in different quarters of the pixel where there are
-/// any.
+/// Prime to n * n, and such that the first four cells lie in three quarters of the pixel at least, for an
+/// even n.
 constexpr std::array<std::uint32_t, most_aa + 1> stride{0, 1, 3, 4, 7, 7, 13, 18, 29};
 
 /// Jenkins 1997, "one at a time", over three words: only adds, shifts and exclusive ors.

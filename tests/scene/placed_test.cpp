@@ -1,6 +1,8 @@
 // Scenes that are made of instances.
 #include <catch2/catch.hpp>
 
+#include <array>
+
 #include <glm/geometric.hpp>
 
 #include "model/scene/placed.hpp"
@@ -65,4 +67,40 @@ TEST_CASE("Other scenes have no instances, and are themselves when flattened", "
     const PlacedScene placed = make_placed("gears:1");
     CHECK(placed.instances.empty());
     CHECK(flattened(placed).vertices == make_builtin("gears:1").vertices);
+}
+
+TEST_CASE("Normals stay perpendicular to their facets and on their side, whatever the map",
+          "[scene][placed]") {
+    // Each facet has its own corners, and its corner normals are its own. The map scales unequally, shears,
+    // turns, and in half of the cases mirrors.
+    PlacedScene scene;
+    scene.own.materials = {Material{}};
+    SharedMesh mesh;
+    const std::array<glm::dvec3, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.3, 1}}};
+    const std::array<std::array<std::size_t, 3>, 4> facets{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    for (const auto& facet : facets) {
+        const glm::dvec3 a = corners[facet[0]], b = corners[facet[1]], c = corners[facet[2]];
+        const auto first = std::uint32_t(mesh.vertices.size());
+        mesh.triangles.push_back({{first, first + 1, first + 2}, 0});
+        mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+        mesh.normals.insert(mesh.normals.end(), 3, glm::normalize(glm::cross(b - a, c - a)));
+    }
+    scene.meshes = {mesh};
+    const double mirror = GENERATE(1, -1);
+    glm::dmat4 place(1);
+    place[0] = {0.8 * mirror, 0.3 * mirror, 0.1 * mirror, 0};
+    place[1] = {0.7, 2, -0.4, 0};
+    place[2] = {-0.2, 0.5, 0.3, 0};
+    place[3] = {5, -3, 2, 1};
+    scene.instances = {{"placed", 0, place, std::nullopt}};
+    const Scene flat = flattened(scene);
+    const auto moved = [&](const glm::dvec3& p) { return glm::dvec3(place * glm::dvec4(p, 1)); };
+    const glm::dvec3 inside = moved({0.3, 0.3, 0.2});
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        const auto& vertex = flat.triangles[i].vertex;
+        const glm::dvec3 a = flat.vertices[vertex[0]], b = flat.vertices[vertex[1]],
+                         c = flat.vertices[vertex[2]], out = glm::normalize(glm::cross(b - a, c - a));
+        CHECK(glm::dot(out, a - inside) > 0);   // the order of corners says the outside
+        for (const std::uint32_t v : vertex) CHECK(glm::length(flat.normals[v] - out) < 1e-12);
+    }
 }
