@@ -80,10 +80,12 @@ double room_around_planes(const Scene& scene, const Config& config) {
     const double reach = std::ldexp(1.0, config.coord_bits - 1);
     const double step =
         std::ldexp(1.0, config.dir_bits - 2 + config.approach_shift() - config.origin_bits) / reach;
-    const bool transmits = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
-        return plane.material < scene.materials.size() && scene.materials[plane.material].transmit > 0;
+    const bool go_on = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        if (plane.material >= scene.materials.size()) return false;
+        const Material& m = scene.materials[plane.material];
+        return m.transmit > 0 || m.mirror > 0;
     });
-    const double room = config.shading && transmits && scene.planes.size() > 1 ? horizon_room : 1;
+    const double room = config.shading && go_on && scene.planes.size() > 1 ? horizon_room : 1;
     return room / (1 - step - 4 / reach);   // and a few steps for rounding
 }
 

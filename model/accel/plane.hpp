@@ -27,8 +27,9 @@ glm::dvec3 nearest_point(const Plane& plane, const glm::dvec3& from);
 void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& surface);
 
 /// How many times as large as what has an end the lattice is in a scene with planes: room for
-/// Config::approach_shift()'s steps. Where one of several planes transmits, rays meet the others behind it,
-/// and beyond the lattice they do not look for them: the lattice is horizon_room times as large then.
+/// Config::approach_shift()'s steps. Where one of several planes transmits or mirrors, rays go on from it to
+/// the others, beyond what a point can say (ShadeState::lost): the lattice is horizon_room times as large
+/// then.
 double room_around_planes(const Scene& scene, const Config& config);
 constexpr double horizon_room = 4;
 

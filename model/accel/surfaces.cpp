@@ -110,18 +110,49 @@ bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t
     return false;
 }
 
-/// No plane stands between the camera's eye and the lattice point, and none holds the eye: exact. From an eye
-/// that lies in a plane both sides of it are seen.
-bool is_clear(const Scene& scene, const Lattice& lattice, const std::int32_t* place) {
-    if (!scene.camera) return true;
-    const Vec3i eye = lattice.snap(scene.camera->eye);
-    return std::all_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+bool coincide(const PlaneOnLattice& one, const PlaneOnLattice& other) {
+    const Vec3l n = cross(minus(one.b, one.a), minus(one.c, one.a));
+    return std::ranges::all_of(std::array{other.a, other.b, other.c},
+                               [&](const Vec3i& p) { return dot<Wide>(n, minus(p, one.a)) == 0; });
+}
+
+/// Of each plane its bit in a cell. The first that transmit have one, and whatever lies in them has the same:
+/// no ray meets that.
+std::vector<std::uint32_t> panes_of(const Scene& scene, const Config& config, const Lattice& lattice) {
+    std::vector<std::uint32_t> bits;
+    std::vector<PlaneOnLattice> panes;
+    for (const Plane& plane : scene.planes) {
         const PlaneOnLattice on = plane_on_lattice(plane, lattice);
+        auto pane = std::ranges::find_if(panes, [&](const PlaneOnLattice& p) { return coincide(p, on); });
+        if (pane == panes.end() && scene.materials[plane.material].transmit > 0 &&
+            int(panes.size()) < config.panes)
+            pane = panes.insert(pane, on);
+        bits.push_back(pane == panes.end() ? 0 : 1u << (pane - panes.begin()));
+    }
+    return bits;
+}
+
+/// Which planes stand between the camera's eye and a lattice point: exact. From an eye that lies in a plane
+/// both sides of it are seen.
+struct Between {
+    bool clear = true;        ///< none but panes, and no plane holds the eye
+    std::uint32_t cell = 0;   ///< the panes
+};
+Between between(const Scene& scene, const Config& config, const Lattice& lattice, const std::int32_t* place) {
+    Between found;
+    if (!scene.camera) return found;
+    const Vec3i eye = lattice.snap(scene.camera->eye);
+    const std::vector<std::uint32_t> panes = panes_of(scene, config, lattice);
+    for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+        const PlaneOnLattice on = plane_on_lattice(scene.planes[i], lattice);
         const Vec3l n = cross(minus(on.b, on.a), minus(on.c, on.a));
         const Wide seen = dot<Wide>(n, minus(eye, on.a)),
                    lit = dot<Wide>(n, minus({place[0], place[1], place[2]}, on.a));
-        return seen > 0 ? lit >= 0 : seen < 0 && lit <= 0;
-    });
+        const bool other = seen > 0 ? lit < 0 : lit > 0;
+        if (other) found.cell |= panes[i];
+        found.clear = found.clear && seen != 0 && !(other && panes[i] == 0);
+    }
+    return found;
 }
 
 }   // namespace
@@ -187,10 +218,12 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
     if (config.smooth && i < scene.triangles.size()) set_normals(scene, i, s);
     set_material(scene.materials[material_of(scene, i)], s);
     const std::size_t planes = scene.triangles.size() + scene.spheres.size();
-    if (i >= planes)
+    if (i >= planes) {
         set_checkers(plane_on_lattice(scene.planes[i - planes], lattice), config, s);
-    else
+        s.normal[4] = std::int32_t(panes_of(scene, config, lattice)[i - planes]);
+    } else {
         s.checkered = 0;   // planes alone have squares
+    }
     return s;
 }
 
@@ -236,6 +269,14 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     // What check_config() asks of it.
     config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits,
                                                config.dir_bits + config.t_frac_bits - 2}));
+    int transmitting = 0, mirroring = 0;
+    for (const Plane& plane : scene.planes) {
+        transmitting += scene.materials.at(plane.material).transmit > 0;
+        mirroring += scene.materials[plane.material].mirror > 0;
+    }
+    config.panes = std::min(max_panes, transmitting);
+    config.horizon =
+        scene.planes.size() > 1 && transmitting + mirroring > 0 && config.origin_bits >= far_drop;
     return config;
 }
 
@@ -282,8 +323,10 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
             frame.colour[3 * i + k] =
                 fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
         }
-        frame.clear[i] = is_clear(scene, image.lattice, &frame.place[3 * i]) &&
-                         !(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]));
+        const Between planes = between(scene, config, image.lattice, &frame.place[3 * i]);
+        frame.cell[i] = planes.cell;
+        frame.clear[i] =
+            planes.clear && !(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]));
     }
     return frame;
 }

@@ -88,6 +88,10 @@ void check_config(const Config& c, const std::string& where) {
                                                  {"supersampling", c.supersampling}};
     for (const auto& [key, is_there] : units)
         if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
+    if (c.panes > 0 && !(c.planes && c.refraction))
+        refuse("panes=" + std::to_string(c.panes) + " needs planes=1 and refraction=1");
+    if (c.horizon && (!c.planes || c.origin_bits < far_drop))
+        refuse("horizon=1 needs planes=1 and origin_bits of at least " + std::to_string(far_drop));
     if (c.shading && c.test() != PrimitiveTest::exact)
         refuse("shading=1 needs primitive_test=exact: secondary rays are decided exactly");
     if (c.shading && (c.ray_dir_bits() > 31 || c.ray_dir_bits() < c.dir_bits))

@@ -62,6 +62,10 @@ constexpr int depth_bits = 4;        ///< bounces of a camera ray, 0..15
 constexpr int unit_stages = 8;       ///< latency of rtl/fixed/rc_unit.sv,
 constexpr int power_stages = 7;      ///< and of rc_power.sv
 
+/// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' of docs/origins.md.
+constexpr int far_drop = light_reach + 1;
+constexpr int max_panes = 4;   ///< of Config::panes
+
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
 struct Config {
@@ -122,6 +126,8 @@ struct Config {
     int planes = 0;          ///< 1: tri can test planes, and shade knows checkers
     int smooth = 0;          ///< 1: normals between those of a triangle's corners
     int refraction = 0;      ///< 1: refracted rays
+    int panes = 0;           ///< planes that transmit of which a path knows its side
+    int horizon = 0;         ///< 1: bounces that pass by the lattice meet planes beyond it
     int supersampling = 0;   ///< 1: several samples in a pixel
     int lights = 8;          ///< most point lights
     int bounces = 5;         ///< most rays of a pixel that wait for their turn: the largest depth

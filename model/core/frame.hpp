@@ -38,9 +38,10 @@ struct ShadeFrame {
     std::uint32_t seed = 0;
     std::array<std::uint32_t, 3> background{};   ///< unit_bits of fraction
     std::uint32_t lights = 0;
-    std::array<std::uint32_t, max_lights> near{};         ///< the light lies within the lattice
-    std::array<std::uint32_t, max_lights> clear{};        ///< no plane stands between it and the eye
-    std::array<std::int32_t, 3 * max_lights> place{};     ///< [3 * light + axis], lattice points
+    std::array<std::uint32_t, max_lights> near{};       ///< the light lies within the lattice
+    std::array<std::uint32_t, max_lights> clear{};      ///< no plane stands between it and the eye but panes
+    std::array<std::uint32_t, max_lights> cell{};       ///< the panes that do, a bit each
+    std::array<std::int32_t, 3 * max_lights> place{};   ///< [3 * light + axis], lattice points
     std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits of fraction
     template <class V> void fields(V& v, const Config& c) {
         v("surfaces", surfaces, c.addr_bits);
@@ -57,6 +58,7 @@ struct ShadeFrame {
         v("lights", lights, 7);
         v("is_near", near, 1, c.lights);
         v("is_clear", clear, 1, c.lights);
+        if (c.panes > 0) v("light_cell", cell, c.panes, c.lights);
         v("place", place, c.light_bits(), 3 * c.lights);
         v("colour", colour, strength_bits, 3 * c.lights);
     }

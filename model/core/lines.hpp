@@ -184,7 +184,8 @@ struct Surface {
     std::array<std::int32_t, 9> normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if
                                             ///< smooth.
     /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells
-    /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
+    /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0. Of
+    /// a pane [4] is its bit in ShadeState::cell.
     std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits of fraction
     std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits of fraction
     std::uint32_t mirror = 0, transmit = 0;   ///< unit_bits of fraction; 0 only if the material's is 0

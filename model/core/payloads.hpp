@@ -58,7 +58,7 @@ struct Spawn {
     std::uint32_t ray = 0;
     std::uint32_t kind = 0;   ///< RayKind
     std::uint32_t x = 0, y = 0, sample = 0;
-    std::uint32_t finite = 0;             ///< as in Ray
+    std::uint32_t partial = 0;            ///< as in Ray
     std::uint32_t self = 0, inside = 0;   ///< as in Ray
     Vec3i o{};                            ///< N + B bits, B of them fraction
     Vec3i d{};                            ///< N + B + 1 bits
@@ -69,7 +69,7 @@ struct Spawn {
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
-        if (c.planes) v("is_finite", finite, 1);
+        if (c.planes) v("is_partial", partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         home.fields(v, c);
@@ -107,13 +107,14 @@ struct Ray {
     std::uint32_t kind = 0;                 ///< RayKind
     std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at;
                                             ///< whether on a sphere's inside
-    std::uint32_t finite = 0;   ///< of a ray to or from a light: asks only what has an end, and no plane
-    Home home;                  ///< if there are instances, and it is no camera ray
+    std::uint32_t partial = 0;   ///< asks only some primitives: a ray to or from a light those that have an
+                                 ///< end; a bounce planes, and begins at o 2^far_drop, beyond the lattice
+    Home home;                   ///< if there are instances, and it is no camera ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
-        if (c.planes) v("is_finite", finite, 1);
+        if (c.planes) v("is_partial", partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         home.fields(v, c);
@@ -196,13 +197,13 @@ struct TriReq {
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
-    Shear shear{};                                              ///< takes the place of d for the sheared test
-    std::uint32_t kind = 0, self = 0, inside = 0, finite = 0;   ///< as in Ray
+    Shear shear{};   ///< takes the place of d for the sheared test
+    std::uint32_t kind = 0, self = 0, inside = 0, partial = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
-        if (c.planes) v("is_finite", finite, 1);
+        if (c.planes) v("is_partial", partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         v("o", o, c.origin_width(), 3);

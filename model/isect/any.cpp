@@ -50,11 +50,15 @@ bool leaves_surface(const Ray& ray, const Config& config) {
            (config.has_instances() && RayKind(ray.kind) == RayKind::camera);
 }
 
+/// It begins beyond the lattice, and asks planes alone.
+bool is_far(const Ray& ray) { return ray.partial && !ends_at_any(ray.kind); }
+
 /// Triangles and planes, whatever the ray.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
-    if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;
+    if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
-    const int frac = config.origin_frac(), scale = leaves_surface(ray, config) ? frac : 0;
+    const int frac = config.origin_frac() - (is_far(ray) ? far_drop : 0),
+              scale = leaves_surface(ray, config) ? frac : 0;
     const bool edges_count = PrimKind(prim.kind) == PrimKind::triangle;
     Edges<Wide> e;
     bool flip = false;
@@ -114,6 +118,7 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
 
 void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const Config& config,
                  TriRsp& out) {
+    if (is_far(ray)) return;
     if (RayKind(ray.kind) == RayKind::shadow) {
         out.closer = shades(ray, sphere, config);
         return;

@@ -30,7 +30,7 @@ TriRsp tri(const TriReq& req, const Config& config) {
         ray.kind = req.kind;
         ray.self = req.self;
         ray.inside = req.inside;
-        ray.finite = req.finite;
+        ray.partial = req.partial;
         any_test(ray, req.triangle, req.best, config, rsp);
     } else if (config.is_sheared()) {
         sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);

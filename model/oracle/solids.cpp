@@ -194,6 +194,7 @@ Nearest Solids::nearest(const SolidRay& ray) const {
         limit = std::min(limit, double(hit->num) / double(hit->den) * (1 + 0x1p-40));
     };
     for (const std::uint32_t number : planes_) flat(number);
+    if (ray.asks == SolidRay::Asks::planes) return found;
     const tree::Ray search(ray.origin, ray.direction, ray.frac);
     const auto after = [&](double near) { return near > 2 * limit * search.main_size() * (1 + 0x1p-40); };
     tree_.nearest_first(search, after, [&](std::uint32_t place) {
@@ -219,7 +220,7 @@ bool Solids::meets_any(const SolidRay& ray) const {
         met = met || (s.kind == Solid::Kind::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
                                                     : cross_flat(ray, s, number).has_value());
     };
-    if (!ray.finite)
+    if (ray.asks != SolidRay::Asks::bounded)
         for (const std::uint32_t number : planes_) look(number);
     tree_.nearest_first(
         tree::Ray(ray.origin, ray.direction, ray.frac), [&](double) { return met; },

@@ -37,7 +37,7 @@ struct SolidRay {
     std::uint32_t self = no_primitive;   ///< the surface that it leaves, or at which a shadow ray ends; none:
                                          ///< from the eye
     bool inside = false;                 ///< of a sphere: the ray is on its inside
-    bool finite = false;                 ///< asks only what has an end: no plane
+    enum class Asks { all, bounded, planes } asks = Asks::all;   ///< bounded: what has an end, no plane
 };
 
 /// Where a triangle or a plane is hit: at t = num / den, with weights u / total and v / total of b and c. den

@@ -87,7 +87,7 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     ray.ray = spawn.ray;
     ray.self = spawn.self;
     ray.inside = spawn.inside;
-    ray.finite = spawn.finite;
+    ray.partial = spawn.partial;
     ray.home = spawn.home;
     return ray;
 }

@@ -56,12 +56,19 @@ void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
     add(s.colour, background);
 }
 
+/// The plane's bit in a cell, if it is a pane.
+std::uint32_t pane_of(const Surface& surface, const Config& c) {
+    if (PrimKind(surface.kind) != PrimKind::plane) return 0;
+    return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
+}
+
 void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
     if (s.depth == 0 && s.sample == 0) {
         s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
     }
     if (in.hit.found) {
         add(s.colour, surf(in, c, s));
+        s.across = s.cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
         if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::turn);
         return;
@@ -75,6 +82,21 @@ std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d, const Config&
     if (s.lost) return std::nullopt;
     if (s.far) return approach(s.o, d, c);
     return Vec3i{std::int32_t(s.o[0]), std::int32_t(s.o[1]), std::int32_t(s.o[2])};
+}
+
+/// The same of a bounce. If it passes by the lattice it may still meet a plane: then it begins at the point
+/// itself, without its last far_drop bits, and on the side to which it leaves.
+struct Origin {
+    Vec3i o{};
+    bool is_far = false;
+};
+std::optional<Origin> bounce_start(const ShadeState& s, const Vec3i& d, bool through, const Config& c) {
+    if (const std::optional<Vec3i> start = start_of(s, d, c)) return Origin{*start, false};
+    if (!c.horizon || s.lost) return std::nullopt;
+    Origin far{{}, true};
+    for (std::size_t k = 0; k < 3; ++k)
+        far.o[k] = std::int32_t((s.o[k] >> far_drop) + ((s.n[k] < 0) == through));
+    return far;
 }
 
 Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
@@ -93,7 +115,8 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     out.light = found.parts;
     const std::uint32_t index = s.light;
     next_light(s, index + 1, frame, c);
-    const bool near = frame.shade.near[index] != 0, clear = frame.shade.clear[index] != 0;
+    const bool near = frame.shade.near[index] != 0,
+               clear = frame.shade.clear[index] != 0 && frame.shade.cell[index] == s.cell;
     if (!found.counts || (s.far && !clear)) return;
     std::optional<Vec3i> start;
     if (!near)
@@ -109,7 +132,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     const bool to_the_point = near && !s.far;
     out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
     out.spawn.self = s.self, out.spawn.inside = s.inside;
-    out.spawn.finite = c.planes && !to_the_point && clear;
+    out.spawn.partial = c.planes && !to_the_point && clear;
     out.spawn.o = *start;
     out.spawn.d = found.d;
     out.spawn.home = found.home;
@@ -117,17 +140,25 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
-    s.weight = ray.weight, s.depth = ray.depth;
+    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;
     s.event = std::uint32_t(ShadeEvent::arrive);
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
     out.spawn.o = ray.o, out.spawn.d = ray.d;
-    out.spawn.self = ray.self, out.spawn.inside = ray.inside;
+    out.spawn.self = ray.self, out.spawn.inside = ray.inside, out.spawn.partial = ray.partial;
     out.spawn.home = ray.home;
 }
 
-Waiting bounced(const ShadeState& s, const Vec3i& start, const BounceOut& found, bool through) {
-    return {start, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through), found.home};
+Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found, bool through) {
+    return {start.o,
+            found.d,
+            found.weight,
+            s.depth + 1,
+            s.self,
+            s.inside ^ std::uint32_t(through),
+            through ? s.across : s.cell,
+            start.is_far,
+            found.home};
 }
 
 /// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other
@@ -140,7 +171,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
     if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
     out.refracted = true;
     if (!found.goes) return;
-    const std::optional<Vec3i> start = start_of(s, found.d, c);
+    const std::optional<Origin> start = bounce_start(s, found.d, true, c);
     out.passes_by = !start;
     if (!start) return see_background(s, found.weight, frame);
     out.push = true;
@@ -153,7 +184,7 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     const BounceOut found = reflect(c, s, in.placement);
     s.event = std::uint32_t(ShadeEvent::pop);
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
-    const std::optional<Vec3i> start = start_of(s, found.d, c);
+    const std::optional<Origin> start = bounce_start(s, found.d, false, c);
     out.passes_by = !start;
     if (!start) return see_background(s, found.weight, frame);
     send_bounce(in, bounced(s, *start, found, false), out);
@@ -174,7 +205,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = one, s.depth = 0;
+        s.weight = one, s.depth = 0, s.cell = 0;
         s.event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);

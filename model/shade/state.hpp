@@ -29,6 +29,8 @@ struct ShadeState {
     std::uint32_t waiting = 0;               ///< rays on the context's stack
     // The ray under way, or the last one.
     std::uint32_t weight = 0, depth = 0;
+    std::uint32_t cell = 0;     ///< a bit for each pane: it lies between the ray and the eye
+    std::uint32_t across = 0;   ///< the cell on the other side of the surface that it hit
     // The surface that it hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (a sphere's, an instance's: nearly)
     Vec3l inner{};   ///< with two levels: likewise, exactly on it in the mesh's space
@@ -65,6 +67,10 @@ struct ShadeState {
         v_("weight", weight, unit_bits + 1);
         v_("depth", depth, depth_bits);
         v_("light", light, 7);
+        if (c.panes > 0) {
+            v_("in_cell", cell, c.panes);
+            v_("across", across, c.panes);
+        }
         v_("o", o, c.point_width(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
@@ -102,7 +108,8 @@ struct ShadeState {
 struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits
     std::uint32_t weight = 0, depth = 0, self = 0, inside = 0;
-    Home home;   ///< its d has M bits here
+    std::uint32_t cell = 0, partial = 0;   ///< as in ShadeState and Ray
+    Home home;                             ///< its d has M bits here
     template <class V> void fields(V& v, const Config& c) {
         v("o", o, c.origin_width(), 3);
         v("d", d, c.dir_bits, 3);
@@ -110,6 +117,8 @@ struct Waiting {
         v("depth", depth, depth_bits);
         v("self", self, c.prim_bits);   // of spheres only
         v("is_inside", inside, 1);
+        if (c.panes > 0) v("in_cell", cell, c.panes);
+        if (c.horizon) v("is_partial", partial, 1);
         if (!c.has_homes()) return;
         v("home", home.line, c.addr_bits);
         v("home_o", home.o, c.origin_width(), 3);

@@ -123,7 +123,7 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             Walk& w = walk(m);
             const Ray& r = w.ray();
             tell(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
-                        r.finite});
+                        r.partial});
             w.test_triangle();
             return;
         }

@@ -24,7 +24,7 @@ struct InsideRay {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
         from = box_ray(change);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
-        moved.self = ray.self, moved.inside = ray.inside, moved.finite = ray.finite;
+        moved.self = ray.self, moved.inside = ray.inside, moved.partial = ray.partial;
         if (config.lower_engine() == Structure::spheres) toward = globe_ray(moved, config);
         if (config.lower_engine() == Structure::bsp) along = aligned(moved, config);
         entry.base = change.root;

@@ -5,7 +5,8 @@
 // multipliers (rc_mul_shared). Model: tri_test() in model/isect/tri.cpp.
 //
 // If the chip shades, origins have B fraction bits, and of rays that leave a surface u, v,
-// num and det are in units of 2^-B. A plane is a triangle whose edges do not count: u and v
+// num and det are in units of 2^-B, of those that begin far beyond the lattice of 2^(FarDrop - B). A
+// plane is a triangle whose edges do not count: u and v
 // may then be negative, and are given as magnitude and sign. Model: flat_test() in
 // model/isect/any.cpp.
 `default_nettype none
@@ -21,6 +22,7 @@ module rc_edges #(
   input  logic [L-1:0]        valid_i,       // valid_i[i]: stage i holds a triangle
   input  logic [L-1:0]        there_i,       // the same; valid_i may be set where nothing is
   input  logic                s0_leaves_i,   // from a surface: o has a fraction
+  input  logic                s0_far_i,      // of such o is 2^FarDrop times as much
   input  logic                s0_plane_i,
   input  logic [3*W-1:0]      s0_o_i,
   input  logic [3*M-1:0]      s0_d_i,
@@ -37,6 +39,7 @@ module rc_edges #(
   output logic                v_neg_o
 );
   localparam int unsigned B = rc_pkg::OriginBits;
+  localparam int unsigned Far = rc_pkg::Horizon == 1 ? B - rc_pkg::FarDrop : B;
   localparam int unsigned D = N + 1;      // difference of two points
   localparam int unsigned S = W + 1;      // the same with fraction
   localparam int unsigned C = M + D + 1;  // component of d x e
@@ -61,7 +64,7 @@ module rc_edges #(
     assign s0_b = s0_b_i[k*N +: N];
     assign s0_c = s0_c_i[k*N +: N];
     assign s0_o = s0_o_i[k*W +: W];
-    assign s0_s = S'(s0_o) - (S'(s0_a) <<< B);
+    assign s0_s = S'(s0_o) - (S'(s0_a) <<< (s0_far_i ? Far : B));
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
         d_q  <= s0_d_i[k*M +: M];
@@ -75,9 +78,15 @@ module rc_edges #(
     rc_delay #(.Width(S), .Stages(Cross - Edge)) u_s (
       .clk_i, .valid_i(valid_i[Cross-1:Edge]), .data_i(s_q), .data_o(dot_s));
   end
-  logic dot_leaves, end_plane;
+  logic dot_leaves, dot_far, end_plane;
   rc_delay #(.Width(1), .Stages(Dot - 1)) u_leaves (
     .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_leaves_i), .data_o(dot_leaves));
+  if (rc_pkg::Horizon == 1) begin : gen_far
+    rc_delay #(.Width(1), .Stages(Dot - 1)) u_far (
+      .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_far_i), .data_o(dot_far));
+  end else begin : gen_near
+    assign dot_far = 1'b0;
+  end
   rc_delay #(.Width(1), .Stages(L - 1)) u_plane (
     .clk_i, .valid_i(valid_i[L-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
 
@@ -206,7 +215,7 @@ module rc_edges #(
   assign det_sum = gen_dot[0].det + gen_dot[1].det + gen_dot[2].det;
   always_ff @(posedge clk_i) begin
     if (valid_i[Dot-1]) begin
-      det_q <= dot_leaves ? det_sum <<< B : det_sum;
+      det_q <= dot_far ? det_sum <<< Far : dot_leaves ? det_sum <<< B : det_sum;
       u_q   <= gen_dot[0].u + gen_dot[1].u + gen_dot[2].u;
       v_q   <= -(gen_dot[0].v + gen_dot[1].v + gen_dot[2].v);
       num_q <= gen_dot[0].num + gen_dot[1].num + gen_dot[2].num;

@@ -99,7 +99,8 @@ module rc_tri (
   logic                       in_any;      // any hit will do: a ray from or to a light
   logic                       in_leaves;   // from a surface: a bounce, or away to a light
   logic                       in_plane, in_sphere;
-  logic                       in_skips;    // the ray asks no planes, and this is one
+  logic                       in_far;      // it begins beyond the lattice, and asks planes alone
+  logic                       in_skips;    // the ray does not ask such a primitive
   assign in_a    = in.a;
   assign in_b    = in.b;
   assign in_c    = in.c;
@@ -119,9 +120,11 @@ module rc_tri (
     assign in_plane  = 1'b0;
     assign in_sphere = 1'b0;
   end
-  if (rc_pkg::Planes == 1) begin : gen_finite
-    assign in_skips = in_plane && in.is_finite;
+  if (rc_pkg::Planes == 1) begin : gen_partial
+    assign in_far   = rc_pkg::Horizon == 1 && in.is_partial && in.kind == rc_pkg::RayBounce;
+    assign in_skips = in.is_partial && (in_plane ? in_any : in_far);
   end else begin : gen_no_planes
+    assign in_far   = 1'b0;
     assign in_skips = 1'b0;
   end
   // flat[i]: stage i, of those up to the divisions, holds what is no sphere.
@@ -166,7 +169,7 @@ module rc_tri (
   end else begin : gen_exact
     rc_edges u_edges (
       .clk_i, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
-      .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
+      .s0_leaves_i(in_leaves), .s0_far_i(in_far), .s0_plane_i(in_plane),
       .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
       .back_o(f0_back), .u_neg_o(f0_u_neg), .v_neg_o(f0_v_neg));
@@ -174,16 +177,16 @@ module rc_tri (
   end
 
   // Meanwhile number and hit to beat wait. A ray from a light must be blocked before its end,
-  // t = 2^-B, and equality does not count; one away to a light has no end. One that asks no planes
-  // ends before it meets any.
+  // t = 2^-B, and equality does not count; one away to a light has no end. A primitive that the ray
+  // does not ask comes too late whatever it is: the hit to beat is where the ray begins.
   localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
   logic         in_found, in_first, wide_found, wide_first;
   logic [U-1:0] in_best_num, f0_best_num;
   logic [D-1:0] in_best_det, f0_best_det;
-  assign in_found    = in_any ? !in_leaves || in_skips : in.found;
-  assign in_best_num = in_any ? U'(!in_skips) : in.best_num;
+  assign in_found    = in_skips || (in_any ? !in_leaves : in.found);
+  assign in_best_num = in_skips ? '0 : in_any ? U'(1) : in.best_num;
   assign in_best_det = in_any ? ShadowDet : in.best_det;
-  assign in_first    = in.prim <= in.best_prim && !in_any;
+  assign in_first    = in.prim <= in.best_prim && !in_any && !in_skips;
   rc_delay #(.Width(2), .Stages(Wide - In)) u_best (
     .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
@@ -318,7 +321,9 @@ module rc_tri (
     end
 
     assign in_ball       = valid[In] && in_sphere;
-    assign in_own        = (in_any || in.kind == rc_pkg::RayBounce) && in.self == in.prim;
+    // One that the ray does not ask is as its own, seen from outside: never met.
+    assign in_own        = in_far
+                        || ((in_any || in.kind == rc_pkg::RayBounce) && in.self == in.prim);
     assign in_ball_first = in.prim <= in.best_prim;
     rc_beside #(
       .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))
@@ -333,7 +338,7 @@ module rc_tri (
     rc_sphere u_sphere (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
-      .s0_inside_i(in.is_inside), .s0_o_i(in.o), .s0_d_i(in.d),
+      .s0_inside_i(in.is_inside && !in_far), .s0_o_i(in.o), .s0_d_i(in.d),
       .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .s0_glass_i(in_b[2*N]), .best_next_o(best_next),
       .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
       .best_det_i(ball_best_det),

@@ -268,9 +268,9 @@ module rc_list (
     logic [Whole-1:0]    asks, kept_asks;
     logic [MovedW+2-1:0] there;
     if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_asks_all
-      assign asks = {ray_i.is_finite, ray_i.self, ray_i.is_inside};
+      assign asks = {ray_i.is_partial, ray_i.self, ray_i.is_inside};
     end else if (rc_pkg::Planes != 0) begin : gen_asks_planes
-      assign asks = ray_i.is_finite;
+      assign asks = ray_i.is_partial;
     end else if (rc_pkg::Spheres != 0) begin : gen_asks_spheres
       assign asks = {ray_i.self, ray_i.is_inside};
     end else begin : gen_asks_triangles
@@ -294,10 +294,10 @@ module rc_list (
   end else if (rc_pkg::Shading == 0) begin : gen_camera_ray
     assign ray_for_tri = {ray_i.o, ray_i.d};
   end else if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_ray_of_all
-    assign ray_for_tri = {ray_i.kind, ray_i.is_finite, ray_i.self, ray_i.is_inside, ray_i.o,
+    assign ray_for_tri = {ray_i.kind, ray_i.is_partial, ray_i.self, ray_i.is_inside, ray_i.o,
                           ray_i.d};
   end else if (rc_pkg::Planes != 0) begin : gen_ray_of_planes
-    assign ray_for_tri = {ray_i.kind, ray_i.is_finite, ray_i.o, ray_i.d};
+    assign ray_for_tri = {ray_i.kind, ray_i.is_partial, ray_i.o, ray_i.d};
   end else if (rc_pkg::Spheres != 0) begin : gen_ray_of_spheres
     assign ray_for_tri = {ray_i.kind, ray_i.self, ray_i.is_inside, ray_i.o, ray_i.d};
   end else begin : gen_ray_of_triangles

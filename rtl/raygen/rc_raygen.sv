@@ -219,9 +219,9 @@ module rc_raygen (
         assign home = '0;
       end
       if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
-        assign asks = TagW'({req.is_finite, req.self, req.is_inside});
+        assign asks = TagW'({req.is_partial, req.self, req.is_inside});
       end else if (rc_pkg::Planes != 0) begin : gen_planes
-        assign asks = TagW'(req.is_finite);
+        assign asks = TagW'(req.is_partial);
       end else if (rc_pkg::Spheres != 0) begin : gen_spheres
         assign asks = TagW'({req.self, req.is_inside});
       end else begin : gen_triangles

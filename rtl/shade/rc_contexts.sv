@@ -124,7 +124,7 @@ module rc_contexts #(
   localparam int unsigned VB      = rc_pkg::ValueBits;
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
   localparam int unsigned EveryW  = 3 + 2 + 1 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits + 4 * VB
-                                  + rc_pkg::DepthBits + 7;
+                                  + rc_pkg::DepthBits + 7 + 2 * rc_pkg::Panes;
   localparam int unsigned PointW  = 3 * rc_pkg::PointWidth + 6 * rc_pkg::AxisBits + VB;
   localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * P : 0;
   localparam int unsigned FaceW   = 3 * rc_pkg::NormalBits + 2 + 3 * (rc_pkg::ShareBits + 1);
@@ -229,22 +229,30 @@ module rc_contexts #(
     always_ff @(posedge clk_i) if (reads) read_fresh_q <= all_fresh[reads_ray];
     assign fresh = read_fresh_q;
   end
-  rc_pkg::shade_state_t state;
+  rc_pkg::shade_state_t state, begun;
   assign state = kept_state;
   always_comb begin
-    state_o = state;
+    begun = state;
     if (fresh) begin
-      state_o.purpose = rc_pkg::EventArrive;
-      state_o.pending = rc_pkg::PendingNone;
-      state_o.colour  = '0;
-      state_o.weight  = 17'h10000;
-      state_o.depth   = '0;
-      state_o.waiting = '0;
-      state_o.sample  = '0;
-      state_o.sum     = '0;
-      state_o.least   = {3{17'h10000}};
-      state_o.most    = '0;
+      begun.purpose = rc_pkg::EventArrive;
+      begun.pending = rc_pkg::PendingNone;
+      begun.colour  = '0;
+      begun.weight  = 17'h10000;
+      begun.depth   = '0;
+      begun.waiting = '0;
+      begun.sample  = '0;
+      begun.sum     = '0;
+      begun.least   = {3{17'h10000}};
+      begun.most    = '0;
     end
+  end
+  if (rc_pkg::Panes != 0) begin : gen_panes
+    always_comb begin
+      state_o = begun;
+      if (fresh) state_o.in_cell = '0;
+    end
+  end else begin : gen_no_panes
+    assign state_o = begun;
   end
   rc_flags #(.Flags(T)) u_fresh (
     .clk_i, .rst_ni, .clear_i(write_i), .clear_at_i(write_ray_i),

@@ -22,7 +22,7 @@ module rc_known #(
   localparam int unsigned L      = rc_pkg::ShadeStages;
   localparam int unsigned StateW = rc_pkg::ShadeStateW;
   localparam int unsigned FrontW = 2 * rc_pkg::PixelBits + 6 + PB + rc_pkg::TBits
-                                 + 2 * rc_pkg::UvBits + 4 * VB + DB + 7
+                                 + 2 * rc_pkg::UvBits + 4 * VB + DB + 7 + 2 * rc_pkg::Panes
                                  + 3 * rc_pkg::PointWidth;   // from x to o
   localparam int unsigned ManyW  = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
   logic [StateW-1:0] known;

@@ -49,6 +49,20 @@ module rc_light #(
   logic [3*LB-1:0] s0_place, s1_place_q;
   logic [3*VB-1:0]     s0_colour, s1_colour_q;
   logic            s0_near, s1_near_q, s0_clear, s1_clear_q;
+  // Clear is a light on the path's side of every pane.
+  logic [Lights-1:0] clear_here;
+  if (rc_pkg::Panes != 0) begin : gen_panes
+    localparam int unsigned C = rc_pkg::Panes;
+    logic [C-1:0]        cell_here;
+    logic [Lights*C-1:0] cells;
+    assign cell_here = s0_state_i.in_cell;
+    assign cells     = frame_i.light_cell;
+    for (genvar i = 0; i < Lights; i++) begin : gen_light
+      assign clear_here[i] = clear[i] && cells[i*C +: C] == cell_here;
+    end
+  end else begin : gen_no_panes
+    assign clear_here = clear;
+  end
   always_comb begin
     s0_place  = '0;
     s0_colour = '0;
@@ -60,7 +74,7 @@ module rc_light #(
           s0_place  = place[i*3*LB +: 3*LB];
           s0_colour = colour[i*3*VB +: 3*VB];
           s0_near   = near[i];
-          s0_clear  = clear[i];
+          s0_clear  = clear_here[i];
         end
   end
   always_ff @(posedge clk_i) begin

@@ -354,6 +354,25 @@ module rc_pass #(
     assign entry  = '0;
   end
 
+  // One that passes by the lattice begins at the point, as roughly as it can be said there, and on
+  // the side to which it leaves: up or down on each axis.
+  logic [2:0] end_up;
+  if (rc_pkg::Horizon == 1) begin : gen_horizon
+    logic [3*NB-1:0] s0_n;
+    logic [2:0]      s0_up;
+    assign s0_n = state.n;
+    for (genvar k = 0; k < 3; k++) begin : gen_up
+      assign s0_up[k] = s0_n[k*NB+NB-1] == s0_refract;
+    end
+    rc_beside #(.Width(3), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_up (
+      .clk_i, .rst_ni, .come_i(s0_bounce), .leave_i(bounce_at[Out]), .data_i(s0_up),
+      .data_o(end_up));
+    logic unused_n;
+    assign unused_n = ^s0_n;
+  end else begin : gen_no_horizon
+    assign end_up = '0;
+  end
+
   // ---- The sample's end.
   logic            end_more;
   logic [68:0]     end_sum;
@@ -389,7 +408,7 @@ module rc_pass #(
     .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
     .light_share_i(light_share), .above_i(end_above), .below_i(end_below),
-    .positive_i(end_positive), .d_i(end_d), .enters_i(enters), .entry_i(entry),
+    .positive_i(end_positive), .d_i(end_d), .enters_i(enters), .entry_i(entry), .up_i(end_up),
     .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
     .ray_o(end_ray_o), .state_o(end_state_o), .changes_o, .leave_o, .spawn_o, .pixel_o, .push_o,

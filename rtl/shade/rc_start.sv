@@ -50,34 +50,51 @@ module rc_start #(
     assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
   end
 
+  rc_pkg::shade_state_t known;
   always_comb begin
-    known_o         = state_i;
-    known_o.colour  = colour_o;
-    known_o.pending = rc_pkg::PendingNone;
+    known         = state_i;
+    known.colour  = colour_o;
+    known.pending = rc_pkg::PendingNone;
     if (arrives && state_i.depth == '0 && state_i.sample == '0) begin
-      known_o.found = found;
-      known_o.prim  = prim;
-      known_o.t     = t;
-      known_o.u     = u;
-      known_o.v     = v;
+      known.found = found;
+      known.prim  = prim;
+      known.t     = t;
+      known.u     = u;
+      known.v     = v;
     end
     if (looks_o) begin
-      known_o.diffuse   = surface_i.diffuse;
-      known_o.highlight = surface_i.highlight;
-      known_o.mirror    = surface_i.mirror;
-      known_o.shine     = surface_i.shine;
-      known_o.transmit  = surface_i.transmit;
-      known_o.ratio     = back ? surface_i.leave : surface_i.enter;
-      known_o.schlick   = surface_i.schlick;
-      known_o.r0        = surface_i.r0;
-      known_o.self      = prim;
-      known_o.is_inside = back;
+      known.diffuse   = surface_i.diffuse;
+      known.highlight = surface_i.highlight;
+      known.mirror    = surface_i.mirror;
+      known.shine     = surface_i.shine;
+      known.transmit  = surface_i.transmit;
+      known.ratio     = back ? surface_i.leave : surface_i.enter;
+      known.schlick   = surface_i.schlick;
+      known.r0        = surface_i.r0;
+      known.self      = prim;
+      known.is_inside = back;
     end
   end
 
-  assign look_o = {known_o.diffuse, known_o.highlight, known_o.mirror, known_o.shine,
-                   known_o.transmit, known_o.ratio, known_o.schlick, known_o.r0, known_o.self,
-                   known_o.is_inside};
+  if (rc_pkg::Panes != 0) begin : gen_panes   // a pane's far side is another cell
+    logic [rc_pkg::Panes-1:0] pane;
+    logic [9*rc_pkg::CornerBits-1:0] normal;
+    assign normal = surface_i.normal;
+    assign pane   = surface_i.kind == rc_pkg::PrimPlane
+                  ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
+    always_comb begin
+      known_o = known;
+      if (looks_o) known_o.across = state_i.in_cell ^ pane;
+    end
+    logic unused_normal;
+    assign unused_normal = ^normal;
+  end else begin : gen_no_panes
+    assign known_o = known;
+  end
+
+  assign look_o = {known.diffuse, known.highlight, known.mirror, known.shine,
+                   known.transmit, known.ratio, known.schlick, known.r0, known.self,
+                   known.is_inside};
 
   logic unused;
   assign unused = ^surface_i;

@@ -56,6 +56,7 @@ module rc_turnout #(
   input  logic [3*D-1:0] d_i,
   input  logic           enters_i,    // from beyond the lattice: where it begins
   input  logic [3*P-1:0] entry_i,
+  input  logic [2:0]     up_i,        // if it does not: how it begins beyond the lattice
   // From rc_bounce
   input  logic [VB-1:0] weight_i,
   input  logic          total_i,
@@ -103,11 +104,13 @@ module rc_turnout #(
 
   // Where it goes on after a surface or a light.
   logic       far, starts;   // from the surface a ray can be sent
+  logic       beyond;        // a bounce too, that passes by the lattice and asks planes alone
   logic       lit;           // another light follows
   logic [6:0] next_light, light;
   logic [2:0] follows, after;
   assign far        = was_i.is_far;
   assign starts     = !far || (!was_i.is_lost && enters_i);
+  assign beyond     = rc_pkg::Horizon == 1 && far && !was_i.is_lost && !enters_i;
   assign next_light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
   assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
                     : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
@@ -152,7 +155,8 @@ module rc_turnout #(
   rc_cut #(.Width(7), .Stages(Cut)) u_decided (
     .clk_i,
     .data_i({lights, sends, light_near_i && !far, is_light && lights && sends,
-             refracted && starts, reflected && starts, (refracted || reflected) && !starts}),
+             refracted && (starts || beyond), reflected && (starts || beyond),
+             (refracted || reflected) && !starts && !beyond}),
     .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
 
   // A point that was turned lies in the lattice. What was found in the mesh's space is kept.
@@ -223,15 +227,24 @@ module rc_turnout #(
       next.purpose = rc_pkg::EventArrive;
     end
   end
-  rc_pkg::shade_state_t now;
+  rc_pkg::shade_state_t sided, now;
   logic [1:0]           leave;
+  if (rc_pkg::Panes != 0) begin : gen_cell
+    always_comb begin
+      sided = next;
+      if (is_pop) sided.in_cell = top_i.in_cell;
+      if (is_next) sided.in_cell = '0;
+    end
+  end else begin : gen_no_cell
+    assign sided = next;
+  end
   if (rc_pkg::Homes == 1) begin : gen_inner
     always_comb begin
-      now = next;
+      now = sided;
       now.inner = inner;
     end
   end else begin : gen_no_inner
-    assign now = next;
+    assign now = sided;
   end
   assign leave   = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
@@ -247,15 +260,29 @@ module rc_turnout #(
   assign top_d = top_i.d;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign short_d[k*M +: M]   = d_i[k*D +: M];
-    assign start[k*P +: P]     = far ? entry_i[k*P +: P] : was_o[k*PW +: P];
+    logic [P-1:0] rough;
+    assign rough = P'($signed(was_o[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
+    assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : was_o[k*PW +: P];
     assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
     assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
                                                        : d_i[k*D +: D];
   end
-  localparam int unsigned PushedW = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
+  localparam int unsigned TailW   = rc_pkg::Panes + rc_pkg::Horizon;   // its cell; it asks planes
+  localparam int unsigned RestW   = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
+  localparam int unsigned PushedW = RestW + TailW;
+  logic [RestW-1:0]            rest;
   logic [PushedW-1:0]          pushed;
   logic [rc_pkg::WaitingW-1:0] waiting;
-  assign pushed = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+  if (rc_pkg::Panes != 0 && rc_pkg::Horizon == 1) begin : gen_both
+    assign pushed = {rest, was_i.across, beyond};
+  end else if (rc_pkg::Panes != 0) begin : gen_cell_alone
+    assign pushed = {rest, was_i.across};
+  end else if (rc_pkg::Horizon == 1) begin : gen_beyond
+    assign pushed = {rest, beyond};
+  end else begin : gen_rest
+    assign pushed = rest;
+  end
+  assign rest = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
 
   // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
   logic [1:0]                 kind;
@@ -270,8 +297,13 @@ module rc_turnout #(
   assign y      = was_i.y;
   assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
   assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
-  logic finite;   // it asks no planes
-  assign finite = is_light && !to_point && light_clear_i;
+  logic top_partial, partial;   // it asks no planes; a bounce nothing else
+  if (rc_pkg::Horizon == 1) begin : gen_top_partial
+    assign top_partial = top_i.is_partial;
+  end else begin : gen_top_whole
+    assign top_partial = 1'b0;
+  end
+  assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial : is_reflect && beyond;
   localparam int unsigned GivenW = 3 * P + 3 * D;
   localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
   localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
@@ -305,12 +337,12 @@ module rc_turnout #(
     logic unused;
     assign unused = ^self;
   end
-  if (rc_pkg::Planes == 1) begin : gen_finite
-    assign spawn   = {ray_i, kind, x, y, sample, finite, given};
+  if (rc_pkg::Planes == 1) begin : gen_partial
+    assign spawn   = {ray_i, kind, x, y, sample, partial, given};
   end else begin : gen_no_planes
     assign spawn   = {ray_i, kind, x, y, sample, given};
     logic unused;
-    assign unused = finite;
+    assign unused = partial;
   end
   logic [3*VB-1:0]           end_colour;
   logic [rc_pkg::PixelW-1:0] pixel;

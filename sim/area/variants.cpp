@@ -34,6 +34,7 @@ Config shading_alone(Config c) {
     c.shading = 1;
     c.levels = 1;
     for (int Config::*unit : further) c.*unit = 0;
+    c.panes = c.horizon = 0;
     // What check_config() asks of it.
     c.origin_bits = std::max(
         2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));

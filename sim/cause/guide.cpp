@@ -184,12 +184,12 @@ bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const Mac
     return most > 0 && other.primitive != no_primitive && other.depth - own.depth <= most;
 }
 
-/// From beyond the lattice the machine's ray begins where it comes into the lattice; what it passes before,
-/// or without coming in, is not looked for.
+/// From beyond the lattice the machine's ray begins where it comes into the lattice; what it passes before is
+/// not looked for.
 bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
     if (at.parent < 0) return false;
     const MachineVisit& from = path_.visits[std::size_t(at.parent)];
-    if (!from.state.far) return false;
+    if (!from.state.far || at.ray.partial) return false;
     const Scene& scene = rules_.scene;
     if (own.primitive == no_primitive || own.primitive < scene.triangles.size() + scene.spheres.size())
         return false;
@@ -213,9 +213,22 @@ RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
     return hit;
 }
 
-RefClosest Guide::met(const RefPath& path, const RefClosest& own) {
+/// A ray that passes by the lattice as the machine sends it: its origin has lost its last far_drop bits.
+RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
+    const int frac = rules_.asked.config.origin_frac() - far_drop;
+    RefPath moved = path;
+    moved.from = point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, frac);
+    if (chord(moved.from, path.from) > 1.7320509 * std::exp2(-frac) * step() * (1 + tie_size))
+        fail("a ray that passes by the lattice begins at another point");
+    return moved;
+}
+
+RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
     const MachineVisit* at = visit();
     const Scene& scene = rules_.scene;
+    const bool is_far = at && at->ray.partial;
+    const RefPath path = is_far ? from_far(sent, *at) : sent;
+    const RefClosest own = is_far ? rules_.reference.geometry().closest(path) : closest;
     if (!at) {   // the machine sent no ray: it passes by the lattice, and takes the background
         const bool is_plane = own.primitive >= scene.triangles.size() + scene.spheres.size();
         if (own.primitive == no_primitive) return own;
@@ -433,15 +446,15 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
     return look(path) || any_moved(path, look);
 }
 
-/// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies: what is seen
-/// through a plane that transmits may have another light (docs/origins.md, Points of a plane beyond the
-/// lattice).
+/// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies, and of a
+/// pane the path: what is seen through another plane that transmits may have another light (docs/origins.md,
+/// Points of a plane beyond the lattice).
 bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
                                      const MachineVisit& at) const {
     const Scene& scene = rules_.scene;
-    const bool transmits = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
-        return scene.materials[plane.material].transmit > 0;
-    });
+    const auto transmitting =
+        std::count_if(scene.planes.begin(), scene.planes.end(),
+                      [&](const Plane& plane) { return scene.materials[plane.material].transmit > 0; });
     const bool is_beyond = rules_.asked.frame.shade.near[light] == 0;
     if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
     if (at.state.far && is_beyond && !at.lights[light].is_lit) {
@@ -455,7 +468,7 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
     });
     if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
-    if (!transmits || (!at.state.far && !is_beyond)) return false;
+    if (transmitting <= rules_.asked.config.panes || (!at.state.far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
         return primitive >= scene.triangles.size() + scene.spheres.size();
@@ -559,6 +572,8 @@ bool Guide::goes(RefBounce& bounce) {
     const bool is_side_close = std::abs(side) <= error;
     if (child == MachineVisit::none) {
         if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // by the lattice: met() looks
+            if (rules_.asked.config.horizon && !at->state.lost)
+                fail("a bounce beyond the lattice is not sent");
             if (!own) tie();
             return true;
         }

@@ -12,8 +12,9 @@
 // the machine, and the step is counted:
 //   tie      a ray moved by 2^-34 of its length, or a quantity within its stated bound, gives the machine's
 //            answer
-//   horizon  a bounce from a point of a plane beyond the lattice meets another plane there: the machine does
-//            not look for it (docs/origins.md, Points of a plane beyond the lattice)
+//   horizon  a bounce from a point of a plane beyond the lattice meets another plane before it comes into
+//            the lattice, or lies too far away to be said (docs/origins.md, Points of a plane beyond the
+//            lattice)
 //   seam     two levels: the instance sees a ray that was rounded for it (seam.hpp)
 // Anything else is a fault.
 #include <optional>
@@ -89,6 +90,7 @@ private:
     RefClosest as_machine(const RefPath& path, const MachineVisit& at);
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;
+    RefPath from_far(const RefPath& path, const MachineVisit& at);
     RefPath from_own(const RefPath& path, double distance) const;
     double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
     bool are_doubles(std::uint32_t a, std::uint32_t b) const;

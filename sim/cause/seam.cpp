@@ -120,11 +120,12 @@ Seams::Met Seams::first_on(const Line& line, const Question& question) const {
     Met first{nowhere, question.end};
     for (std::uint32_t place = 0; place < maps_.size(); ++place) {
         Met met;
+        const auto asks = question.ray.ray.asks;
         if (is_line_of(line, place) || place == question.left) {
             if (question.ends_at_any) continue;   // nothing is in the way there: else there is no question
             met = met_exactly(place, question);
-        } else {
-            met = met_by_line(line, place, question.ray.ray.finite);
+        } else if (asks != oracle::SolidRay::Asks::planes) {
+            met = met_by_line(line, place, asks == oracle::SolidRay::Asks::bounded);
         }
         if (met.place == nowhere) continue;
         const double gain = place == question.answer.place         ? -same_place

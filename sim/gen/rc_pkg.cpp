@@ -208,6 +208,7 @@ void derived(Package& p, const Config& c) {
     p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("CornerBits", corner_bits);
+    p.constant("FarDrop", far_drop);
     p.constant("ShineFrac", shine_frac);
     p.constant("ShineBits", shine_bits);
     p.constant("IndexFrac", index_frac);

@@ -118,7 +118,12 @@ const char* no_place(const Closest& answer) {
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
     const auto kind = RayKind(ray.kind);
-    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.inside != 0, ray.finite != 0};
+    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.inside != 0};
+    if (ray.partial != 0 && ends_at_any(ray.kind)) r.asks = SolidRay::Asks::bounded;
+    if (ray.partial != 0 && kind == RayKind::bounce) {   // its origin has lost bits: docs/origins.md
+        r.asks = SolidRay::Asks::planes;
+        r.frac -= light_reach + 1;
+    }
     if (kind != RayKind::camera) r.self = ray.self;
     if (kind == RayKind::shadow) {
         for (std::int32_t& o : r.origin) o >>= c.origin_frac();

@@ -22,7 +22,7 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
     ray_number_ = 0;
     fresh_ = true;
     expected_ = {};
-    branch_ = {{}, one, 0, {1, 1}};
+    branch_ = {{}, one, 0, 0, {1, 1}};
     waiting_.clear();
     lit_if_free_ = lit_ = false;
     colour_ = sum_ = most_ = {};
@@ -49,7 +49,7 @@ void PathJudge::sent(const Ray& ray) {
         ++rays_.primary;
     } else {
         demand(ray.o == expected_.o && ray.d == expected_.d, "the ray is not the one that was asked for");
-        demand((ray.finite != 0) == expected_.is_finite,
+        demand((ray.partial != 0) == expected_.is_partial,
                "the ray asks planes where it must not, or the other way round");
         demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
                "the ray leaves another surface than was asked for");
@@ -108,6 +108,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
     demand(
         out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight,
         "a ray's weight or depth was lost");
+    demand(out.state.cell == branch_.cell, "a path is on the other side of a plane");
     demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
     last_ = out.state;
     fresh_ = false;
@@ -148,6 +149,7 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
            "another ray waited");
     demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
            "another ray waited");
+    demand(in.top.cell == branch_.cell && (in.top.partial != 0) == ray.is_partial, "another ray waited");
     expect_spawn(out, ray);
     demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
@@ -176,7 +178,7 @@ void PathJudge::end_sample(const PassOut& out) {
         sample_ = done;
         colour_ = {};
         exact_ = {};
-        branch_ = {{}, one, 0, {1, 1}};
+        branch_ = {{}, one, 0, 0, {1, 1}};
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");

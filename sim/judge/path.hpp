@@ -66,7 +66,7 @@ private:
         RayKind kind = RayKind::camera;
         Vec3i o{}, d{};
         std::uint32_t self = 0, inside = 0;
-        bool is_finite = false, is_refracted = false;
+        bool is_partial = false, is_refracted = false;
         Home home{};
     };
     /// The bounce under way, or one that waits: what its colour counts, and how deep it is.
@@ -74,13 +74,15 @@ private:
         Expected ray;
         std::uint32_t weight = 0;
         std::uint32_t depth = 0;
-        Range exact{1, 1};   ///< its weight from the materials, not rounded
+        std::uint32_t cell = 0;   ///< the panes between it and the eye, a bit each
+        Range exact{1, 1};        ///< its weight from the materials, not rounded
     };
     /// Where the last bounce met a surface: as the chip has it, and the truth.
     struct Place {
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
+        std::uint32_t pane = 0;               ///< its bit in a cell
         double ratio = 1;                     ///< of the refractive indices, on the ray's side over the other
         double normal_error = vector_error;   ///< of the chip's unit normal
         /// Of a product of the normal with another unit vector.
@@ -107,6 +109,11 @@ private:
     void judge_vectors(const PassIn& in, const ShadeState& s, const Vec3l& toward);
     Colour expected_albedo(const Surface& surface) const;
     std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d) const;
+    struct Start {
+        Vec3i o{};
+        bool is_beyond = false;   ///< of the lattice: it asks planes alone
+    };
+    std::optional<Start> bounce_start_of(const ShadeState& s, const Vec3i& d, bool through) const;
     void demand_lights(const ShadeState& s);
     void turn(const PassIn& in, const PassOut& out);
     Vec3i point_at(const PassIn& in) const;
@@ -149,7 +156,7 @@ private:
     Weight weight_of(const Share& share) const;
     bool follows(const Weight& weight);
     std::int32_t direction_component(Int128 unit) const;
-    Branch bounce(const ShadeState& s, const Weight& weight, const Vec3i& start, const Vec3i& d,
+    Branch bounce(const ShadeState& s, const Weight& weight, const Start& start, const Vec3i& d,
                   bool through) const;
 
     void pop(const PassIn& in, const PassOut& out);

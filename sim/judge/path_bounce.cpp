@@ -32,12 +32,13 @@ Bend promised_bend(const ShadeState& s) {
 
 }   // namespace
 
-PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, const Vec3i& start,
+PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, const Start& start,
                                     const Vec3i& d, bool through) const {
-    return {{RayKind::bounce, start, d, s.self, s.inside ^ std::uint32_t(through), false, through,
+    return {{RayKind::bounce, start.o, d, s.self, s.inside ^ std::uint32_t(through), start.is_beyond, through,
              rules_.placed ? home_of(s, d) : Home{}},
             weight.promised,
             branch_.depth + 1,
+            through ? branch_.cell ^ place_.pane : branch_.cell,
             weight.exact};
 }
 
@@ -96,7 +97,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     const std::int32_t quarter = std::int32_t(std::exp2(config_.dir_bits - 2)) / 4;
     if (rules_.placed && std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < quarter)
         return demand(!out.push, "a refracted ray is sent that is too short");
-    const std::optional<Vec3i> start = start_of(s, d);
+    const std::optional<Start> start = bounce_start_of(s, d, true);
     if (!start) {
         background(weight.promised, weight.exact);
         return demand(!out.push, "a ray is sent that passes by the lattice");
@@ -104,7 +105,9 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     demand(out.push, "a refracted ray is missing");
     waiting_.push_back(bounce(s, weight, *start, d, true));
     const Expected& ray = waiting_.back().ray;
-    const Waiting expected{ray.o, ray.d, weight.promised, branch_.depth + 1, ray.self, ray.inside, ray.home};
+    const Waiting expected{ray.o,    ray.d,      weight.promised,      branch_.depth + 1,
+                           ray.self, ray.inside, waiting_.back().cell, ray.is_partial,
+                           ray.home};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");
 }
@@ -127,7 +130,7 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
     });
     judge_reflected(d);
     const bool due = follows(weight) && dot(s.n, is_turned() ? home_of(s, d).d : d) > 0;
-    const std::optional<Vec3i> start = start_of(s, d);
+    const std::optional<Start> start = bounce_start_of(s, d, false);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);
         demand(out.leave == PassOut::Leave::again && ShadeEvent(out.state.event) == ShadeEvent::pop,

@@ -69,6 +69,10 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         place_.surface.normal = in.surface.normal;
     }
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
+    place_.pane =
+        place_.surface.kind == std::uint32_t(PrimKind::plane) ? pane_bit(rules_.asked, answer_.prim) : 0;
+    demand(s.across == (branch_.cell ^ place_.pane),
+           "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
     ambient(s);
     if (rules_.placed) {
@@ -282,7 +286,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     });
     if (rules_.placed) ray.home = to_the_point ? home_from(s, from) : home_of(s, ray.d);
     const Int128 side = dot(s.n, way_of(ray)) * (near ? -1 : 1);
-    const bool clear = frame_.shade.clear[number] != 0;
+    const bool clear = frame_.shade.clear[number] != 0 && frame_.shade.cell[number] == branch_.cell;
     if (side <= 0 || out.light.cosine == 0 || (place_.is_far && !clear)) {
         // A cosine that is rounded to nothing may have been a little more.
         if (side > 0 && out.light.cosine == 0)
@@ -301,7 +305,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
         return;
     }
     ray.o = near ? from : *start;
-    ray.is_finite = config_.planes && !to_the_point && clear;
+    ray.is_partial = config_.planes && !to_the_point && clear;
     lit_if_free_ = true;
     expect_spawn(out, ray);
 }
@@ -331,6 +335,21 @@ std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) co
         start[k] = std::int32_t(at);
     }
     return start;
+}
+
+/// The same of a bounce. One that passes by the lattice begins at the point as well as a lattice 2^far_drop
+/// times as coarse has it: the lattice's point next to it on the side to which the bounce leaves.
+std::optional<PathJudge::Start> PathJudge::bounce_start_of(const ShadeState& s, const Vec3i& d,
+                                                           bool through) const {
+    if (const std::optional<Vec3i> start = start_of(s, d)) return Start{*start, false};
+    if (!config_.horizon || place_.is_lost) return std::nullopt;
+    const Int128 coarse = Int128(1) << (light_reach + 1);
+    return Start{by_axis([&](std::size_t k) {
+                     const Int128 below = floor_of(s.o[k], coarse);
+                     const bool up = through ? s.n[k] < 0 : s.n[k] >= 0;
+                     return std::int32_t(up ? below + 1 : below);
+                 }),
+                 true};
 }
 
 /// Of a unit vector, as a direction of M bits.

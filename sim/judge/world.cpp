@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/accel/plane.hpp"
+#include "model/base/axes.hpp"
+#include "sim/judge/steps.hpp"
 
 namespace rayclock {
 
@@ -80,24 +82,33 @@ bool is_shut_in(const Asked& asked, const Vec3i& point) {
     return false;
 }
 
-/// No plane stands between the eye and the light, and the light is not shut into an opaque sphere. Where eye
-/// or light lies in a plane except for rounding, either is right.
-bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated) {
-    if (is_shut) return !stated;
-    if (!asked.scene.camera) return stated;
-    bool clear = true;
-    for (const Plane& plane : asked.scene.planes) {
+/// Which planes stand between the eye and the light; the light is not clear if one does that is no pane, if a
+/// plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except for
+/// rounding, either is right.
+bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
+                          std::uint32_t cell) {
+    if (!asked.scene.camera) return !is_shut == stated && cell == 0;
+    const std::size_t first = primitive_count(asked.scene) - asked.scene.planes.size();
+    bool clear = !is_shut, is_sure = true;
+    std::uint32_t panes = 0, unsure = 0;
+    for (std::size_t i = 0; i < asked.scene.planes.size(); ++i) {
+        const Plane& plane = asked.scene.planes[i];
+        const std::uint32_t pane = pane_bit(asked, first + i);
         const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point,
                          to_light = light - plane.point;
         // By so much may the lattice move them and turn the plane.
         const double turn = std::exp2(6 - asked.config.coord_bits), step = 2 * asked.lattice.coarsest();
         const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light), size = glm::length(n);
         if (std::abs(eye) <= size * (step + turn * glm::length(to_eye)) ||
-            std::abs(other) <= size * (step + turn * glm::length(to_light)))
-            return true;
-        clear = clear && (eye > 0) == (other > 0);
+            std::abs(other) <= size * (step + turn * glm::length(to_light))) {
+            is_sure = false;
+            unsure |= pane;
+        } else if ((eye > 0) != (other > 0)) {
+            panes |= pane;
+            clear = clear && pane != 0;
+        }
     }
-    return clear == stated;
+    return ((cell ^ panes) & ~unsure) == 0 && (clear == stated || (clear && !is_sure));
 }
 
 void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
@@ -114,8 +125,8 @@ void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
         const bool is_near = std::round(size) <= within;
         const Vec3i place{frame.place[3 * i], frame.place[3 * i + 1], frame.place[3 * i + 2]};
         bool good = (frame.near[i] != 0) == is_near &&
-                    is_clear_as_stated(asked, light.position, is_near && is_shut_in(asked, place),
-                                       frame.clear[i] != 0);
+                    is_between_as_stated(asked, light.position, is_near && is_shut_in(asked, place),
+                                         frame.clear[i] != 0, frame.cell[i]);
         for (std::size_t k = 0; k < 3; ++k) {
             good = good && std::abs(at[int(k)] * scale - frame.place[3 * i + k]) <= 0.5 + 1e-6;
             good = good && frame.colour[3 * i + k] ==
@@ -133,6 +144,26 @@ const Material& material_of(const Scene& scene, std::size_t i) {
                                  : i < triangles + spheres ? scene.spheres[i - triangles].material
                                                            : scene.planes[i - triangles - spheres].material;
     return scene.materials[number];
+}
+
+std::uint32_t pane_bit(const Asked& asked, std::size_t primitive) {
+    const std::vector<Plane>& planes = asked.scene.planes;
+    const std::size_t first = primitive_count(asked.scene) - planes.size();
+    std::vector<oracle::Corners> panes;
+    std::size_t pane = 0;
+    for (std::size_t i = first; i <= primitive; ++i) {
+        const PlaneOnLattice on = plane_on_lattice(planes[i - first], asked.lattice);
+        const auto holds = [&](const oracle::Corners& c, const Vec3i& p) {
+            const auto from_corner = by_axis([&](std::size_t k) { return std::int64_t(p[k]) - c.a[k]; });
+            return dot(from_corner, oracle::normal<std::int64_t>(c)) == 0;
+        };
+        for (pane = 0; pane < panes.size(); ++pane)
+            if (holds(panes[pane], on.a) && holds(panes[pane], on.b) && holds(panes[pane], on.c)) break;
+        const bool is_new = pane == panes.size() && pane < std::size_t(asked.config.panes);
+        if (is_new && asked.scene.materials[planes[i - first].material].transmit > 0)
+            panes.push_back({on.a, on.b, on.c});
+    }
+    return primitive >= first && pane < panes.size() ? std::uint32_t(1) << pane : 0;
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits) {

@@ -39,6 +39,10 @@ void snap_round(const Lattice& lattice, Scene& scene);
 
 const Material& material_of(const Scene& scene, std::size_t primitive);
 
+/// A plane's bit in the cell of a path: the first that transmit have one, as many as the chip has panes, and
+/// what lies in one of them after it has the same. 0 for all other primitives.
+std::uint32_t pane_bit(const Asked& asked, std::size_t primitive);
+
 /// Primitive i's surface: corners and material, each number the nearest that its format has. Corner normals
 /// are left out: holds_normals().
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,

@@ -143,6 +143,7 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {   // those beyond are there, and do not
                                                                      // shine
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
+        if (config.panes > 0) s.cell[i] = std::uint32_t(dice.below(1 << config.panes));
         const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));
         std::copy(place.begin(), place.end(), s.place.begin() + std::ptrdiff_t(3 * i));
         for (std::size_t k = 0; k < 3; ++k)

@@ -86,6 +86,8 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
             s.normal[side] = dice.number(most_of(corner_bits));
             s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);
         }
+    if (s.kind == std::uint32_t(PrimKind::plane) && config.panes > 0)
+        s.normal[4] = 1 << dice.below(config.panes);
     s.checkered = dice.percent(50), s.schlick = dice.percent(30);
     s.colour = dice.colour(share_bits), s.other = dice.colour(share_bits);
     s.ambient = dice.share(share_bits), s.diffuse = dice.share(share_bits),

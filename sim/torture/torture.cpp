@@ -20,14 +20,15 @@ int meshes_of(Structure structure) {
 Config shading_chip() {
     Config c;
     c.coord_bits = 14, c.dir_bits = 16, c.t_frac_bits = 3, c.recip_bits = 12, c.box_bits = 5,
-    c.bary_bits = 12, c.origin_bits = 8;
+    c.bary_bits = 12, c.origin_bits = far_drop;   // as few as a bounce beyond the lattice may have
     c.node_width = 4, c.leaf_size = 2, c.contexts = 8, c.stack_depth = 16, c.pipelines = 2, c.tile_bits = 1;
     c.raygen_queue = 2, c.box_queue = 2, c.tri_queue = 4, c.shade_queue = 4, c.cache_queue = 2;
     c.node_sets = 2, c.node_ways = 2, c.node_line = 128, c.node_mshrs = 2;
     c.prim_sets = 2, c.prim_ways = 4, c.prim_line = 64, c.prim_mshrs = 4;
     c.surf_sets = 2, c.surf_ways = 2, c.surf_line = 256, c.surf_mshrs = 2;
     c.l2_sets = 4, c.l2_ways = 4, c.l2_line = 128, c.l2_mshrs = 4;
-    c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.supersampling = 1;
+    c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.horizon = c.supersampling = 1;
+    c.panes = 2;
     c.lights = 5, c.bounces = 5, c.addr_bits = 9, c.prim_bits = 10, c.pixel_bits = 7;
     return c;
 }

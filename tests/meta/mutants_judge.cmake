@@ -38,8 +38,10 @@ mutant(judge_refracted_ray_stays_outside FILE model/shade/pass.cpp TEST simulate
   OLD [[s.inside ^ std::uint32_t(through)]]
   NEW [[s.inside + 0 * through]])
 mutant(judge_depth_is_counted_twice FILE model/shade/pass.cpp TEST simulate "mirrors --depth 2"
-  OLD [[found.weight, s.depth + 1, s.self]]
-  NEW [[found.weight, s.depth + 2, s.self]])
+  OLD [[            s.depth + 1,
+]]
+  NEW [[            s.depth + 2,
+]])
 mutant(judge_reflected_ray_is_not_sent FILE model/shade/pass.cpp TEST simulate "mirrors --depth 2"
   OLD [[return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;]]
   NEW [[return s.mirror > 8192 ? ShadeEvent::pop : ShadeEvent::reflect;]])
@@ -166,7 +168,20 @@ mutant(judge_far_light_asks_planes FILE model/shade/pass.cpp TEST simulate "sphe
   OLD [[c.planes && !to_the_point && clear;]]
   NEW [[false;]])
 mutant(judge_finite_ray_meets_planes FILE model/isect/any.cpp TEST simulate "scenes/pebble.json --depth 1"
-  OLD [[if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;]]
+  OLD [[if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
+  NEW [[]])
+mutant(judge_far_bounce_rounded_down FILE model/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[(s.o[k] >> far_drop) + ((s.n[k] < 0) == through)]]
+  NEW [[s.o[k] >> far_drop]])
+mutant(judge_far_bounce_meets_what_has_an_end FILE model/isect/any.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[    if (is_far(ray)) return;
+]]
+  NEW [[]])
+mutant(judge_path_goes_back_to_the_eye_s_cell FILE model/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;]]
+  NEW [[s.weight = ray.weight, s.depth = ray.depth, s.cell = 0;]])
+mutant(judge_lights_all_in_the_eye_s_cell FILE model/accel/surfaces.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[if (other) found.cell |= panes[i];]]
   NEW [[]])
 mutant(judge_far_mirror_is_black FILE model/shade/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[    if (!start) return see_background(s, found.weight, frame);

@@ -157,8 +157,20 @@ mutant(model_approach_without_the_last_bit FILE model/shade/approach.cpp TEST un
   OLD [[step >= 0; --step]]
   NEW [[step > 0; --step]])
 mutant(model_plane_asked_by_a_finite_ray FILE model/isect/any.cpp TEST unit [far]
-  OLD [[if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;]]
+  OLD [[if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
   NEW [[]])
+mutant(model_far_bounce_begins_below_its_plane FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[((s.n[k] < 0) == through)]]
+  NEW [[((s.n[k] < 0) != through)]])
+mutant(model_light_clear_in_every_cell FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[frame.shade.clear[index] != 0 && frame.shade.cell[index] == s.cell;]]
+  NEW [[frame.shade.clear[index] != 0;]])
+mutant(host_plane_in_a_pane_is_a_pane_of_its_own FILE model/accel/surfaces.cpp TEST system [panes]
+  OLD [[[&](const PlaneOnLattice& p) { return coincide(p, on); }]]
+  NEW [[[&](const PlaneOnLattice&) { return false; }]])
+mutant(host_lattice_without_room_beyond_mirrors FILE model/accel/plane.cpp TEST system [panes]
+  OLD [[return m.transmit > 0 || m.mirror > 0;]]
+  NEW [[return m.transmit > 0;]])
 mutant(model_far_glass_is_black FILE model/shade/pass.cpp TEST unit [far]
   OLD [[    if (!start) return see_background(s, found.weight, frame);
     out.push = true;]]

@@ -58,14 +58,14 @@ mutant(sched_loses_a_colour FILE rtl/sched/rc_sched.sv TEST unit [sched][shading
 
 # ---- tri of a chip that shades: rays that leave surfaces, rays from and to lights, planes, spheres.
 mutant(edges_fraction_forgotten FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
-  OLD [[det_q <= dot_leaves ? det_sum <<< B : det_sum;]]
-  NEW [[det_q <= dot_leaves && 1'b0 ? det_sum <<< B : det_sum;]])
+  OLD [[dot_leaves ? det_sum <<< B : det_sum;]]
+  NEW [[dot_leaves && 1'b0 ? det_sum <<< B : det_sum;]])
 mutant(edges_plane_has_edges FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[&& (end_plane || (end_u_neg]]
   NEW [[&& ((end_plane && 1'b0) || (end_u_neg]])
 mutant(tri_end_of_the_way_blocks FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
-  OLD [[in_first    = in.prim <= in.best_prim && !in_any;]]
-  NEW [[in_first    = in.prim <= in.best_prim || in_any;]])
+  OLD [[in.prim <= in.best_prim && !in_any && !in_skips;]]
+  NEW [[in.prim <= in.best_prim || in_any;]])
 mutant(hitdiv_negative_rounded_up FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left} : u_size;]]
   NEW [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left || 1'b1} : u_size;]])
@@ -187,7 +187,7 @@ mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])
 mutant(turnout_far_glass_is_traced FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[refracted && starts,]]
+  OLD [[refracted && (starts || beyond),]]
   NEW [[refracted,]])
 mutant(turnout_far_light_behind_a_plane_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[&& (!far || light_clear_i);]]
@@ -196,8 +196,8 @@ mutant(turnout_lost_point_asks_its_light FILE rtl/shade/rc_turnout.sv TEST unit 
   OLD [[light_near_i ? !was_i.is_lost : starts;]]
   NEW [[light_near_i || starts;]])
 mutant(turnout_far_light_asks_planes FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[is_light && !to_point && light_clear_i;]]
-  NEW [[is_light && !light_near_i && light_clear_i;]])
+  OLD [[is_light ? !to_point && light_clear_i :]]
+  NEW [[is_light ? !light_near_i && light_clear_i :]])
 mutant(light_far_point_is_turned_round FILE rtl/shade/rc_light.sv TEST unit [pass][all]
   OLD [[s15_near ? -wide : wide;]]
   NEW [[wide;]])
@@ -212,8 +212,38 @@ mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
 mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv
   TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
-  OLD [[assign in_skips = in_plane && in.is_finite;]]
-  NEW [[assign in_skips = 1'b0;]])
+  OLD [[in.is_partial && (in_plane ? in_any : in_far);]]
+  NEW [[in.is_partial && !in_plane && in_far;]])
+mutant(tri_far_ray_meets_triangles FILE rtl/isect/rc_tri.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[in.is_partial && (in_plane ? in_any : in_far);]]
+  NEW [[in.is_partial && in_plane && in_any;]])
+mutant(tri_far_ray_meets_spheres FILE rtl/isect/rc_tri.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[assign in_own        = in_far
+]]
+  NEW [[assign in_own        = 1'b0
+]])
+mutant(edges_far_origin_is_near FILE rtl/isect/rc_edges.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[(s0_far_i ? Far : B)]]
+  NEW [[B]])
+mutant(edges_far_distance_is_near FILE rtl/isect/rc_edges.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[dot_far ? det_sum <<< Far : ]]
+  NEW [[]])
+mutant(turnout_far_ray_rounded_down FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[ + P'(up_i[k]);]]
+  NEW [[;]])
+mutant(turnout_cell_is_kept_by_what_waits FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[if (is_pop) sided.in_cell = top_i.in_cell;]]
+  NEW [[]])
+mutant(light_is_clear_in_every_cell FILE rtl/shade/rc_light.sv TEST unit [pass][all]
+  OLD [[clear[i] && cells[i*C +: C] == cell_here;]]
+  NEW [[clear[i];]])
+mutant(start_pane_is_no_border FILE rtl/shade/rc_start.sv TEST unit [pass][all]
+  OLD [[state_i.in_cell ^ pane;]]
+  NEW [[state_i.in_cell;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])

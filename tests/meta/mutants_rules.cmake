@@ -121,6 +121,24 @@ mutant(rule_hidden_lights_count FILE model/shade/pass.cpp TEST simulate "spheres
   FILE2 sim/judge/path.cpp
   OLD2 [[(lit_if_free_ && !answer_.found)]]
   NEW2 [[lit_if_free_]])
+mutant(rule_panes_are_no_borders FILE model/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[s.across = s.cell ^ pane_of(in.surface, c);]]
+  NEW [[s.across = s.cell;]]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[pane_bit(rules_.asked, answer_.prim) : 0;]]
+  NEW2 [[0 : 0;]])
+mutant(rule_far_bounces_take_the_background FILE model/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[if (!c.horizon || s.lost) return std::nullopt;]]
+  NEW [[return std::nullopt;]]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[if (!config_.horizon || place_.is_lost) return std::nullopt;]]
+  NEW2 [[return std::nullopt;]])
+mutant(rule_far_bounces_begin_on_the_other_side FILE model/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+  OLD [[((s.n[k] < 0) == through)]]
+  NEW [[((s.n[k] < 0) != through)]]
+  FILE2 sim/judge/path_surface.cpp
+  OLD2 [[through ? s.n[k] < 0 : s.n[k] >= 0;]]
+  NEW2 [[through ? s.n[k] >= 0 : s.n[k] < 0;]])
 mutant(rule_far_points_see_all_lights FILE model/shade/pass.cpp TEST simulate "scenes/pebble.json --depth 1 | spheres --depth 1"
   OLD [[if (!found.counts || (s.far && !clear)) return;]]
   NEW [[if (!found.counts || s.far) return;]]

@@ -23,7 +23,7 @@ struct Finished {
 /// All scenes run on the RTL with all units: one build for each configuration.
 Config with_all_units(Config config, const Whitted& settings) {
     Scene everything;
-    everything.spheres.resize(1), everything.planes.resize(1), everything.normals.resize(1),
+    everything.spheres.resize(1), everything.planes.resize(2), everything.normals.resize(1),
         everything.lights.resize(8);
     everything.materials.resize(1);
     everything.materials[0].transmit = 1;

@@ -107,11 +107,12 @@ TEST_CASE("from as far as shade can say every ray to what has an end comes in be
     }
 }
 
-TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or show the background",
+TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or ask planes alone",
           "[far]") {
-    const Config c = shaded_format("all");
+    Config c = shaded_format("all");
+    c.horizon = GENERATE(0, 1);
     Draw draw{4};
-    int sent[2]{}, shown[2]{}, light = 0;
+    int sent[2]{}, shown[2]{}, past[2]{}, light = 0;
     for (int i = 0; i < 40000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in;
@@ -125,13 +126,21 @@ TEST_CASE("bounces from beyond the lattice are sent from where they come into it
         const PassOut out = pass(in, frame, c);
         const bool seen = ray.goes && 2 * ray.weight + 3 * (s.depth + 1) >= frame.shade.threshold;
         const auto entry = s.lost ? std::nullopt : entry_of(s.o, ray.d, c);
-        const bool goes = seen && entry;
+        const bool goes = seen && !s.lost && (entry || c.horizon);
         REQUIRE((through ? out.push : out.leave == PassOut::Leave::spawn) == goes);
         if (goes) {
             const Vec3i& o = through ? out.pushed.o : out.spawn.o;
-            REQUIRE((Vec3l{o[0], o[1], o[2]} == *entry && (through ? out.pushed.d : out.spawn.d) == ray.d));
+            REQUIRE((through ? out.pushed.d : out.spawn.d) == ray.d);
+            REQUIRE((through ? out.pushed.partial : out.spawn.partial) == !entry);
+            if (entry) REQUIRE(Vec3l{o[0], o[1], o[2]} == *entry);
+            // Otherwise the nearest points of the coarse lattice, on the side to which the ray leaves.
+            for (std::size_t k = 0; k < 3 && !entry; ++k) {
+                const std::int64_t off = (std::int64_t(o[k]) << far_drop) - s.o[k];
+                REQUIRE(std::abs(off) <= 1 << far_drop);
+                REQUIRE((through ? -1 : 1) * Wide(off) * s.n[k] >= 0);
+            }
         }
-        ++(goes ? sent[through] : seen ? shown[through] : light);
+        ++(goes ? (entry ? sent : past)[through] : seen ? shown[through] : light);
         for (std::size_t k = 0; k < 3; ++k) {
             const double more =
                 seen && !goes ? ray.weight / 65536.0 * (frame.shade.background[k] / 65536.0) : 0;
@@ -139,7 +148,38 @@ TEST_CASE("bounces from beyond the lattice are sent from where they come into it
                     (seen && !goes ? 0.5 / 65536 : 0));
         }
     }
-    REQUIRE((sent[0] > 1000 && sent[1] > 500 && shown[0] > 1000 && shown[1] > 500 && light > 1000));
+    REQUIRE((sent[0] > 1000 && sent[1] > 500 && light > 1000));
+    for (const int through : {0, 1}) {
+        REQUIRE(shown[through] > (c.horizon ? 100 : 500));
+        REQUIRE((past[through] > 500) == (c.horizon != 0));
+    }
+}
+
+TEST_CASE("what a path sees through a pane lies in another cell, until it comes back through it", "[far]") {
+    const Config c = shaded_format("broad");
+    Draw draw{6};
+    int through_panes = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in = random_pass(draw, frame, c);
+        in.hit.found = 1, in.state.event = std::uint32_t(ShadeEvent::arrive);
+        const bool is_plane = in.surface.kind == std::uint32_t(PrimKind::plane);
+        const std::uint32_t pane = is_plane ? std::uint32_t(in.surface.normal[4]) : 0;
+        PassOut out = pass(in, frame, c);
+        REQUIRE(out.state.cell == in.state.cell);
+        REQUIRE(out.state.across == (in.state.cell ^ pane));
+
+        in.state = out.state, in.state.event = std::uint32_t(ShadeEvent::refract);
+        out = pass(in, frame, c);
+        REQUIRE(out.state.cell == in.state.cell);   // the reflected ray comes next
+        if (!out.push) continue;
+        REQUIRE(out.pushed.cell == (in.state.cell ^ pane));
+        through_panes += pane != 0;
+        in.state = out.state, in.state.event = std::uint32_t(ShadeEvent::pop), in.state.waiting = 1;
+        in.top = out.pushed;
+        REQUIRE(pass(in, frame, c).state.cell == out.pushed.cell);
+    }
+    REQUIRE(through_panes > 500);
 }
 
 TEST_CASE("lights ask what has an end for points beyond the lattice, unless a plane is in their way",
@@ -158,7 +198,8 @@ TEST_CASE("lights ask what has an end for points beyond the lattice, unless a pl
         ShadeState judged = s;
         const LightOut found = light(frame, c, judged);
         const PassOut out = pass(in, frame, c);
-        const bool near = frame.shade.near[s.light] != 0, clear = frame.shade.clear[s.light] != 0;
+        const bool near = frame.shade.near[s.light] != 0,
+                   clear = frame.shade.clear[s.light] != 0 && frame.shade.cell[s.light] == s.cell;
         const auto entry = s.lost ? std::nullopt : entry_of(s.o, found.d, c);
         if (!found.counts || !clear) {
             REQUIRE(
@@ -171,7 +212,7 @@ TEST_CASE("lights ask what has an end for points beyond the lattice, unless a pl
         } else {
             REQUIRE(
                 (out.leave == PassOut::Leave::spawn && out.state.pending == std::uint32_t(Pending::answer)));
-            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.finite == 1));
+            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.partial == 1));
             double along = 0,
                    length = 0;   // towards the point from a light that is near, else towards the light
             for (std::size_t k = 0; k < 3; ++k) {
@@ -197,7 +238,7 @@ TEST_CASE("a ray that asks what has an end meets no plane", "[far]") {
     for (const PrimKind kind : {PrimKind::triangle, PrimKind::plane})
         for (const RayKind of : {RayKind::shadow, RayKind::away})
             for (const std::uint32_t finite : {0u, 1u}) {
-                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.finite = finite;
+                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.partial = finite;
                 TriRsp out;
                 any_test(ray, prim, {}, c, out);
                 CHECK(out.closer == !(finite && kind == PrimKind::plane));

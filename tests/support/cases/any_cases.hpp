@@ -21,6 +21,7 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     if (c.spheres)
         c.tri_queue = 64;   // the door lets a request in every cycle only if the queue is as long as the
                             // pipeline
+    c.horizon = c.planes && c.origin_bits >= far_drop;
     c.name = name + " " + kinds;
     return c;
 }
@@ -43,6 +44,8 @@ inline bool is_shadow(const TriReq& r) { return RayKind(r.kind) == RayKind::shad
 inline bool leaves(const TriReq& r) {
     return RayKind(r.kind) == RayKind::bounce || RayKind(r.kind) == RayKind::away;
 }
+/// From beyond the lattice: its origin counts 2^far_drop times as much, and it asks planes alone.
+inline bool is_far(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce && r.partial != 0; }
 inline bool is_sphere(const TriReq& r, const Config& c) {
     return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
 }
@@ -55,7 +58,7 @@ inline oracle::Place3 place(const Vec3i& p) {
 }
 inline oracle::Place3 origin_of(const TriReq& r, const Config& c) {
     oracle::Place3 o = place(r.o);
-    for (auto& x : o) x *= oracle::power_of_two(-c.origin_bits);
+    for (auto& x : o) x *= oracle::power_of_two((is_far(r) ? far_drop : 0) - c.origin_bits);
     return o;
 }
 inline oracle::Ball ball_of(const TriReq& r, const Config& c) {
@@ -66,6 +69,7 @@ inline std::optional<oracle::Crossing> flat_crossing(const TriReq& r, const Conf
     const PrimData& p = r.triangle;
     if (is_plane(r, c))
         return oracle::plane_crossing(origin_of(r, c), place(r.d), place(p.a), place(p.b), place(p.c));
+    if (is_far(r)) return std::nullopt;
     // Moved by (e, e^2, e^3), the origin may as well be moved so many steps of 2^-B: all in that unit.
     const auto scaled = [&](const Vec3i& v) {
         return oracle::Point{oracle::Int(v[0]) << c.origin_bits, oracle::Int(v[1]) << c.origin_bits,
@@ -106,6 +110,7 @@ inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c)
 }
 inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
+    if (is_far(r)) return oracle::Meets::no;
     if (is_opaque(r) && ((leaves(r) && r.self == r.triangle.prim) || ball.outside(0) <= 0))
         return oracle::Meets::no;
     if (leaves(r) && r.self == r.triangle.prim)
@@ -119,7 +124,7 @@ inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
     return back.outside(0) > 0 && oracle::between(back, end);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
-    if (r.finite && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
+    if (r.partial && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
     if (!is_shadow(r))
         return is_sphere(r, c) ? sphere_truth(r, c) != oracle::Meets::no : flat_crossing(r, c).has_value();
     const oracle::Rational end = oracle::power_of_two(-c.origin_bits);
@@ -158,9 +163,8 @@ inline void judge_flat(const TriReq& r, const TriRsp& alone, const Config& c) {
     if (!at) return judge_zeros(alone);
     REQUIRE(alone.prim == r.triangle.prim);
     REQUIRE(oracle::Rational(big(alone.num), big(alone.det)) == at->t);
-    REQUIRE(big(alone.det) == at->volume * (RayKind(r.kind) == RayKind::bounce
-                                                ? oracle::power_of_two(c.origin_bits)
-                                                : oracle::Rational(1)));
+    const int fraction = RayKind(r.kind) != RayKind::bounce ? 0 : c.origin_bits - (is_far(r) ? far_drop : 0);
+    REQUIRE(big(alone.det) == at->volume * oracle::power_of_two(fraction));
     REQUIRE(alone.t == std::min(oracle::ceil(at->t * unit_of(c)), most_t(c)));
     REQUIRE(alone.back == (side_of_ray(r) > 0));
     const oracle::Int size = oracle::Int(1) << (c.uv_bits() - 1);
@@ -272,7 +276,8 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     r.self = draw.percent(60) ? std::uint32_t(draw.natural(c.prim_bits)) : p.prim;
     r.inside = std::uint32_t(draw.coin());
     if (!c.spheres) r.self = r.inside = 0;
-    r.finite = c.planes && ends_at_any(r.kind) && draw.percent(30);
+    const bool is_bounce = RayKind(r.kind) == RayKind::bounce;
+    r.partial = c.planes && (ends_at_any(r.kind) || (is_bounce && c.horizon)) && draw.percent(30);
     // Where the ray goes through, in units of 2^-B: weights of the corners, or the centre and as far beside
     // it as it likes.
     Vec3l at{};
@@ -292,11 +297,14 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
                                 : draw.between(-1, 1) * (radius / draw.between(1, 4));
         if (draw.coin()) at[axis] += draw.between(-2, 2);
     }
+    if (is_far(r))
+        for (auto& x : at) x >>= far_drop;
     const auto point = [&](const Vec3l& v) {
         return Vec3i{clip(v[0], n + b), clip(v[1], n + b), clip(v[2], n + b)};
     };
     const auto lattice = [&](const Vec3i& v) { return scaled(v, b); };
     r.o = lattice(from);
+    if (is_far(r) && draw.coin()) r.o = draw.vector(n + b);
     if (leaves(r) && !draw.percent(10)) {
         if (draw.coin())
             r.o = point(at);   // from the primitive itself

@@ -40,6 +40,8 @@ inline Config shaded_format(const std::string& name) {
         c.coord_bits = 20, c.dir_bits = 22, c.recip_bits = 18, c.origin_bits = 10, c.bary_bits = 10,
         c.lights = 5;
     if (name == "short") c.coord_bits = 14, c.dir_bits = 14, c.origin_bits = 6;
+    c.panes = !c.refraction ? 0 : name == "all" ? 2 : name == "broad" ? max_panes : 1;
+    c.horizon = c.origin_bits >= far_drop && name != "narrow";
     check_config(c, name);
     return c;
 }
@@ -57,6 +59,11 @@ inline Vec3i draw_unit(Draw& draw) {
     return unit_vector(v);
 }
 
+/// Sides of the panes; mostly none is crossed, so that a light's are often the path's.
+inline std::uint32_t random_cell(Draw& draw, const Config& c) {
+    return c.panes == 0 || draw.coin() ? 0 : std::uint32_t(draw.natural(c.panes));
+}
+
 inline Frame random_shade_frame(Draw& draw, const Config& c) {
     Frame frame;
     ShadeFrame& s = frame.shade;
@@ -72,6 +79,7 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     s.lights = std::uint32_t(draw.between(draw.percent(10) ? 0 : 1, c.lights));
     for (std::size_t i = 0; i < std::size_t(c.lights); ++i) {
         s.near[i] = draw.coin(), s.clear[i] = draw.percent(80);
+        s.cell[i] = random_cell(draw, c);
         for (std::size_t k = 0; k < 3; ++k) {
             s.place[3 * i + k] = std::int32_t(draw.number(s.near[i] ? c.coord_bits : c.light_bits()));
             s.colour[3 * i + k] = std::uint32_t(draw.natural(strength_bits));
@@ -107,6 +115,7 @@ inline Surface random_surface(Draw& draw, const Config& c) {
         for (std::size_t side = 0; side < 2; ++side)
             s.normal[side] = std::int32_t(draw.number(corner_bits)),
             s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
+        s.normal[4] = draw.coin() && c.panes > 0 ? 1 << draw.below(c.panes) : 0;
     }
     s.checkered = draw.coin(), s.schlick = draw.coin();
     s.colour = shares_up_to(draw, share_bits), s.other = shares_up_to(draw, share_bits);
@@ -191,6 +200,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.shine = std::uint32_t(draw.natural(draw.between(1, shine_bits)));
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
+    s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
     s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
@@ -223,6 +233,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
         in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
+        in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
     }
     if (c.has_homes()) {
         in.placement = pass_placement(draw, c, in.state);

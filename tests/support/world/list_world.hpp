@@ -195,7 +195,7 @@ private:
     void check_test(const TriReq& req) const {
         const LeafWalk& walk = contexts_[prim_->ray].walk;
         TriReq expected{walk.ray.ray,   walk.ray.o,    walk.ray.d,    prim_->triangle, {},
-                        walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.finite};
+                        walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.partial};
         if (walk.found.closer) expected.best = {1, walk.found.num, walk.found.det, walk.found.prim};
         REQUIRE(same(req, expected, config_));
     }
