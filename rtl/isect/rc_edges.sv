@@ -5,7 +5,7 @@
 // multipliers (rc_mul_shared). Model: tri_test() in model/isect/tri.cpp.
 //
 // If the chip shades, origins have B fraction bits, and of rays that leave a surface u, v,
-// num and det are in units of 2^-B, of those that begin far beyond the lattice of 2^(FarDrop - B). A
+// num and det are in units of 2^-B; of those that begin beyond the lattice, of 2^(FarDrop - B). A
 // plane is a triangle whose edges do not count: u and v
 // may then be negative, and are given as magnitude and sign. Model: flat_test() in
 // model/isect/any.cpp.

@@ -385,7 +385,7 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[L], moves, goes, in_flat, in_leaves, in_plane, in_sphere,
-                    pre_back};
+  assign unused = ^{queue_ready, valid[L], moves, goes, in_flat, in_leaves, in_far, in_plane,
+                    in_sphere, pre_back};
 endmodule
 `default_nettype wire

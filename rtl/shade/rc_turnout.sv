@@ -303,7 +303,8 @@ module rc_turnout #(
   end else begin : gen_top_whole
     assign top_partial = 1'b0;
   end
-  assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial : is_reflect && beyond;
+  assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial
+                 : is_reflect && beyond;
   localparam int unsigned GivenW = 3 * P + 3 * D;
   localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
   localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);

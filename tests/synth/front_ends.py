@@ -52,6 +52,11 @@ STRUCTURES = [
     "small levels=2 structure=spheres mesh_structure=bvh timing=fast",
     "small levels=2 structure=bvh mesh_structure=bsp shading=1 timing=fast",
 ]
+BEYOND_THE_LATTICE = [
+    "default shading=1 spheres=1 planes=1 refraction=1 panes=2 horizon=1",
+    "small timing=fast shading=1 planes=1 horizon=1 shade_interval=4 raygen_queue=32 shade_queue=64",
+    "small levels=2 shading=1 planes=1 refraction=1 panes=4",
+]
 SHAPES = [
     "small pipelines=2 l2_sets=4 prim_line=128 shading=1",
     "small contexts=1 cache_queue=2 node_sets=1 node_ways=1 node_mshrs=1 prim_sets=1 prim_ways=1 prim_mshrs=1 l2_sets=1 l2_ways=1 l2_mshrs=1",
@@ -60,7 +65,7 @@ SHAPES = [
 ]
 
 
-ALL = NAMED + ENGINES + LEVELS + STRUCTURES + INTERVALS + SHAPES
+ALL = NAMED + ENGINES + LEVELS + STRUCTURES + INTERVALS + BEYOND_THE_LATTICE + SHAPES
 FEW = ["small", STRUCTURES[0]]
 OWN_TOOLS = "build/front-ends/bin"   # in the project's folder
 
