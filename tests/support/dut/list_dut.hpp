@@ -41,7 +41,7 @@ public:
             const Ray& r = rays_[prim_rsp.offer->ray];
             tri_req.offer = TriReq{
                 r.ray,  r.o,      r.d,     prim_rsp.offer->triangle, tests_[r.ray].best(), r.shear, r.kind,
-                r.self, r.inside, r.finite};
+                r.self, r.inside, r.partial};
         }
         done.ready = closest.ready;
         closest.offer.reset();
