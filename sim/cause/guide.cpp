@@ -171,7 +171,7 @@ bool Guide::has_double(std::uint32_t primitive) const {
 }
 
 bool Guide::is_shaded_by_double(const RefPath& path, double distance) const {
-    if (path.left == no_primitive) return false;
+    if (!has_double(path.left)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return !blockers.empty() && std::all_of(blockers.begin(), blockers.end(),
                                             [&](std::uint32_t b) { return are_doubles(path.left, b); });
