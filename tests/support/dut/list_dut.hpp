@@ -40,7 +40,7 @@ public:
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
             tri_req.offer = TriReq{
-                r.ray,  r.o,      r.d,     prim_rsp.offer->triangle, tests_[r.ray].best(), r.shear, r.kind,
+                r.ray,  r.o,      r.d,      prim_rsp.offer->triangle, tests_[r.ray].best(), r.shear, r.kind,
                 r.self, r.inside, r.partial};
         }
         done.ready = closest.ready;
