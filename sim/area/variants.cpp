@@ -49,7 +49,7 @@ Config all_units(Config c) {
 
 std::vector<Variant> variants_of(const Config& base) {
     std::vector<Variant> all{{"hits", base}, {"shading", shading_alone(base)}};
-    all[0].config.shading = 0;
+    all[0].config.shading = all[0].config.panes = all[0].config.horizon = 0;
     for (int Config::*unit : further) {
         all[0].config.*unit = 0;
         all.push_back({std::string("shading, ") + key_of(unit), shading_alone(base)});

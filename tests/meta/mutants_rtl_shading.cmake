@@ -224,26 +224,26 @@ mutant(tri_far_ray_meets_spheres FILE rtl/isect/rc_tri.sv
 ]]
   NEW [[assign in_own        = 1'b0
 ]])
-mutant(edges_far_origin_is_near FILE rtl/isect/rc_edges.sv
+mutant(edges_far_plane_twice_as_far FILE rtl/isect/rc_edges.sv
   TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[(s0_far_i ? Far : B)]]
-  NEW [[B]])
-mutant(edges_far_distance_is_near FILE rtl/isect/rc_edges.sv
+  NEW [[(s0_far_i ? Far + 1 : B)]])
+mutant(edges_far_distance_halved FILE rtl/isect/rc_edges.sv
   TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[dot_far ? det_sum <<< Far : ]]
-  NEW [[]])
+  NEW [[dot_far ? det_sum <<< (Far + 1) : ]])
 mutant(turnout_far_ray_rounded_down FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[ + P'(up_i[k]);]]
-  NEW [[;]])
+  NEW [[ + P'(up_i[k] && 1'b0);]])
 mutant(turnout_cell_is_kept_by_what_waits FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[if (is_pop) sided.in_cell = top_i.in_cell;]]
   NEW [[]])
 mutant(light_is_clear_in_every_cell FILE rtl/shade/rc_light.sv TEST unit [pass][all]
   OLD [[clear[i] && cells[i*C +: C] == cell_here;]]
-  NEW [[clear[i];]])
+  NEW [[clear[i] && (cells[i*C +: C] == cell_here || 1'b1);]])
 mutant(start_pane_is_no_border FILE rtl/shade/rc_start.sv TEST unit [pass][all]
   OLD [[state_i.in_cell ^ pane;]]
-  NEW [[state_i.in_cell;]])
+  NEW [[state_i.in_cell ^ (pane & {rc_pkg::Panes{1'b0}});]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])

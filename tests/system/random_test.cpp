@@ -97,6 +97,8 @@ TEST_CASE("the RTL of random configurations, and of any units that shade, is cle
                                   &Config::spheres, &Config::planes})
             config.*unit = rng.below(2);
         if (config.bary_bits + plane_bits + 1 > 32) config.planes = 0;
+        config.panes = config.planes && config.refraction ? rng.below(max_panes + 1) : 0;
+        config.horizon = config.planes && config.origin_bits >= far_drop && rng.below(2);
     }
     check_config(config, config.name);
     INFO(text_of(config));

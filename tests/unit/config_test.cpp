@@ -78,6 +78,8 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
                 c.*p.member = draw.below(4) == 0 ? (draw.coin() ? p.lo : p.hi) : draw.between(p.lo, p.hi);
             }
         }
+        if (!c.planes || !c.refraction) c.panes = 0;
+        if (!c.planes || c.origin_bits < far_drop) c.horizon = 0;
         try {
             check_config(c, "");
         } catch (const UserError&) {

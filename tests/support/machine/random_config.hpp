@@ -43,7 +43,8 @@ inline Config random_config(std::uint64_t seed, bool single) {
         for (const Parameter& p : parameters())
             if (p.member != &Config::levels && p.member != &Config::mesh_structure &&
                 p.member != &Config::xform_interval && p.member != &Config::shade_interval &&
-                p.member != &Config::raygen_interval)
+                p.member != &Config::raygen_interval && p.member != &Config::panes &&
+                p.member != &Config::horizon)
                 config.*p.member = draw(p, most_of(p));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
@@ -64,6 +65,8 @@ inline Config random_config(std::uint64_t seed, bool single) {
             config.bounces = std::max(config.bounces, 5);
         else
             config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
+        if (config.planes && config.refraction) config.panes = widths.below(max_panes + 1);
+        if (config.planes && config.origin_bits >= far_drop) config.horizon = widths.below(2);
         if (config.is_list() || config.is_sheared() || config.shading) config.levels = 1;
         config.mesh_structure = config.has_instances() ? widths.below(int(mesh_structure_names().size())) : 0;
         try {
