@@ -108,7 +108,11 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         for (Material& m : r.scene.materials) m.schlick = true;
     if (r.finished && !r.config.shading && !by_hand) {
         // The units that the scene needs, for the widths that were set. What was set by hand is set again.
-        const Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
+        Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
+        // A unit that is taken away takes those with it that need it.
+        const Config set = widened(fitted, config.set);
+        if (!set.planes || !set.refraction) fitted.panes = 0;
+        if (!set.planes) fitted.horizon = 0;
         r.config = with_settings(fitted, config.set, fitted.name);
     }
     check_levels(r.scene, r.config, r.finished, view.ground);
