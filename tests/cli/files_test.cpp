@@ -80,7 +80,7 @@ TEST_CASE("scene files that make no sense") {
                  {"truncated.glb", std::string("glTF\2\0\0\0\xff\0\0\0", 12), {}},
                  {"noise.stl", std::string(200, '\xa5'), {}},
                  {"broken.json", "{ \"meshes\": [", {}},
-                 {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", {"vanish"}},
+                 {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", {"every surface is invisible"}},
                  {"picture.gif", "GIF89a", {}}},
                 {scene_commands[0], scene_commands[1], scene_commands[3]});
     // The reference needs no lattice, so a triangle without area is no reason to refuse.
