@@ -136,11 +136,17 @@ std::string RouteStep::stuck() const {
 
 namespace {
 
+/// A count or a share in a line of the log; 0 for what is none.
+double number_at(const char* text) {
+    const double number = std::atof(text);
+    return number >= 0 && number < 1e15 ? number : 0;
+}
+
 /// Of "Info: overlap: COMB=2.9%, FF=1.2%, RAM=20.8%, MUL=0.0%" the largest, in tenths of a percent.
 long largest_overlap(const std::string& line) {
     double largest = 0;
     for (const std::string& part : split(line, '='))
-        if (part.find('%') != std::string::npos) largest = std::max(largest, std::atof(part.c_str()));
+        if (part.find('%') != std::string::npos) largest = std::max(largest, number_at(part.c_str()));
     return std::lround(10 * largest);
 }
 
@@ -162,14 +168,14 @@ RouteStep step_of_log(const std::string& log) {
     for (const std::string& line : split(log, '\n')) {
         if (!routes && line.starts_with("Info: overlap: ")) hear("static", largest_overlap(line));
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
-            arcs = std::atof(line.c_str() + 14);
+            arcs = number_at(line.c_str() + 14);
         const std::vector<std::string> parts = split(line, '|');
         const bool has_number =
             parts.size() >= 5 && parts[3].find_first_of("0123456789") != std::string::npos;
-        if (arcs > 0 && has_number) left = std::atof(parts[3].c_str()), hear("router1", long(left));
+        if (arcs > 0 && has_number) left = number_at(parts[3].c_str()), hear("router1", long(left));
         constexpr std::string_view twice = " overused=";
         if (const std::size_t at = line.find(twice); at != std::string::npos)
-            left = std::atof(line.c_str() + at + twice.size()), hear("router2", long(left));
+            left = number_at(line.c_str() + at + twice.size()), hear("router2", long(left));
         arcs = std::max(arcs, left);
     }
     if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));

@@ -65,7 +65,7 @@ bool is_set(const RcPort& port) {
 }   // namespace
 
 bool RtlMachine::says_running() const { return is_set(*running_); }
-bool RtlMachine::says_done() const { return is_set(*done_); }
+bool RtlMachine::says_done() const { return is_set(*done_) || (kept_done_ && now_ == started_); }
 
 /// A classic cycle on the bus; false if it ends with err, or does not end.
 bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value) {
@@ -103,9 +103,11 @@ void RtlMachine::start(const Frame& frame) {
     write_register(register_address("Count"), 1);
     write_register(register_address("Start"), 1);
     pixels_ = std::uint64_t(frame.width) * frame.height;
+    kept_done_ = false;
     for (int i = 0; i < patience_of_bus; ++i) {   // up to the frame's cycle 0
         rtl_.settle();
         if (is_set(*running_)) break;
+        kept_done_ = kept_done_ || is_set(*done_);
         rtl_.clock();
     }
     width_ = frame.width;

@@ -59,7 +59,7 @@ public:
     bool done() const { return hits_ >= pixels_; }
     /// What the chip's own signals say of the frame, after settle().
     bool says_running() const;
-    bool says_done() const;
+    bool says_done() const;   ///< in the first cycle also, if it said so since the frame was asked for
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
     LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
@@ -121,9 +121,9 @@ private:
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
     std::vector<LinkMask> valid_, fire_;
     LinkMask shared_valid_ = 0, shared_fire_ = 0;
-    bool moved_ = false;
-    std::vector<std::uint8_t> under_way_;   // [id] of requests to memory
-    std::vector<std::uint8_t> given_;       // [y * width + x] of the frame's pixels
+    bool moved_ = false, kept_done_ = false;   // kept_done_: done was set while the frame was prepared
+    std::vector<std::uint8_t> under_way_;      // [id] of requests to memory
+    std::vector<std::uint8_t> given_;          // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
     std::optional<Nonsense> nonsense_;
     std::optional<Accounts> accounts_;                 // once they are read
