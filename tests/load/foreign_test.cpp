@@ -1,5 +1,6 @@
 // Files that Assimp reads for us: what comes of them, and that nothing it does harms this program. Stand-ins
 // in its place hang on nothing, crash, flood, and tell what they are allowed.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -66,7 +67,9 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
         REQUIRE(scene.materials.size() == 1);
         CHECK(scene.materials[0].colour == glm::dvec3(1, 0.5, 0));
         // Assimp 5.4 writes that a material is transparent, and not how much.
-        const bool is_told = notes.size() == 1 && notes[0].find("drawn opaque") != std::string::npos;
+        const bool is_told = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+            return note.find("drawn opaque") != std::string::npos;
+        });
         CHECK((scene.materials[0].transmit == Approx(0.25) || is_told));
     }
     const std::string said = complaint(folder.write("b.fbx", "Dear Sir or Madam"));
