@@ -1,8 +1,8 @@
 // Files that Assimp reads for us: what comes of them, and that nothing it does harms this program. Stand-ins
 // in its place hang on nothing, crash, flood, and tell what they are allowed.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
