@@ -132,8 +132,8 @@ std::vector<std::uint32_t> panes_of(const Scene& scene, const Config& config, co
     return bits;
 }
 
-/// Which planes stand between the camera's eye and a lattice point: exact. From an eye that lies in a plane
-/// both sides of it are seen.
+/// Which planes stand between the camera's eye and a lattice point: exact. An eye that lies in a plane sees
+/// both sides of the plane.
 struct Between {
     bool clear = true;        ///< none but panes, and no plane holds the eye
     std::uint32_t cell = 0;   ///< the panes

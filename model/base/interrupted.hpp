@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// The work was stopped by whoever asked for it; the text says what is kept of it. The program prints it and
+/// Ctrl-C or SIGTERM stopped the work. The text says which results are kept. The program prints the text and
 /// exits with 1.
 class Interrupted : public std::runtime_error {
 public:

@@ -109,7 +109,7 @@ struct Ray {
                                             ///< whether on a sphere's inside
     std::uint32_t partial = 0;   ///< asks only some primitives: a ray to or from a light those that have an
                                  ///< end; a bounce planes, and begins at o 2^far_drop, beyond the lattice
-    Home home;                   ///< if there are instances, and it is no camera ray
+    Home home;                   ///< if there are instances and this is not a camera ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);

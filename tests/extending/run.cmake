@@ -4,23 +4,7 @@
 # has fewer pixels than the machine has contexts, so that no context is used again.
 cmake_policy(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
-function(run)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "OUTPUT" "COMMAND")
-  execute_process(COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE result OUTPUT_VARIABLE output
-    ERROR_VARIABLE errors TIMEOUT 3000)
-  if(NOT result EQUAL 0)
-    list(JOIN ARG_COMMAND " " command)
-    message(FATAL_ERROR "${command} ended with ${result}:\n${output}\n${errors}")
-  endif()
-  if(ARG_OUTPUT)
-    set(${ARG_OUTPUT} "${output}" PARENT_SCOPE)
-  endif()
-endfunction()
-
-file(REMOVE_RECURSE ${FOLDER})
-file(MAKE_DIRECTORY ${FOLDER})
-file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/bench ${SOURCE}/model ${SOURCE}/rtl ${SOURCE}/sim ${SOURCE}/scenes
-  DESTINATION ${FOLDER})
+include(${here}/copy.cmake)
 file(COPY ${SOURCE}/tests/support DESTINATION ${FOLDER}/tests)
 file(COPY ${here}/rtl ${here}/model ${here}/tests DESTINATION ${FOLDER})
 run(COMMAND ${PATCH} --fuzz=0 -p0 -i ${here}/out.patch)
