@@ -70,7 +70,7 @@ std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const C
     return boxes;
 }
 
-/// Refuses a scene none of whose triangles has an area as it is given, and which has nothing else.
+/// Refuses a scene that has only triangles, all of zero area.
 void check_visible(const Scene& scene, const std::string& name) {
     const bool is_invisible =
         scene.spheres.empty() && scene.planes.empty() &&

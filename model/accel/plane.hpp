@@ -6,9 +6,9 @@ namespace rayclock {
 
 /// A point a of the plane and two sides b - a, c - a, between which u and v of a hit count. Sides are those
 /// of the checkers' squares, halved or doubled until they are between a 32nd and a 16th of what the lattice
-/// reaches: so whatever a square's size is, u and v reach 2^light_reach times as far as the lattice, and the
-/// sides' rounding turns the plane by 2^-(N - 5) at most. a is as near to the lattice's middle as whole sides
-/// from the plane's own point allow.
+/// reaches: so whatever a square's size is, u and v reach at least half of 2^light_reach times as far as the
+/// lattice. By how much rounding turns the plane is proven in docs/verdict.md. a is as near to the lattice's
+/// middle as whole sides from the plane's own point allow.
 struct PlaneOnLattice {
     Vec3i a{}, b{}, c{};
     std::array<int, 2> level{};   ///< a square's u is 2^level[0] (b - a), its v 2^level[1] (c - a)

@@ -11,6 +11,7 @@
 #include "model/accel/encode.hpp"
 #include "model/accel/plane.hpp"
 #include "model/base/error.hpp"
+#include "model/core/settled.hpp"
 #include "model/isect/edges.hpp"
 
 namespace rayclock {
@@ -266,18 +267,14 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     // Rounded up: scenes that differ by a light share their RTL.
     config.lights = std::clamp(int(std::bit_ceil(scene.lights.size())), 4, max_lights);
     config.bounces = std::max(config.bounces, settings.depth);
-    // What check_config() asks of it.
-    config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits,
-                                               config.dir_bits + config.t_frac_bits - 2}));
     int transmitting = 0, mirroring = 0;
     for (const Plane& plane : scene.planes) {
         transmitting += scene.materials.at(plane.material).transmit > 0;
         mirroring += scene.materials[plane.material].mirror > 0;
     }
     config.panes = std::min(max_panes, transmitting);
-    config.horizon =
-        scene.planes.size() > 1 && transmitting + mirroring > 0 && config.origin_bits >= far_drop;
-    return config;
+    config.horizon = scene.planes.size() > 1 && transmitting + mirroring > 0;
+    return settled(config);
 }
 
 ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,

@@ -4,6 +4,7 @@
 #include "model/base/error.hpp"
 #include "model/core/config.hpp"
 #include "model/core/lines.hpp"
+#include "model/core/settled.hpp"
 
 namespace rayclock {
 
@@ -112,6 +113,14 @@ void check_config(const Config& c, const std::string& where) {
         refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " +
                std::to_string(c.origin_width()) + ", and dir_bits is " + std::to_string(c.dir_bits));
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
+}
+
+Config settled(Config config) {
+    config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits,
+                                               config.dir_bits + config.t_frac_bits - 2}));
+    if (!config.planes || !config.refraction) config.panes = 0;
+    if (!config.planes || config.origin_bits < far_drop) config.horizon = 0;
+    return config;
 }
 
 }   // namespace rayclock

@@ -197,7 +197,7 @@ const std::vector<Parameter>& parameters() {
         {"smooth", &Config::smooth, 0, 1, false, "1: normals between those of a triangle's corners"},
         {"refraction", &Config::refraction, 0, 1, false, "1: refracted rays"},
         {"panes", &Config::panes, 0, max_panes, false,
-         "planes that transmit of which a path knows its side, for lights beyond the lattice"},
+         "number of transmitting planes for which a path records its side, for lights beyond the lattice"},
         {"horizon", &Config::horizon, 0, 1, false,
          "1: bounces that pass by the lattice meet planes beyond it"},
         {"supersampling", &Config::supersampling, 0, 1, false, "1: several samples in a pixel"},

@@ -107,8 +107,8 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
 
 /// From a light within the lattice to the point, if that lies in the lattice as well: exactly
 /// (docs/origins.md). To or from what lies beyond it a ray without end is sent, the part of it that the
-/// lattice holds: there is all that has an end. Planes are asked by it only if one stands between the light
-/// and the eye: otherwise none hides the light from what the eye sees.
+/// lattice holds: there is all that has an end. It tests planes only if a plane stands between the light
+/// and the path. Otherwise no plane hides the light.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const LightOut found = light(frame, c, s, in.placement);

@@ -99,9 +99,8 @@ std::string hopeless(const Options& o, const Goal& goal, const Config& base, Mea
                                 goal.min_psnr ? fmt::format(" and a PSNR of {:.1f} dB", best.psnr_db) : "");
     const std::optional<Dominant> part = dominant_part(measure.scene());
     if (!part)
-        return sentence +
-               "; its extents are even, so only a larger bound or a camera that sees less of it at once "
-               "would help";
+        return sentence + (measure.scene().triangles.empty() ? "; " : "; its extents are even, so ") +
+               "only a larger bound or a camera that sees less of it at once would help";
     sentence += fmt::format(
         "; because of {} the scene is {} times as large as the rest", part->what,
         part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));

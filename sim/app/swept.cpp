@@ -63,7 +63,7 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
                                     did_you_mean(column, known));
                 if (sweep::has_words(axes, column))
                     throw UserError("--plot: the column " + shown(column) +
-                                    " has words, which have no place on an axis");
+                                    "  holds words, not numbers");
             }
 }
 

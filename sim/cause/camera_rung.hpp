@@ -2,7 +2,7 @@
 // The last rung of the ladder for a picture of camera rays alone: the reference, by its own rules, on the
 // machine's ray.
 //
-// Three questions about a pixel, and none of them is put to a rule of the machine's. Does its ray go through
+// It checks three things in a pixel, and none by a rule of the machine. Does its ray go through
 // the pixel, within the bound of camera_ray.hpp? Does the reference, on the scene as the lattice has it, meet
 // what the ray met, where t, u and v say? Is the colour at that hit the reference's local light, without
 // shadows? Doubles leave ties: a ray moved by next to nothing (tie.hpp) meets what the machine's met, or two

@@ -116,6 +116,7 @@ void StagedFiles::publish(const std::vector<std::string>& outdated) {
             refuse((folder_ / name).string(), fmt::format("cannot be written: {}", std::strerror(errno)));
     std::error_code ignored;
     for (const std::string& name : outdated) fs::remove(folder_ / name, ignored);
+    fs::remove(stage_, ignored);   // it is empty, and no signal removes it any more
 }
 
 }   // namespace rayclock

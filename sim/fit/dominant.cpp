@@ -88,6 +88,7 @@ std::optional<Dominant> triangles(const Scene& scene) {
 }   // namespace
 
 std::optional<Dominant> dominant_part(const Scene& scene) {
+    if (scene.triangles.empty()) return {};   // spheres, planes or instances alone
     if (std::optional<Dominant> part = material(scene)) return part;
     return triangles(scene);
 }

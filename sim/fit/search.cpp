@@ -66,8 +66,11 @@ Config Search::widest(const Config& config) const {
     for (int Config::*member :
          {&Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::t_frac_bits})
         wide.*member = most(member);
+    if (wide.planes) wide.bary_bits = std::min(wide.bary_bits, 31 - plane_bits);
     // Distances may not go together with wide edges: rc_box has 64 bits.
-    if (wide.shading) wide.origin_bits = least(&Config::origin_bits);
+    if (wide.shading)   // the least that shadow rays and bounces beyond the lattice need
+        wide.origin_bits = std::max(
+            {least(&Config::origin_bits), wide.dir_bits - wide.coord_bits - 1, wide.horizon ? far_drop : 0});
     while (wide.t_frac_bits > 0 && !broken_rule(wide).empty()) --wide.t_frac_bits;
     if (!wide.shading) return wide;
     for (Config more = wide; more.origin_bits < most(&Config::origin_bits);) {

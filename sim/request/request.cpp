@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/load/load.hpp"
@@ -109,10 +110,8 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     if (r.finished && !r.config.shading && !by_hand) {
         // The units that the scene needs, for the widths that were set. What was set by hand is set again.
         Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
-        // A unit that is taken away takes those with it that need it.
-        const Config set = widened(fitted, config.set);
-        if (!set.planes || !set.refraction) fitted.panes = 0;
-        if (!set.planes) fitted.horizon = 0;
+        const Config set = settled(widened(fitted, config.set));
+        fitted.panes = set.panes, fitted.horizon = set.horizon;
         r.config = with_settings(fitted, config.set, fitted.name);
     }
     check_levels(r.scene, r.config, r.finished, view.ground);

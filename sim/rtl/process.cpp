@@ -178,7 +178,7 @@ std::string complaint_of(const std::string& log) {
             if (line.find(word) != line.npos) return printable(line);
         if (line.find_first_not_of(" \t\r") != line.npos) last = line;
     }
-    return last.empty() ? "it says nothing about it; is the disk full?" : printable(last);
+    return last.empty() ? "it printed no error; is the disk full?" : printable(last);
 }
 
 fs::path find_program(const std::string& name) {

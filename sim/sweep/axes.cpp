@@ -10,6 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
+#include "model/core/settled.hpp"
 #include "sim/memory/memory_file.hpp"
 
 namespace rayclock::sweep {
@@ -104,30 +105,15 @@ std::vector<std::string> keys_of(const std::vector<Axis>& axes) {
     return keys;
 }
 
-bool is_legal(const Config& config) {
-    try {
-        check_config(config, "");
-        return true;
-    } catch (const UserError&) {
-        return false;
-    }
-}
-
-/// Of a chip that shades: origin_bits as wide as the other widths allow, as fitted_config() makes them.
-void fit_origins(Config& config) {
-    Config fitted = config;
-    while (fitted.origin_bits > 2 && !is_legal(fitted)) --fitted.origin_bits;
-    if (is_legal(fitted)) config = fitted;
-}
-
 }   // namespace
 
 std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
                                int (*clock)(const std::string&)) {
     std::size_t count = 1;
     const std::vector<std::string> keys = keys_of(axes);
-    const bool fits_origins =
-        base.shading && std::find(keys.begin(), keys.end(), "origin_bits") == keys.end();
+    const auto is_axis = [&](const char* key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
     for (const Axis& axis : axes) {
         count *= axis.values.size();
         if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
@@ -144,7 +130,12 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
             point.values[a] = axes[a].values[index[a]];
             set(point, axes[a], point.values[a], clock);
         }
-        if (fits_origins) fit_origins(point.config);
+        if (base.shading) {   // as fitted_config() would make it
+            const Config fitted = settled(point.config);
+            if (!is_axis("origin_bits")) point.config.origin_bits = fitted.origin_bits;
+            if (!is_axis("panes")) point.config.panes = fitted.panes;
+            if (!is_axis("horizon")) point.config.horizon = fitted.horizon;
+        }
         try {
             check_config(point.config, "--axis");
             for (std::size_t a = 0; a < axes.size(); ++a) ++legal[a][index[a]];

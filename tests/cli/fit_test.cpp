@@ -110,6 +110,15 @@ TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
         CHECK(hopeless.err.find(word) != std::string::npos);
     }
     CHECK(std::count(hopeless.err.begin(), hopeless.err.end(), '\n') == 1);
+    // There are no triangles here, one of which could be too large.
+    const Outcome round =
+        run_program({"fit", "spheres", "--depth", "1", "--size", "16x12", "--min-psnr", "150", "-o", never});
+    CHECK(round.code == 1);
+    CHECK(round.err.find("no width keeps the bound") != std::string::npos);
+    // Planes beyond the lattice need nine bits of an origin.
+    CHECK(run_program(
+              {"fit", "scenes/pond.json", "--depth", "2", "--size", "16x12", "-o", folder.name("pond.json")})
+              .code == 0);
     const Outcome fine = run_program({"fit", folder.write("garden.json", stadium(20)), "--size", "96x72",
                                       "--max-error", "0.5%", "-o", never});
     INFO(fine.err);

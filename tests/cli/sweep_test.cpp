@@ -110,7 +110,9 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
     const std::vector<Swept> sweeps{
         {{"balls:1", "--depth", "2", "--threshold", "0.1"}, "coord_bits", {"16", "20"}},
         {{"spheres", "--depth", "3", "--aa", "2", "--jittered", "--fresnel"}, "surf_sets", {"1", "64"}},
-        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},   // fewer than it has are refused
+        {{"scenes/pond.json", "--depth", "2"}, "bary_bits", {"8", "12"}},   // horizon needs 9 bits of an
+                                                                            // origin
+        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},                // fewer than it has are refused
         {{"crowd", "--frames", "3", "--fps", "5"}, "levels", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--depth", "1", "--frames", "2"}, "pipelines", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},

@@ -8,7 +8,7 @@ function(run)
     list(JOIN ARG_COMMAND " " command)
     message(FATAL_ERROR "${command} ended with ${result}:\n${output}\n${errors}")
   endif()
-  if(ARG_OUTPUT)
+  if(NOT "${ARG_OUTPUT}" STREQUAL "")   # a variable may be called "off"
     set(${ARG_OUTPUT} "${output}" PARENT_SCOPE)
   endif()
 endfunction()

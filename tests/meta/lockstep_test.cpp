@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <unistd.h>
 
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
+#include "sim/divergence/fields.hpp"
 #include "sim/load/load.hpp"
 #include "sim/lockstep/driver.hpp"
 #include "sim/lockstep/lockstep.hpp"
@@ -254,6 +256,30 @@ TEST_CASE("a value that units pass on has the unit's name that drives it") {
     CHECK(unit(Link::hit, "colour[2]", all) == "sched");
     CHECK(unit(Link::closest, "", nothing) == "trav");
     CHECK(unit(Link::closest, "found", done) == "list");
+}
+
+TEST_CASE("every field that a unit before a cache sends is a field of a link behind the cache") {
+    std::set<std::string> of_tri, of_trav;
+    const auto add = [](std::set<std::string>& names, Link link, const Config& config) {
+        for (const PayloadField& field : payload_fields(link, config)) {
+            const std::size_t element = field.name.find_last_not_of("0123456789");
+            names.insert(field.name);
+            if (field.name[element] == '_') names.insert(field.name.substr(0, element));
+        }
+    };
+    Config whole = named_config("default"), sheared = whole;
+    whole.shading = whole.spheres = whole.planes = 1;
+    sheared.primitive_test = int(PrimitiveTest::sheared);
+    for (const Config& config : {whole, sheared}) add(of_tri, Link::tri_req, config);
+    for (std::size_t i = 0; i < link_count; ++i)
+        if (const Link link = Link(i); asks_of_node(link) || link == Link::xform_req) {
+            Config config = whole;
+            config.levels = 2;
+            add(of_trav, link, config);
+            add(of_trav, link, whole);
+        }
+    for (const std::string_view name : sent_by_list) CHECK(of_tri.count(std::string(name)) == 1);
+    for (const std::string_view name : sent_by_trav) CHECK(of_trav.count(std::string(name)) == 1);
 }
 
 TEST_CASE("a ray that ends too early is told of the unit that ends it") {
