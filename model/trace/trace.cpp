@@ -110,8 +110,8 @@ Recording::Recording(const MemoryImage& image, const Frame& frame, const Config&
         for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i)
             work_->threads.emplace_back([work = work_.get()] { work->run(); });
     } catch (const std::system_error&) {
-        // The system gives no more threads. The threads that were made do all the work. If there are none, the
-        // caller's thread does it now.
+        // The system gives no more threads. The threads that were made do all the work. If there are none,
+        // the caller's thread does it now.
         if (work_->threads.empty()) work_->run();
     }
 }

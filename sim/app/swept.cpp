@@ -62,8 +62,7 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
                     throw UserError("--plot: the table has no column " + shown(column) +
                                     did_you_mean(column, known));
                 if (sweep::has_words(axes, column))
-                    throw UserError("--plot: the column " + shown(column) +
-                                    "  holds words, not numbers");
+                    throw UserError("--plot: the column " + shown(column) + "  holds words, not numbers");
             }
 }
 
