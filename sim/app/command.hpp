@@ -2,13 +2,14 @@
 // A command of the program: its name, its help, its options and its work.
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "sim/app/parser.hpp"
 
 namespace rayclock {
 
 struct Command {
-    const char* name;
+    std::string name;
     const char* what;   ///< it does, for the help
     const char* example;
     std::function<void(Parser&)> declare;   ///< its options

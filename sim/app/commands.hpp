@@ -1,5 +1,5 @@
 #pragma once
-// Every command, in the order of the help. Each is in the file of its name; scenes, config and rtl are in
+// Every command. Each is in the file of its name, those of `study` in study/; scenes, config and rtl are in
 // info.cpp.
 #include "sim/app/command.hpp"
 

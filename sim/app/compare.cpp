@@ -7,10 +7,10 @@
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/compare/compare.hpp"
+#include "sim/view/compare/compare.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report_page/frame.hpp"
+#include "sim/view/page/frame.hpp"
 
 namespace rayclock {
 
@@ -92,7 +92,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command compare_command() {
-    return command("compare", "what changed between reports, for better or worse",
+    return command("compare", "compare reports: what is better, what is worse",
                    "rayclock compare before.json after.json --max-worse 1%", declare, run);
 }
 

@@ -9,17 +9,17 @@
 #include "model/base/error.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/chip/nextpnr.hpp"
-#include "sim/film/strip.hpp"
-#include "sim/plot/pdf.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/text.hpp"
-#include "sim/report_page/library.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/import/assimp.hpp"
-#include "sim/rtl/process.hpp"
-#include "sim/rtl/tools.hpp"
-#include "sim/synth/yosys.hpp"
+#include "sim/silicon/chip/nextpnr.hpp"
+#include "sim/run/film/strip.hpp"
+#include "sim/view/plot/pdf.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/view/page/library.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/load/import/assimp.hpp"
+#include "sim/files/process/process.hpp"
+#include "sim/files/process/tools.hpp"
+#include "sim/silicon/synth/yosys.hpp"
 
 namespace rayclock {
 
@@ -181,7 +181,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command doctor_command() {
-    return command("doctor", "what is installed, and what a missing part disables", "rayclock doctor",
+    return command("doctor", "list what is installed, and what a missing part disables", "rayclock doctor",
                    declare, run);
 }
 

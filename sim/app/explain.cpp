@@ -7,13 +7,13 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
-#include "sim/explain/page.hpp"
+#include "sim/view/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/view/page/frame.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -121,7 +121,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command explain_command() {
-    return command("explain", "what happened to one pixel, ray by ray, cycle by cycle, and why it differs",
+    return command("explain", "follow one pixel ray by ray, cycle by cycle, and say why it differs",
                    "rayclock explain gears:8 255,190 --steps", declare, run);
 }
 

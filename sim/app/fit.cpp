@@ -11,12 +11,12 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/fit_device.hpp"
 #include "sim/app/options.hpp"
-#include "sim/fit/dominant.hpp"
-#include "sim/fit/report.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/explore/fit/dominant.hpp"
+#include "sim/explore/fit/report.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -263,9 +263,7 @@ int run(const Options& o) {
 
 Command fit_command() {
     return command(
-        "fit",
-        "the smallest formats that draw a scene within an error, as a configuration file, with a proof that "
-        "nothing overflows",
+        "fit", "find the smallest formats that draw a scene within an error",
         "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json",
         declare, run);
 }

@@ -4,11 +4,11 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/interrupt.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/interrupt.hpp"
 
 namespace rayclock {
 
@@ -86,7 +86,7 @@ Command config_command() {
 }
 
 Command rtl_command() {
-    return command("rtl", "build the RTL of a configuration now and say where it is kept",
+    return command("rtl", "build the RTL of a configuration, and say where it is kept",
                    "rayclock rtl --config small", config_options, build_now);
 }
 

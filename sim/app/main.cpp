@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
@@ -20,12 +21,34 @@
 #include "sim/app/manual.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report/builds.hpp"
-#include "sim/rtl/interrupt.hpp"
+#include "sim/view/report/builds.hpp"
+#include "sim/files/process/interrupt.hpp"
 
 namespace {
 
 using namespace rayclock;
+
+constexpr const char *study_name = "study",
+                     *study_what = "make a page of docs again: area, counts, figures, structures, ...";
+
+/// A heading of the help, and the commands under it.
+struct Group {
+    const char* heading;
+    std::vector<Command (*)()> commands;
+};
+
+const std::vector<Group>& groups() {
+    static const std::vector<Group> all{
+        {"Run", {scenes_command, config_command, render_command, simulate_command}},
+        {"Look", {explain_command, trace_command, compare_command}},
+        {"Explore", {sweep_command, merge_command, fit_command}},
+        {"Build", {rtl_command, export_command, chip_command}},
+        {"Check", {verify_command, stress_command, bench_command, doctor_command}},
+        {study_name,
+         {area_command, counts_command, figures_command, gigahertz_command, structures_command,
+          tradeoff_command, yardstick_command}}};
+    return all;
+}
 
 /// A command, and where the parser keeps what it found out about it.
 struct Added {
@@ -33,45 +56,60 @@ struct Added {
     CLI::App* parsed;
 };
 
-std::vector<Command> all_commands() {
-    std::vector<Command> all;
-    for (Command (*make)() :
-         {scenes_command,     render_command,    simulate_command,  verify_command,  explain_command,
-          trace_command,      compare_command,   stress_command,    sweep_command,   merge_command,
-          fit_command,        tradeoff_command,  yardstick_command, figures_command, counts_command,
-          structures_command, gigahertz_command, area_command,      chip_command,    bench_command,
-          export_command,     config_command,    rtl_command,       doctor_command})
-        all.push_back(make());
-    return all;
-}
-
 std::vector<Added> add_commands(CLI::App& app) {
     std::vector<Added> all;
-    for (Command& command : all_commands()) {
-        CLI::App* const sub = app.add_subcommand(command.name, command.what);
-        sub->footer(std::string("Example: ") + command.example);
-        sub->preparse_callback([sub, declare = command.declare](std::size_t) {   // the other commands'
-                                                                                 // options are never made
-            Parser parser(*sub);
-            declare(parser);
-        });
-        all.push_back({std::move(command), sub});
+    CLI::App* study = nullptr;
+    for (const Group& group : groups()) {
+        const bool is_study = group.heading == std::string_view(study_name);
+        if (is_study) {
+            study = app.add_subcommand(study_name, study_what)->group("Explore");
+            study->require_subcommand(1);
+            study->footer("Options of a page: rayclock study PAGE --help");
+        }
+        for (Command (*make)() : group.commands) {
+            Command command = make();
+            CLI::App* const sub = (is_study ? study : &app)->add_subcommand(command.name, command.what);
+            sub->group(is_study ? "Pages" : group.heading);
+            sub->footer(std::string("Example: ") + command.example);
+            // The other commands' options are never made.
+            sub->preparse_callback([sub, declare = command.declare](std::size_t) {
+                Parser parser(*sub);
+                declare(parser);
+            });
+            all.push_back({std::move(command), sub});
+        }
     }
     return all;
 }
 
+/// All commands as people type them: those of study with its name before theirs.
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
+    for (const Group& group : groups())
+        for (Command (*make)() : group.commands) {
+            all.push_back(make());
+            if (group.heading == std::string_view(study_name))
+                all.back().name = std::string(study_name) + " " + all.back().name;
+        }
+    return all;
+}
+
 constexpr const char* help_footer =
+    "Options and an example of a command: rayclock COMMAND --help\n"
+    "Exit code: 0 good, 1 a check failed, 2 bad usage or input\n"
+    "Manual page, with environment variables: rayclock --print man | man -l -\n"
+    "Start with: rayclock verify gears:4 -o out";
+
+constexpr const char* manual_footer =
     "Exit code: 0 good, 1 a check failed, 2 bad usage or input.\n"
     "Environment:\n"
     "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock "
     "or ~/.cache/rayclock\n"
-    "  RAYCLOCK_CXXFLAGS  options for the C++ compiler that RTL is built with, after rayclock's own (-O2)\n"
+    "  RAYCLOCK_CXXFLAGS  options for the C++ compiler that builds RTL, after rayclock's own (-O2)\n"
     "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
-    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's "
-    "libjs-vega\n"
-    "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete\n"
-    "Start with: rayclock verify gears:4 -o out";
+    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's libjs-vega\n"
+    "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete";
 
 /// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
 /// end.
@@ -136,32 +174,54 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+    return names;
+}
+
+/// What was typed behind a word, if it is no option.
+std::string word_after(std::string_view word, int argc, char** argv) {
+    for (int i = 1; i + 1 < argc; ++i)
+        if (argv[i] == word && argv[i + 1][0] != '-') return argv[i + 1];
+    return {};
+}
+
 /// What the parser found wrong, in one sentence that names what was typed.
 std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
                         char** argv) {
-    std::vector<std::string> names;
+    const CLI::App& root = *commands.front().parsed->get_parent();
     const CLI::App* used = nullptr;
-    for (const Added& added : commands) {
-        names.push_back(added.command.name);
-        if (added.parsed->parsed()) used = added.parsed;
+    for (const CLI::App* sub : root.get_subcommands()) used = sub;
+    if (used)
+        for (const CLI::App* sub : used->get_subcommands()) used = sub;
+    const CLI::App& study = *root.get_subcommand(study_name);
+    const bool lacks_page = used == &study && !word_after(study_name, argc, argv).empty();
+    if ((!used && argc > 1 && argv[1][0] != '-') || lacks_page) {
+        const std::string word = lacks_page ? word_after(study_name, argc, argv) : argv[1];
+        if (!lacks_page && study.get_subcommand_no_throw(word))
+            return fmt::format("{0} is now called 'rayclock study {0}'", word);
+        return (lacks_page ? "study: no page is called " : "no command is called ") + shown(word) +
+               did_you_mean(word, subcommand_names(lacks_page ? study : root)) + " ('rayclock " +
+               (lacks_page ? "study " : "") + "--help' lists them)";
     }
-    if (!used && argc > 1 && argv[1][0] != '-')
-        return "no command is called " + shown(argv[1]) + did_you_mean(argv[1], names) +
-               " ('rayclock --help' lists them)";
-    const CLI::App& app = used ? *used : *commands.front().parsed->get_parent();
+    const CLI::App& app = used ? *used : root;
+    const std::string name = !used                          ? ""
+                             : used->get_parent() == &study ? "study " + used->get_name()
+                                                            : used->get_name();
     if (const std::string option = unknown_option(app, argc, argv); !option.empty())
-        return (used ? used->get_name() : "rayclock") + ": no option is called " + shown(option) +
-               did_you_mean(option, option_names(app)) + " ('rayclock " +
-               (used ? used->get_name() + " " : "") + "--help' lists them)";
+        return (used ? name : "rayclock") + ": no option is called " + shown(option) +
+               did_you_mean(option, option_names(app)) + " ('rayclock " + (used ? name + " " : "") +
+               "--help' lists them)";
     std::string text = error.what();
     for (char& c : text)
         if (c == '\n') c = ' ';
-    return text + " ('rayclock " + (used ? used->get_name() + " " : "") + "--help' tells more)";
+    return text + " ('rayclock " + (used ? name + " " : "") + "--help' tells more)";
 }
 
 int print_manual(const char* form) {
     try {
-        write_output(manual(form, all_commands(), help_footer));
+        write_output(manual(form, all_commands(), manual_footer));
         return 0;
     } catch (const UserError& error) {
         return complain(error.what(), 2);
@@ -170,7 +230,7 @@ int print_manual(const char* form) {
 
 /// Runs what was asked for; the exit code.
 int run(int argc, char** argv) {
-    CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer"};
+    CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer", "rayclock"};
     app.footer(help_footer);
     app.require_subcommand(1);
     app.set_version_flag("--version", RAYCLOCK_VERSION);

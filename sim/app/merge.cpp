@@ -36,7 +36,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command merge_command() {
-    return command("merge", "the parts of a sweep that several machines worked out, as one",
+    return command("merge", "join the parts of a sweep that several machines computed",
                    "rayclock merge part1.json part2.json --json sweep.json -o sweep.csv", declare, run);
 }
 

@@ -6,19 +6,19 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/hits.hpp"
-#include "model/reference/reference.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/film/strip.hpp"
-#include "sim/image/image.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/run/film/strip.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -204,7 +204,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command render_command() {
-    return command("render", "make a picture with one engine",
+    return command("render", "draw a picture with one engine",
                    "rayclock render gears:4 --engine rtl -o gears.png", declare, run);
 }
 

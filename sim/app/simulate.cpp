@@ -8,8 +8,8 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/hits.hpp"
-#include "model/reference/reference.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
@@ -17,16 +17,16 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/cause/finished.hpp"
+#include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
-#include "sim/jobs/threads.hpp"
-#include "sim/observe/replay.hpp"
-#include "sim/report/accounts.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/report_page/page.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/files/process/threads.hpp"
+#include "sim/view/observe/replay.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/view/page/frame.hpp"
+#include "sim/view/page/page.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -378,7 +378,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command simulate_command() {
-    return command("simulate", "cycles, frames per second, work and accounts of a frame",
+    return command("simulate", "count the cycles, frames per second, work and stalls of a frame",
                    "rayclock simulate balls:3 --clock 66,90 --set contexts=32", declare, run);
 }
 

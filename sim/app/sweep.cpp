@@ -6,12 +6,12 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/swept.hpp"
-#include "sim/image/image.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/stopping.hpp"
-#include "sim/sweep/cost.hpp"
-#include "sim/sweep/shard.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/explore/sweep/cost.hpp"
+#include "sim/explore/sweep/shard.hpp"
 
 namespace rayclock {
 
@@ -131,10 +131,8 @@ int run(const Options& o) {
 }   // namespace
 
 Command sweep_command() {
-    return command(
-        "sweep",
-        "one scene on many configurations and clocks; those that differ only in timing share one trace",
-        "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
+    return command("sweep", "run one scene on many configurations and clocks",
+                   "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
 }
 
 }   // namespace rayclock

@@ -9,12 +9,12 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/observe/replay.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
-#include "sim/timeline/timeline.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/view/observe/replay.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/view/timeline/timeline.hpp"
 
 namespace rayclock {
 
@@ -158,7 +158,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command trace_command() {
-    return command("trace", "a stretch of a frame's time, for Konata, Perfetto or GTKWave",
+    return command("trace", "write some cycles of a frame for Konata, Perfetto or GTKWave",
                    "rayclock trace gears:8 --cycles 2000:3000 -o gears.pftrace", declare, run);
 }
 

@@ -1,4 +1,4 @@
-// rayclock area on units that Yosys has done in a second: what is counted, what is found again, what is
+// rayclock study area on units that Yosys has done in a second: what is counted, what is found again, what is
 // refused.
 #include <catch2/catch.hpp>
 
@@ -25,7 +25,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {
         return run_program(
-            {"area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
+            {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
     };
     const Outcome first = area("a.json");
     INFO(first.err);
@@ -65,17 +65,17 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
 
 TEST_CASE("area refuses what makes no sense") {
     const Folder folder;
-    check_refused(run_program({"area", "--unit", "shad"}), {"'shad'", "did you mean 'shade'", "node_cache"});
-    check_refused(run_program({"area", "--unit", ""}), {"--unit"});
-    check_refused(run_program({"area", "--config", "smal"}), {"'smal'", "small"});
-    check_refused(run_program({"area", "--set", "contexts=0"}), {"contexts"});
-    check_refused(run_program({"area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
-    check_refused(run_program({"area", "--unit", "sched", "-o", folder.name("page.md")}),
+    check_refused(run_program({"study", "area", "--unit", "shad"}), {"'shad'", "did you mean 'shade'", "node_cache"});
+    check_refused(run_program({"study", "area", "--unit", ""}), {"--unit"});
+    check_refused(run_program({"study", "area", "--config", "smal"}), {"'smal'", "small"});
+    check_refused(run_program({"study", "area", "--set", "contexts=0"}), {"contexts"});
+    check_refused(run_program({"study", "area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
+    check_refused(run_program({"study", "area", "--unit", "sched", "-o", folder.name("page.md")}),
                   {"--unit", "--output"});
-    check_refused(run_program({"area", "-o", folder.name("none/page.md")}), {"none/page.md"});
-    check_refused(run_program({"area", "--json", folder.name("none/a.json")}), {"none/a.json"});
-    check_refused(run_program({"area", "--threads", "-1"}), {"--threads"});
-    check_refused(run_program({"area", "--unit", "sched"},
+    check_refused(run_program({"study", "area", "-o", folder.name("none/page.md")}), {"none/page.md"});
+    check_refused(run_program({"study", "area", "--json", folder.name("none/a.json")}), {"none/a.json"});
+    check_refused(run_program({"study", "area", "--threads", "-1"}), {"--threads"});
+    check_refused(run_program({"study", "area", "--unit", "sched"},
                               {"PATH=/nonexistent", "RAYCLOCK_CACHE=" + folder.name("cache")}),
                   {"yosys is not installed"});
 }

@@ -102,7 +102,7 @@ TEST_CASE("what does not listen to Ctrl-C or SIGTERM is ended within a second, a
         for (const std::vector<std::string>& words :
              {std::vector<std::string>{"simulate", "gears:20", "--size", "64x48", "-o", out},
               {"export", "gears:14", "-o", out},
-              {"tradeoff", "-o", out}}) {
+              {"study", "tradeoff", "-o", out}}) {
             Ended ended;
             for (int attempt = 0; attempt < 3; ++attempt)
                 if ((ended = signalled(words, signal, 700)).seconds < 1) break;
@@ -139,10 +139,10 @@ TEST_CASE("a tool that hangs, floods, says nonsense or fails is a sentence") {
     const std::string path = "PATH=" + folder.name("bin") + ":" + std::getenv("PATH");
     const std::string says = "[ \"$1\" = -V ] && echo 'Yosys 0.23 (git sha1 7ce5011c24b)' && exit\n";
     program(folder, "bin/yosys", says + "printf 'a\\nERROR: \\033[2J bad\\nb\\n'; exit 1\n");
-    check_refused(run_program({"area", "--config", "small", "--unit", "dispatch"}, {path, cache}),
+    check_refused(run_program({"study", "area", "--config", "small", "--unit", "dispatch"}, {path, cache}),
                   {"yosys failed: \\x1b[2J bad"});
     program(folder, "bin/yosys", says + "exit 0\n");
-    check_refused(run_program({"area", "--config", "small", "--unit", "dispatch"}, {path, cache}),
+    check_refused(run_program({"study", "area", "--config", "small", "--unit", "dispatch"}, {path, cache}),
                   {"yosys has not written", "is the disk full?"});
     program(folder, "bin/yosys",
             says + "echo '{\"design\":{\"num_cells_by_type\":{\"$dff_x\":1}}}' > stat.json\n");

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 TEST_CASE("figures writes a page that shows every picture it made, and each number that it has") {
     const Folder folder;
-    const Outcome outcome = run_program({"figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
+    const Outcome outcome = run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
                                          "reference,model", "--json", folder.name("numbers.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
@@ -66,18 +66,18 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
 
 TEST_CASE("figures refuses what it cannot do") {
     const Folder folder;
-    check_refused(run_program({"figures", "-o", folder.name("page"), "--engine", "model,chip"}),
+    check_refused(run_program({"study", "figures", "-o", folder.name("page"), "--engine", "model,chip"}),
                   {"--engine", "'chip'", "reference, model or rtl"});
-    check_refused(run_program({"figures", "-o", folder.name("page"), "--size", "0x5"}), {"picture"});
+    check_refused(run_program({"study", "figures", "-o", folder.name("page"), "--size", "0x5"}), {"picture"});
     const std::string file = folder.write("file", "no folder");
-    check_refused(run_program({"figures", "-o", file, "--size", "16x12"}), {file, "folder"});
+    check_refused(run_program({"study", "figures", "-o", file, "--size", "16x12"}), {file, "folder"});
     CHECK(bytes_of(file) == "no folder");
 }
 
 TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %") {
     const Folder folder;
     const Outcome outcome =
-        run_program({"counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96",
+        run_program({"study", "counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96",
                      "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
@@ -89,14 +89,14 @@ TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %
         CHECK(scene["model_from_reference"].get<double>() <= 0.01);
         CHECK(scene["reference"]["shadow"].get<int>() > 0);
     }
-    CHECK(bytes_of(folder.name("spd.md")).find("rayclock counts balls:2") != std::string::npos);
-    check_refused(run_program({"counts", "nothing"}), {"nothing"});
+    CHECK(bytes_of(folder.name("spd.md")).find("rayclock study counts balls:2") != std::string::npos);
+    check_refused(run_program({"study", "counts", "nothing"}), {"nothing"});
 }
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999. Means change little with the picture's size.
 TEST_CASE("rays do in octrees what was published, within 3 %") {
     const Outcome outcome =
-        run_program({"counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
+        run_program({"study", "counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
@@ -112,7 +112,7 @@ TEST_CASE("rays do in octrees what was published, within 3 %") {
 }
 
 TEST_CASE("rays of tetra are the published ones", "[slow]") {
-    const Outcome outcome = run_program({"counts", "tetra:6", "--json", "-"});
+    const Outcome outcome = run_program({"study", "counts", "tetra:6", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json scene = json::parse(outcome.out)["scenes"][0];
@@ -124,7 +124,7 @@ TEST_CASE("rays of tetra are the published ones", "[slow]") {
 TEST_CASE("the page of structures has every structure on every scene, and the list on small ones") {
     const Folder folder;
     const Outcome outcome =
-        run_program({"structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24",
+        run_program({"study", "structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24",
                      "--no-netlist", "--min-psnr", "200", "--json", folder.name("rows.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
@@ -140,14 +140,14 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     for (const json& row : json::parse(bytes_of(folder.name("rows.json")))["rows"]) CHECK(row["far"] == true);
     CHECK(page.find("is not there") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
-    check_refused(run_program({"structures"}), {"--output"});
-    check_refused(run_program({"structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
+    check_refused(run_program({"study", "structures"}), {"--output"});
+    check_refused(run_program({"study", "structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
                   {"splits=on", "primitive_test"});
 }
 
 TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {
     const Folder folder;
-    const Outcome outcome = run_program({"gigahertz", "-o", folder.name("."), "--scene", "tetra:2",
+    const Outcome outcome = run_program({"study", "gigahertz", "-o", folder.name("."), "--scene", "tetra:2",
                                          "--finished", "tetra:1", "--size", "16x12"});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
@@ -161,5 +161,5 @@ TEST_CASE("the page of gigahertz has every memory at every clock, says where the
     const std::string drawing = bytes_of(folder.name("gigahertz.svg"));
     CHECK(drawing.find("hbm2 x 4") != std::string::npos);
     CHECK(drawing.find("nan") == std::string::npos);
-    check_refused(run_program({"gigahertz"}), {"--output"});
+    check_refused(run_program({"study", "gigahertz"}), {"--output"});
 }

@@ -349,7 +349,7 @@ TEST_CASE("no output replaces an input, whatever the command and the option") {
              {"compare", report, report, "--report", report},
              {"fit", x, size, "--config", config, "-o", config},
              {"export", x, size, "--json", x, "-o", folder.name("out")},
-             {"area", "--config", config, "-o", config}}) {
+             {"study", "area", "--config", config, "-o", config}}) {
         INFO(words[0] << " " << words[words.size() - 1]);
         check_refused(run_program(words), {"the output would replace"});
         CHECK(folder.contents() == before);

@@ -64,13 +64,13 @@ TEST_CASE("Ctrl-C ends every long command within a second, and nothing half-writ
          "--json", "out.json"},
         {"sweep", "tree:8", "--axis", "coord_bits=12:20", "--axis", "clock=33,66", "--json", "out.json"},
         {"fit", "tree:8", "-o", "out.json"},
-        {"tradeoff", "-o", "out.md"},
-        {"counts", "-o", "out.md"},
-        {"area", "-o", "out.md"},
-        {"yardstick", "-o", "out.md"},
-        {"figures", "-o", "out"},
-        {"structures", "--no-netlist", "-o", "out"},
-        {"gigahertz", "-o", "out"},
+        {"study", "tradeoff", "-o", "out.md"},
+        {"study", "counts", "-o", "out.md"},
+        {"study", "area", "-o", "out.md"},
+        {"study", "yardstick", "-o", "out.md"},
+        {"study", "figures", "-o", "out"},
+        {"study", "structures", "--no-netlist", "-o", "out"},
+        {"study", "gigahertz", "-o", "out"},
         {"bench", "balls:4", "--size", "1024x768", "--json", "out.json"},
         {"export", "spheres", "--depth", "8", "--aa", "4", "--size", "2048x1536", "--config", "wide", "-o",
          "out"},
@@ -81,7 +81,7 @@ TEST_CASE("Ctrl-C ends every long command within a second, and nothing half-writ
             const Folder folder;
             std::vector<std::string> words = command;
             if (words.back().starts_with("out")) words.back() = folder.name(words.back());
-            const bool is_page = words[0] == "structures" || words[0] == "gigahertz" || words[0] == "figures";
+            const bool is_page = words[1] == "structures" || words[1] == "gigahertz" || words[1] == "figures";
             if (is_page) fs::create_directory(words.back());
             stopped = stop(words, folder.name("cache"));
             INFO(command[0] << " " << command[1] << ": " << stopped.outcome.out << stopped.outcome.err);

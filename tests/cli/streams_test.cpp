@@ -24,7 +24,7 @@ const std::vector<std::vector<std::string>> printing{
     {"simulate", "tetra:1", "--size", "8x8"},
     {"simulate", "tetra:1", "--size", "8x8", "--json", "-"},
     {"stress", "--bits", "16", "--family", "edges", "--rays", "100"},
-    {"counts", "balls:1", "--size", "8x8", "--json", "-"}};
+    {"study", "counts", "balls:1", "--size", "8x8", "--json", "-"}};
 
 void check_lost(const Outcome& outcome, const std::string& reason) {
     INFO(outcome.err);

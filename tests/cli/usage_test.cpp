@@ -154,8 +154,8 @@ TEST_CASE("frames and axes that make no sense") {
            sweep("node_sets/prim_sets=16:64", {"no range"}),
            sweep("node_sets/prim_set=16/16", {"did you mean 'prim_sets'"}),
            {{"sweep", "tetra:1"}, {"--axis"}},
-           {{"yardstick"}, {"--output"}},
-           {{"yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
+           {{"study", "yardstick"}, {"--output"}},
+           {{"study", "yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
 }
 
 TEST_CASE("other values that make no sense") {

@@ -1,0 +1,92 @@
+// rayclock study area: what each unit takes of an ECP5, with and without the units that a scene may need; the
+// page docs/area.md.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
+#include "model/base/nearest.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/area.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    ConfigChoice config;
+    std::vector<std::string> units;
+    std::string output;
+    bool fresh = false;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    config_options(parser, o.config);
+    parser
+        .option("--unit", o.units,
+                "count only these units, separated by commas; then there is no page and no speed")
+        .by_commas();
+    parser.option("-o,--output", o.output, "Markdown file to write, with the speed of simulation as well");
+    fresh_option(parser, o.fresh);
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
+void check_names(const std::vector<std::string>& only) {
+    std::vector<std::string> names;
+    for (const area::UnitRow& row : area::unit_rows()) names.push_back(row.name);
+    for (const std::string& name : only)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw UserError(fmt::format("--unit: no unit is called {}{}; there are {}", shown(name),
+                                        did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+std::string command_of(const Options& o) {
+    std::string text = "rayclock study area -o " + told_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    for (const std::string& item : o.config.set) text += " --set " + item;
+    return text;
+}
+
+int run(const Options& o) {
+    check_names(o.units);
+    if (!o.units.empty() && !o.output.empty())
+        throw UserError("--unit: a page has all units; leave out --unit, or --output");
+    const Config base = load_config(o.config);
+    std::vector<area::Variant> variants = area::variants_of(base);
+    o.json.check();
+    if (!o.output.empty()) check_writable(o.output);
+    const Progress progress = terminal_progress();
+    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
+    if (areas.partial)
+        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+    const std::vector<area::Speed> speeds =
+        o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);
+    if (!o.json.is_alone()) {
+        fmt::print("{} different units of {} machines, {} of them known before\n\n{}", areas.different,
+                   areas.variants.size(), areas.known, area::table(areas));
+        if (!cache.trouble().empty()) fmt::print("  nothing is kept for the next run: {}\n", cache.trouble());
+    }
+    if (!o.output.empty()) write_file(o.output, area::page(areas, speeds, base.name, command_of(o)));
+    o.json.write(area::json(areas, speeds));
+    return 0;
+}
+
+}   // namespace
+
+Command area_command() {
+    return command("area", "docs/area.md: what each unit takes of an ECP5",
+                   "rayclock study area -o docs/area.md", declare, run);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,70 @@
+// rayclock study gigahertz: the page docs/gigahertz.md with its picture.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/gigahertz/page.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/stopping.hpp"
+
+namespace rayclock {
+
+namespace {
+
+const char* const usual_size = "256x192";
+const char* const usual_scene = "gears:8";
+const char* const usual_finished = "balls:4";
+
+struct Options {
+    ConfigChoice config;
+    std::string output, size = usual_size, scene = usual_scene, finished = usual_finished;
+    int threads = 0;
+};
+
+void declare(Parser& parser, Options& o) {
+    config_options(parser, o.config);
+    parser.option("-o,--output", o.output, "folder for gigahertz.md and its picture").required();
+    parser.option("--scene", o.scene, "scene of the camera rays").with_default();
+    parser.option("--finished", o.finished, "scene of the finished picture").with_default();
+    parser.option("--size", o.size, "size of the picture of camera rays, WIDTHxHEIGHT").with_default();
+    threads_option(parser, o.threads);
+}
+
+std::string command_of(const Options& o) {
+    std::string text = "rayclock study gigahertz -o " + told_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    for (const std::string& item : o.config.set) text += " --set " + item;
+    if (o.scene != usual_scene) text += " --scene " + told_path(o.scene);
+    if (o.finished != usual_finished) text += " --finished " + told_path(o.finished);
+    if (o.size != usual_size) text += " --size " + o.size;
+    return text;
+}
+
+int run(const Options& o) {
+    const gigahertz::Study study{load_config(o.config), o.scene, o.finished, parse_size(o.size), o.threads};
+    const std::filesystem::path folder(o.output);
+    const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();
+    check_writable(path);
+    plot::check_plot_path(plot);
+    const Progress progress = stopping(terminal_progress());
+    const gigahertz::Figures figures = gigahertz::measure(study, progress);
+    plot::write_plot(plot, gigahertz::picture(figures, study));
+    write_file(path, gigahertz::page(figures, study, command_of(o), "gigahertz"));
+    fmt::print("{} written\n", printable(path));
+    return 0;
+}
+
+}   // namespace
+
+Command gigahertz_command() {
+    return command("gigahertz", "docs/gigahertz.md: this machine at the clocks of processors",
+                   "rayclock study gigahertz -o docs", declare, run);
+}
+
+}   // namespace rayclock

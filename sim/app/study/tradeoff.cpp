@@ -1,0 +1,62 @@
+// rayclock study tradeoff: the page docs/speed-against-error.md with its plots.
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/study/tradeoff.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    std::string output, size = default_size;
+    std::vector<std::string> scenes = sweep::default_tradeoff_scenes();
+    LimitsChoice limits;
+    bool fresh = false, no_netlist = false;
+    int threads = 0;
+};
+
+void declare(Parser& parser, Options& o) {
+    parser.option("-o,--output", o.output, "Markdown file to write; the plots go beside it").required();
+    parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
+    size_option(parser, o.size);
+    fresh_option(parser, o.fresh);
+    netlist_option(parser, o.no_netlist);
+    limits_options(parser, o.limits);
+    threads_option(parser, o.threads);
+}
+
+std::string command_of(const Options& o) {
+    std::string text = "rayclock study tradeoff -o " + told_path(o.output);
+    if (o.scenes != sweep::default_tradeoff_scenes())
+        text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
+    if (o.size != default_size) text += " --size " + o.size;
+    if (o.no_netlist) text += " --no-netlist";
+    return text + typed_limits(o.limits);
+}
+
+int run(const Options& o) {
+    const FrameSize size = parse_size(o.size);
+    const Limits limits = limits_of(o.limits);
+    sweep::check_tradeoff_paths(o.output, o.scenes);
+    const Progress progress = terminal_progress();
+    jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
+    sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist, limits}, command_of(o), cache,
+                          progress);
+    fmt::print("{} written\n", printable(o.output));
+    return 0;
+}
+
+}   // namespace
+
+Command tradeoff_command() {
+    return command("tradeoff", "docs/speed-against-error.md: what each bit costs and gains",
+                   "rayclock study tradeoff -o docs/speed-against-error.md", declare, run);
+}
+
+}   // namespace rayclock

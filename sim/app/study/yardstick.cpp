@@ -1,0 +1,45 @@
+// rayclock study yardstick: the page docs/yardstick.md, our figures beside published ones.
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/silicon/chip/clock.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/yardstick.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/stopping.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    std::string output;
+    int threads = 0;
+};
+
+void declare(Parser& parser, Options& o) {
+    parser.option("-o,--output", o.output, "Markdown file to write").required();
+    threads_option(parser, o.threads);
+}
+
+int run(const Options& o) {
+    check_writable(o.output);
+    const Progress progress = stopping(terminal_progress());
+    const std::optional<chip::RoutedClock> routed = chip::routed_clock(named_config("ulx3s"));
+    const RoutedBoard board = routed ? RoutedBoard{routed->khz(), routed->device} : RoutedBoard{};
+    write_file(o.output, yardstick_page(board, o.threads, progress));
+    fmt::print("{} written\n", printable(o.output));
+    return 0;
+}
+
+}   // namespace
+
+Command yardstick_command() {
+    return command("yardstick", "docs/yardstick.md: this machine and the published SaarCOR and RPU",
+                   "rayclock study yardstick -o docs/yardstick.md", declare, run);
+}
+
+}   // namespace rayclock
