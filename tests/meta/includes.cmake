@@ -1,7 +1,7 @@
 # cmake -DSOURCE=folder -P includes.cmake
 # Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower ones only, and
 # model includes nothing of sim. No folder has more than ten folders, and no room is missing here.
-set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile model/trace model/machine/machine
+set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile model/trace model/machine
   sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study sim/app)
 set(faults "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/*.?pp ${SOURCE}/model/*.inl ${SOURCE}/sim/*.?pp ${SOURCE}/sim/*.inl)
