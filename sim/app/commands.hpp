@@ -5,6 +5,10 @@
 
 namespace rayclock {
 
+/// The command whose words are pages of docs.
+constexpr const char* study_name = "study";
+constexpr const char* study_what = "make a page of docs again: area, counts, figures, structures, ...";
+
 Command scenes_command();
 Command render_command();
 Command simulate_command();

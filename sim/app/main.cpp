@@ -28,9 +28,6 @@ namespace {
 
 using namespace rayclock;
 
-constexpr const char *study_name = "study",
-                     *study_what = "make a page of docs again: area, counts, figures, structures, ...";
-
 /// A heading of the help, and the commands under it.
 struct Group {
     const char* heading;

@@ -7,10 +7,19 @@
 #include "model/base/quote.hpp"
 #include "model/core/config.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/app/commands.hpp"
 
 namespace rayclock {
 
 namespace {
+
+std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += fresh.size())
+        text.replace(at, old.size(), fresh);
+    return text;
+}
+
+const std::string study_prefix = std::string(study_name) + " ";
 
 /// An option as people type it.
 struct OptionText {
@@ -22,6 +31,12 @@ struct OptionText {
 struct CommandText {
     const Command& command;
     std::vector<OptionText> options;
+
+    bool is_page() const { return command.name.starts_with(study_prefix); }
+    /// Behind `rayclock`, or behind `rayclock study`.
+    std::string word() const { return is_page() ? command.name.substr(study_prefix.size()) : command.name; }
+    /// In a shell's `case`: "study-area".
+    std::string label() const { return replaced(command.name, " ", "-"); }
 };
 
 std::vector<CommandText> texts_of(const std::vector<Command>& commands) {
@@ -46,12 +61,6 @@ std::vector<CommandText> texts_of(const std::vector<Command>& commands) {
         all.push_back(std::move(text));
     }
     return all;
-}
-
-std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
-    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += fresh.size())
-        text.replace(at, old.size(), fresh);
-    return text;
 }
 
 /// Text as troff shows it.
@@ -109,17 +118,17 @@ std::vector<std::string> values_of(const OptionText& o) {
 }
 
 std::string bash_completion(const std::vector<CommandText>& commands) {
-    std::string names, options, values;
+    std::string names = study_name, pages, options, values;
     for (const CommandText& c : commands) {
-        names += (names.empty() ? "" : " ") + std::string(c.command.name);
+        (c.is_page() ? pages : names) += " " + c.word();
         std::string own;
         for (const OptionText& o : c.options)
             if (!o.is_word) own += (own.empty() ? "" : " ") + joined(o.names);
-        options += fmt::format("    {}) options='{}' ;;\n", c.command.name, own);
+        options += fmt::format("    {}) options='{}' ;;\n", c.label(), own);
         for (const OptionText& o : c.options)
             if (const auto known = values_of(o); !known.empty())
                 values +=
-                    fmt::format("    {}:{}) values='{}' ;;\n", c.command.name, o.names.back(), joined(known));
+                    fmt::format("    {}:{}) values='{}' ;;\n", c.label(), o.names.back(), joined(known));
     }
     return fmt::format(R"(# Completion of rayclock for bash, made by: rayclock --print bash
 _rayclock() {{
@@ -129,6 +138,13 @@ _rayclock() {{
   if ((COMP_CWORD == 1)); then
     COMPREPLY=($(compgen -W '{}' -- "$current"))
     return
+  fi
+  if [[ $command == study ]]; then
+    if ((COMP_CWORD == 2)); then
+      COMPREPLY=($(compgen -W '{}' -- "$current"))
+      return
+    fi
+    command=study-${{COMP_WORDS[2]}}
   fi
   case $command in
 {}  esac
@@ -146,7 +162,7 @@ _rayclock() {{
 }}
 complete -o filenames -F _rayclock rayclock
 )",
-                       names, options, values, values);
+                       names, pages, options, values, values);
 }
 
 /// Text between single quotes of a shell.
@@ -158,10 +174,12 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
             text = replaced(text, special, std::string("\\") + special);
         return text;
     };
-    std::string names, cases;
+    std::string names = fmt::format("    {}\n", single_quoted(study_name + (":" + plain(study_what)))), pages,
+                cases;
     for (const CommandText& c : commands) {
-        names += "    " + single_quoted(plain(c.command.name) + ":" + plain(c.command.what)) + "\n";
-        cases += fmt::format("    {})\n      _arguments", c.command.name);
+        (c.is_page() ? pages : names) +=
+            "    " + single_quoted(plain(c.word()) + ":" + plain(c.command.what)) + "\n";
+        cases += fmt::format("    {})\n      _arguments", c.label());
         for (const OptionText& o : c.options) {
             const auto known = values_of(o);
             if (o.is_word) {
@@ -184,9 +202,13 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
     return "#compdef rayclock\n# Completion of rayclock for zsh, made by: rayclock --print "
            "zsh\n_rayclock_scenes() {\n"
            "  compadd -S '' -- " +
-           joined(scenes) + "\n  _files\n}\n_rayclock() {\n  local -a commands\n  commands=(\n" + names +
+           joined(scenes) + "\n  _files\n}\n_rayclock() {\n  local -a commands pages\n  commands=(\n" +
+           names + "  )\n  pages=(\n" + pages +
            "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
-           "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n" +
+           "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n"
+           "  if [[ $command == study ]]; then\n    if (( CURRENT == 2 )); then\n      _describe page pages\n"
+           "      return\n    fi\n    command=study-$words[2]\n    shift words\n    (( CURRENT-- ))\n  fi\n"
+           "  case $command in\n" +
            cases + "  esac\n}\n_rayclock \"$@\"\n";
 }
 
@@ -195,11 +217,20 @@ std::string fish_completion(const std::vector<CommandText>& commands) {
         return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
     };
     std::string out = "# Completion of rayclock for fish, made by: rayclock --print fish\n";
+    const std::string begin = "complete -c rayclock -n ",
+                      pages_begin = "__fish_seen_subcommand_from study; and ";
+    std::string pages;
+    for (const CommandText& c : commands)
+        if (c.is_page()) pages += " " + c.word();
+    out += begin + fmt::format("__fish_use_subcommand -f -a {} -d {}\n", study_name, quoted(study_what));
     for (const CommandText& c : commands) {
-        out += fmt::format("complete -c rayclock -n __fish_use_subcommand -f -a {} -d {}\n", c.command.name,
-                           quoted(c.command.what));
+        const std::string before = c.is_page()
+                                       ? quoted(pages_begin + "not __fish_seen_subcommand_from" + pages)
+                                       : "__fish_use_subcommand";
+        out += begin + fmt::format("{} -f -a {} -d {}\n", before, c.word(), quoted(c.command.what));
         const std::string when =
-            fmt::format("complete -c rayclock -n '__fish_seen_subcommand_from {}'", c.command.name);
+            begin + quoted((c.is_page() ? pages_begin : "not __fish_seen_subcommand_from study; and ") +
+                           "__fish_seen_subcommand_from " + c.word());
         for (const OptionText& o : c.options) {
             const auto known = values_of(o);
             const std::string choices = known.empty() ? "" : " -a " + quoted(joined(known));
