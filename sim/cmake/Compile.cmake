@@ -27,5 +27,4 @@ function(rc_define source)
 endfunction()
 
 # Options of code that waits for files, for other programs or for the model: compiling it takes longer than running it.
-# With -O1 GCC 12 reports accesses beyond a std::string that cannot happen (GCC bug 105329).
-set(rc_less_optimised $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
+set(rc_less_optimised $<$<CONFIG:Release>:-O1>)

@@ -48,9 +48,12 @@ ask simulate --no-ref
 ask simulate --config ulx
 ask sweep tet
 ask sweep gears --axis node_w
+ask stu
+ask study gig
+ask study area --no-such --uni
 ")
 run(output bash ${FOLDER}/ask.sh)
-demand("${output}" "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n<node_width= node_ways=>")
+demand("${output}" "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n<node_width= node_ways=>\n<study>\n<gigahertz>\n<--unit>")
 foreach(shell zsh=zsh/vendor-completions/_rayclock fish=fish/vendor_completions.d/rayclock.fish)
   string(REPLACE "=" ";" shell ${shell})
   list(GET shell 0 name)

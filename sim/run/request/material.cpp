@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/scene/placed.hpp"
@@ -32,8 +34,8 @@ Material named(std::string_view name) {
         if (material.name == name) return material;
         known.push_back(material.name);
     }
-    throw UserError(std::string(option) + ": no material is called " + shown(name) +
-                    did_you_mean(name, known));
+    throw UserError(
+        fmt::format("{}: no material is called {}{}", option, shown(name), did_you_mean(name, known)));
 }
 
 /// "0.5", "true", "1:0.5:0".
