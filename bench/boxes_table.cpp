@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "model/oracle/extra_visits.hpp"
+#include "sim/judge/oracle/extra_visits.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/report/text.hpp"
+#include "sim/view/report/text.hpp"
 
 using namespace rayclock;
 

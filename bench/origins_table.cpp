@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "model/isect/origin.hpp"
-#include "sim/report/text.hpp"
-#include "sim/stress/shadow_scenes.hpp"
-#include "sim/stress/shadows.hpp"
-#include "sim/jobs/threads.hpp"
+#include "model/unit/isect/origin.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/explore/stress/shadow_scenes.hpp"
+#include "sim/explore/stress/shadows.hpp"
+#include "sim/files/process/threads.hpp"
 
 using namespace rayclock;
 

@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/reference/embree_scene.hpp"
 

@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 #include <tbb/global_control.h>
 
-#include "model/accel/refit/refit.hpp"
-#include "model/accel/surfaces.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"

@@ -2,7 +2,7 @@
 //
 // Takes tiles of the picture, reads nodes and triangles through two caches, and gives
 // out one hit per pixel, in the order in which rays end. Answers of memory come by id,
-// in any order. frame_i is kept while rays are under way. Model: model/pipeline.hpp.
+// in any order. frame_i is kept while rays are under way. Model: model/machine/pipeline.hpp.
 `default_nettype none
 module rc_pipeline (
   input  logic               clk_i,
@@ -84,12 +84,12 @@ module rc_pipeline (
 
   // Each unit has a reset of its own.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
-  rc_reset u_sched_reset (.clk_i, .rst_ni, .rst_no(sched_rst_n));
-  rc_reset u_raygen_reset (.clk_i, .rst_ni, .rst_no(raygen_rst_n));
-  rc_reset u_tree_reset (.clk_i, .rst_ni, .rst_no(tree_rst_n));
-  rc_reset u_list_reset (.clk_i, .rst_ni, .rst_no(list_rst_n));
-  rc_reset u_prim_reset (.clk_i, .rst_ni, .rst_no(prim_rst_n));
-  rc_reset u_tri_reset (.clk_i, .rst_ni, .rst_no(tri_rst_n));
+  rc_reset_register u_sched_reset (.clk_i, .rst_ni, .rst_no(sched_rst_n));
+  rc_reset_register u_raygen_reset (.clk_i, .rst_ni, .rst_no(raygen_rst_n));
+  rc_reset_register u_tree_reset (.clk_i, .rst_ni, .rst_no(tree_rst_n));
+  rc_reset_register u_list_reset (.clk_i, .rst_ni, .rst_no(list_rst_n));
+  rc_reset_register u_prim_reset (.clk_i, .rst_ni, .rst_no(prim_rst_n));
+  rc_reset_register u_tri_reset (.clk_i, .rst_ni, .rst_no(tri_rst_n));
 
   rc_sched u_sched (
     .clk_i, .rst_ni(sched_rst_n), .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -147,7 +147,7 @@ module rc_pipeline (
 
   if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
     logic node_rst_n;
-    rc_reset u_node_reset (.clk_i, .rst_ni, .rst_no(node_rst_n));
+    rc_reset_register u_node_reset (.clk_i, .rst_ni, .rst_no(node_rst_n));
     rc_node_cache u_node_cache (
       .clk_i, .rst_ni(node_rst_n),
       .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
@@ -200,8 +200,8 @@ module rc_pipeline (
         surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
   end else begin : gen_shade
     logic surf_waits, surf_rst_n, shade_rst_n;
-    rc_reset u_surf_reset (.clk_i, .rst_ni, .rst_no(surf_rst_n));
-    rc_reset u_shade_reset (.clk_i, .rst_ni, .rst_no(shade_rst_n));
+    rc_reset_register u_surf_reset (.clk_i, .rst_ni, .rst_no(surf_rst_n));
+    rc_reset_register u_shade_reset (.clk_i, .rst_ni, .rst_no(shade_rst_n));
     rc_surf_cache u_surf_cache (
       .clk_i, .rst_ni(surf_rst_n),
       .req_valid_i(surf_req_valid), .req_ready_o(surf_req_ready), .req_i(surf_req),

@@ -5,7 +5,7 @@
 // frame_i is kept until the last hit. Each pipeline gives out the hits of its tiles. The
 // memory image is read 64 bytes at a time, answers matched by id in any order and
 // always taken. Reset is held for as many cycles as the largest cache has sets.
-// Model: model/machine.hpp.
+// Model: model/machine/machine.hpp.
 `default_nettype none
 module rc_top (
   input  logic                                      clk_i,
@@ -38,7 +38,7 @@ module rc_top (
 
   // What the pipelines share has a reset of its own, and so has each unit of a pipeline.
   logic shared_rst_n;
-  rc_reset u_reset (.clk_i, .rst_ni, .rst_no(shared_rst_n));
+  rc_reset_register u_reset (.clk_i, .rst_ni, .rst_no(shared_rst_n));
 
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;

@@ -8,7 +8,7 @@
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/core/lines.hpp"
-#include "model/mem/dram_parts.hpp"
+#include "model/core/dram_parts.hpp"
 
 namespace rayclock {
 

@@ -11,9 +11,9 @@ struct DramPart;
 /// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
 enum class Timing { relaxed, fast };
 
-/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
-/// by planes (model/kd), or nothing but a list of all primitives (model/none). An octree is cut by planes in
-/// the middle of its cells, and walked by the engine of kd. Planes of bsp lie in any direction (model/bsp).
+/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/engine/bvh), space cut
+/// by planes (model/engine/kd), or nothing but a list of all primitives (model/engine/none). An octree is cut by planes in
+/// the middle of its cells, and walked by the engine of kd. Planes of bsp lie in any direction (model/engine/bsp).
 enum class Structure { bvh, kd, none, octree, spheres, bsp };
 
 /// What becomes of what lies on both sides of a cut, by the value of Config::straddlers, in an octree and
@@ -21,7 +21,7 @@ enum class Structure { bvh, kd, none, octree, spheres, bsp };
 /// there is no such cut (bsp).
 enum class Straddlers { leaves, inner, stop };
 
-/// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
+/// Ray-triangle tests, by the value of Config::primitive_test; see model/unit/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
 constexpr int guard_bits = 14;        ///< fraction bits of the camera's pixel steps, dropped by one rounding
@@ -54,7 +54,7 @@ constexpr int light_reach = 8;       ///< a light, or a point of a plane, may li
                                      ///< lattice reaches
 constexpr int plane_bits = 12;       ///< whole bits of a plane's u and v
 constexpr int approach_steps = 12;   ///< in which a ray from far away finds the lattice:
-                                     ///< model/shade/approach.hpp
+                                     ///< model/unit/shade/approach.hpp
 constexpr int max_lights = 64;       ///< of Config::lights
 constexpr int most_fine = 4;         ///< of Surface::fine
 constexpr int sample_bits = 6;       ///< a pixel's sample, 0..63
@@ -234,7 +234,7 @@ struct Config {
         return coord_bits + normal_step_bits + 1;
     }   ///< n . x of a slant's plane, signed: three components of at most 2^6 - 1
     int tri_latency() const;
-    int pass_latency() const;     ///< of a pass alone, rtl/shade/rc_pass.sv
+    int pass_latency() const;     ///< of a pass alone, rtl/unit/shade/rc_pass.sv
     int shade_latency() const;    ///< and of reading what is kept of its context
     int clear_cycles() const;     ///< of a reset, in which all caches are emptied: docs/chip.md
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,

@@ -110,7 +110,7 @@ constexpr bool same_causes(Unit a, Unit b) {
     return true;
 }
 static_assert(std::ranges::all_of(node_units, [](const NodeUnit& u) {
-    return same_causes(u.unit, node_units[0].unit);   // the same wiring gives them: rtl/bvh/rc_tree.sv
+    return same_causes(u.unit, node_units[0].unit);   // the same wiring gives them: rtl/unit/trav/rc_tree.sv
 }));
 constexpr bool asks_of_node(Link link) {
     for (const NodeUnit& u : node_units)

@@ -47,7 +47,7 @@ struct SlantReq {
     std::uint32_t ray = 0;
     Vec3i o{};
     std::array<std::uint32_t, 3> recip{}, len{};
-    Vec3i along{};   ///< direction, moved up to ray_dir_bits: aligned() in model/bsp/slant.hpp
+    Vec3i along{};   ///< direction, moved up to ray_dir_bits: aligned() in model/engine/bsp/slant.hpp
     Slant slant;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -59,7 +59,7 @@ struct SlantReq {
     }
 };
 
-/// trav -> globe: a ray as its test wants it (globe_ray() in model/globe/globe.hpp), and the node.
+/// trav -> globe: a ray as its test wants it (globe_ray() in model/engine/globe/globe.hpp), and the node.
 struct GlobeReq {
     std::uint32_t ray = 0;
     Vec3i o{};

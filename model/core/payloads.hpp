@@ -78,7 +78,7 @@ struct Spawn {
     }
 };
 
-/// A direction as the sheared test uses it (model/isect/sheared.hpp). In no payload of the other tests.
+/// A direction as the sheared test uses it (model/unit/isect/sheared.hpp). In no payload of the other tests.
 struct Shear {
     std::uint32_t axis = 0;                ///< z: of the largest |d|
     std::uint32_t neg = 0;                 ///< d_z < 0

@@ -5,23 +5,23 @@ namespace rayclock {
 
 /// How many stages each pipeline of the chip has: the one place that says it, for model and RTL. A relaxed
 /// chip has few, a fast one has a register wherever a path would be longer than one addition and a choice
-/// (`rtl/prim/rc_cut.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
+/// (`rtl/cells/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
-    int cut = 0;        ///< of rc_cut
+    int cut = 0;        ///< of rc_path_register
     int far = 0;        ///< of those beside it on the way between units of a chip that shades, which is full
     int multiply = 0;   ///< of rc_mul
     int quotient_bits = 0;   ///< that rc_divide makes in a stage
     int hit_bits = 0;        ///< likewise in rc_hitdiv, whose operands are the widest
-    // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
+    // The box test, rtl/engine/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
     int slab_planes = 0;   ///< before a child's planes are multiplied
     int slab = 0;          ///< from a node to its children's intervals on an axis
     int meet = 0;          ///< from these, of the first children, to the intersections of all
     int rank = 0;          ///< from that to the children's order
-    // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
+    // The treelet, rtl/engine/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
     int plane = 0;      ///< from a treelet to the times of its planes
     int exits = 0;      ///< from these to the exits' intervals
-    int globe = 0;      ///< from a node of globes to which are met, rtl/globe/rc_globe.sv; order as in box
-    int crossing = 0;   ///< from a slant to the times of its planes, rtl/bsp/rc_crossing.sv; exits and order
+    int globe = 0;      ///< from a node of globes to which are met, rtl/engine/globe/rc_globe.sv; order as in box
+    int crossing = 0;   ///< from a slant to the times of its planes, rtl/engine/bsp/rc_crossing.sv; exits and order
                         ///< as of a treelet
     // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
     // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
@@ -32,24 +32,24 @@ struct Stages {
     int pair_share = 1;
     bool pair_parts = false;
     int pair = 1;
-    // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
+    // Primitives, rtl/unit/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
     int compare = 0;
     int hit_divide = 0;
     int sphere_levels = 0;   ///< of a shift, each with a register in a fast chip
     int sphere = 0;
-    // Rays, rtl/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
+    // Rays, rtl/unit/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
     int pixel = 0;
     int direction = 0;
     int recip = 0;
     int slope = 0;
-    // Instances, rtl/xform/rc_xform.sv: products, and reciprocals, that share a multiplier or a divider; from
+    // Instances, rtl/unit/xform/rc_xform.sv: products, and reciprocals, that share a multiplier or a divider; from
     // a ray to where it is in the mesh's space, before its reciprocals.
     int map_share = 1;
     int recip_share = 1;
     int map = 0;
-    // A pass of shade, rtl/shade/rc_pass.sv: a pass stays in each of so many stages for shade_interval
+    // A pass of shade, rtl/unit/shade/rc_pass.sv: a pass stays in each of so many stages for shade_interval
     // cycles.
     int pass = 28;
     int pass_cut = 0;     ///< registers on the way within a stage, where a pass stays long enough in it

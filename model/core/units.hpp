@@ -59,7 +59,7 @@ enum class Place : std::uint8_t { pipeline, engine, shared, beside };
 #define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
-// Of every unit that decides nodes: the same, since the same wiring gives them (rtl/bvh/rc_tree.sv).
+// Of every unit that decides nodes: the same, since the same wiring gives them (rtl/unit/trav/rc_tree.sv).
 #define RAYCLOCK_DECIDE_CAUSES busy(), starved("memory"), starved("trav"), stalled("trav")
 #define RAYCLOCK_UNITS(UNIT)                                                                           \
     UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \

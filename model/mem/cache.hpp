@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/core/config.hpp"
-#include "model/base/ring.hpp"
+#include "model/core/ring.hpp"
 
 namespace rayclock {
 

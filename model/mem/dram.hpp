@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/base/ring.hpp"
+#include "model/core/ring.hpp"
 #include "model/mem/dram_banks.hpp"
 
 namespace rayclock {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "model/core/config.hpp"
-#include "model/mem/dram_parts.hpp"
+#include "model/core/dram_parts.hpp"
 
 namespace rayclock {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/mem/dram_channels.hpp"
-#include "model/mem/dram_parts.hpp"
+#include "model/core/dram_parts.hpp"
 #include "model/mem/frame_buffer.hpp"
 #include "model/mem/memport.hpp"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/core/config.hpp"
-#include "model/base/ring.hpp"
+#include "model/core/ring.hpp"
 #include "model/base/rng.hpp"
 
 namespace rayclock {

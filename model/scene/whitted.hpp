@@ -74,7 +74,7 @@ struct SampleOffset {
 };
 /// Sample s, 0..n * n - 1, of pixel (x, y). The pixel has n x n cells; s goes through them in strides, so
 /// that the first few lie far apart. Part of the camera's definition, the same for every engine. Mirror of
-/// rtl/raygen/rc_sample.sv.
+/// rtl/unit/raygen/rc_sample.sv.
 SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter,
                            std::uint32_t seed);
 

@@ -1,11 +1,11 @@
 #pragma once
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
-#include "model/bsp/slant.hpp"
-#include "model/bvh/box.hpp"
-#include "model/globe/globe.hpp"
-#include "model/kd/treelet.hpp"
-#include "model/none/page.hpp"
+#include "model/engine/bsp/slant.hpp"
+#include "model/engine/bvh/box.hpp"
+#include "model/engine/globe/globe.hpp"
+#include "model/engine/kd/treelet.hpp"
+#include "model/engine/none/page.hpp"
 
 namespace rayclock {
 

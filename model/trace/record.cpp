@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "model/isect/any.hpp"
-#include "model/isect/tri.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
-#include "model/bvh/slab.hpp"
-#include "model/bvh/walk.hpp"
+#include "model/engine/bvh/slab.hpp"
+#include "model/trace/tree_walk.hpp"
 
 namespace rayclock {
 
@@ -30,8 +30,8 @@ static_assert(RecordBlock::side <= 16);
 }   // namespace
 
 namespace plain {
-#include "model/bvh/slab.inl"
-#include "model/bvh/walk.inl"
+#include "model/engine/bvh/slab.inl"
+#include "model/trace/tree_walk.inl"
 #include "model/trace/record.inl"
 }   // namespace plain
 
@@ -50,8 +50,8 @@ std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::
 #pragma GCC target("avx2,bmi,bmi2,lzcnt,popcnt")
 #define RAYCLOCK_WITH_AVX2
 namespace avx2 {
-#include "model/bvh/slab.inl"
-#include "model/bvh/walk.inl"
+#include "model/engine/bvh/slab.inl"
+#include "model/trace/tree_walk.inl"
 #include "model/trace/record.inl"
 }   // namespace avx2
 #undef RAYCLOCK_WITH_AVX2

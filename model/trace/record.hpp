@@ -1,14 +1,14 @@
 #pragma once
 // One block of pixels, recorded: the inside of record_trace(). The walk is TreeWalk, as everywhere; boxes and
 // primitives are met in a faster way, which makes use of it that all rays begin at the frame's eye.
-#include "model/accel/memory_image.hpp"
-#include "model/isect/facet.hpp"
-#include "model/isect/primitive.hpp"
+#include "model/layout/memory_image.hpp"
+#include "model/unit/isect/facet.hpp"
+#include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/trace/walk.hpp"
-#include "model/bvh/box.hpp"
-#include "model/bvh/stack.hpp"
+#include "model/engine/bvh/box.hpp"
+#include "model/unit/trav/stack.hpp"
 
 namespace rayclock {
 

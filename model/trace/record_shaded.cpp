@@ -1,6 +1,6 @@
 #include "model/trace/record_shaded.hpp"
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 
 namespace rayclock {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "model/shade/shader.hpp"
+#include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 

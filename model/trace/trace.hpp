@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/base/progress.hpp"
 #include "model/scene/whitted.hpp"
 

@@ -1,6 +1,6 @@
 #include "model/trace/walk.hpp"
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 
 namespace rayclock {
 

@@ -1,9 +1,9 @@
 #pragma once
-#include "model/bvh/walk.hpp"
-#include "model/isect/any.hpp"
-#include "model/isect/primitive.hpp"
+#include "model/trace/tree_walk.hpp"
+#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
-#include "model/xform/inside.hpp"
+#include "model/trace/inside.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 // Cells of the ECP5 that Yosys has no models of: block memory and multiplier, as far as netlists of
 // this project use them. What is not modelled is refused when a simulation is built, or stops it.
 //
-// Only netlists are simulated with them (sim/rtl/gates.hpp); the models of the other cells are Yosys'
+// Only netlists are simulated with them (sim/run/rtl/gates.hpp); the models of the other cells are Yosys'
 // own. A cell does here what Yosys' maps mean by it: techlibs/ecp5, brams.txt, brams_map.v, dsp_map.v.
 `default_nettype none
 

@@ -92,7 +92,7 @@ module rc_mul #(
         assign sum[i/Group*PW +: PW] = total;
       end
     end
-    rc_cut #(.Width(Groups * PW), .Stages(Stages < 3 ? 0 : 1)) u_sum (
+    rc_path_register #(.Width(Groups * PW), .Stages(Stages < 3 ? 0 : 1)) u_sum (
       .clk_i, .data_i(sum), .data_o(last));
     for (genvar i = 0; i < Groups; i++) begin : gen_total
       logic [PW-1:0] total;
@@ -102,7 +102,7 @@ module rc_mul #(
         assign total = gen_total[i-1].total + last[i*PW +: PW];
       end
     end
-    rc_cut #(.Width(PW), .Stages(Stages < 4 ? 0 : 1)) u_total (
+    rc_path_register #(.Width(PW), .Stages(Stages < 4 ? 0 : 1)) u_total (
       .clk_i, .data_i(gen_total[Groups-1].total), .data_o(p_o));
   end
 endmodule

@@ -1,5 +1,5 @@
 // Products of several pairs of numbers that are held for Every cycles, as a pass of shade is in
-// each of its stages (rtl/shade/rc_pass.sv). Multipliers make them one after the other, as few as
+// each of its stages (rtl/unit/shade/rc_pass.sv). Multipliers make them one after the other, as few as
 // can be done with. turn_i[p] is high in the p-th of the cycles, and all products are told in the
 // last one. If Every is 1, each product has a multiplier, and is made at once.
 //

@@ -38,6 +38,6 @@ module rc_mul_parts #(
   rc_mul_shared #(
     .AW(AW), .BW(Half), .Signed(Signed), .Sums(Sums), .Products(2 * Products), .Share(Share))
   u_halves (.clk_i, .valid_i, .a_i(a), .b_i(b), .p_o(halves));
-  rc_cut #(.Width(2 * Products * HW)) u_halves_made (.clk_i, .data_i(halves), .data_o(last));
+  rc_path_register #(.Width(2 * Products * HW)) u_halves_made (.clk_i, .data_i(halves), .data_o(last));
 endmodule
 `default_nettype wire

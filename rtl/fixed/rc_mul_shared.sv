@@ -46,7 +46,7 @@ module rc_mul_shared #(
       .clk_i, .a_i(a), .b_i(b), .p_o(p));
     // The first products wait for the last.
     for (genvar i = 0; i < Own; i++) begin : gen_product
-      rc_cut #(.Width(PW), .Stages(Share - 1 - i)) u_early (
+      rc_path_register #(.Width(PW), .Stages(Share - 1 - i)) u_early (
         .clk_i, .data_i(p), .data_o(p_o[(First+i)*PW +: PW]));
     end
   end

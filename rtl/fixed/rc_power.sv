@@ -1,5 +1,5 @@
 // c^(n/16): c from 0 to 2^16 with UnitBits of fraction (16), n of 14 bits, 4 of them
-// fraction. 0 of c = 0. Error bounds: model/shade/power.hpp, the model.
+// fraction. 0 of c = 0. Error bounds: model/unit/shade/power.hpp, the model.
 //
 // Latency rc_pkg::PowerStages stages of Every cycles, a power as often, no stall; operands are
 // held as long. A stage works only if valid_i came with them, in its first cycle.
@@ -20,7 +20,7 @@ module rc_power #(
   // In which cycle of which stage a power is; ends[i]: one goes on from stage i.
   logic [Stages*Every-1:0] turn;
   logic [Stages-1:0]       ends;
-  rc_turns #(.Stages(Stages), .Every(Every)) u_turns (
+  rc_phase #(.Stages(Stages), .Every(Every)) u_turns (
     .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
 
   // s1: m = c 2^below, 2^16 <= m < 2^17.
@@ -32,7 +32,7 @@ module rc_power #(
     if (rc_pkg::ShadeCut != 0 || ends[0])
       for (int i = 0; i < 17; i++) if (c_i[i]) s0_below = 5'd16 - 5'(i);
   end
-  rc_cut #(.Width(5), .Stages(rc_pkg::ShadeCut)) u_below (
+  rc_path_register #(.Width(5), .Stages(rc_pkg::ShadeCut)) u_below (
     .clk_i, .data_i(s0_below), .data_o(s0_by));
   always_comb begin
     s0_m = '0;
@@ -45,7 +45,7 @@ module rc_power #(
     end
   end
   logic [13:0] s3_n;
-  rc_delay #(.Width(14), .Stages(3)) u_n (
+  rc_shift_register #(.Width(14), .Stages(3)) u_n (
     .clk_i, .valid_i(ends[2:0]), .data_i(n_i), .data_o(s3_n));
 
   // s2, s3: -log2(c), 18 bits of fraction.
@@ -114,7 +114,7 @@ module rc_power #(
   logic [18:0] s6_sum, s6_up, s6_moved;
   logic [16:0] s7_power_q;
   assign s6_sum = {1'b0, s6_g_q} + (19'd1 << s6_whole_q);
-  rc_cut #(.Width(19), .Stages(rc_pkg::ShadeCut)) u_up (
+  rc_path_register #(.Width(19), .Stages(rc_pkg::ShadeCut)) u_up (
     .clk_i, .data_i(s6_sum), .data_o(s6_up));
   assign s6_moved = s6_up >> s6_whole_q;
   always_ff @(posedge clk_i) if (ends[6]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];

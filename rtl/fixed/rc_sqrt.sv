@@ -32,7 +32,7 @@ module rc_sqrt #(
   logic [Stages:0] valid;
   assign valid[0] = valid_i;
   for (genvar i = 0; i < Stages; i++) begin : gen_valid
-    rc_cut #(.Width(1), .Stages(Held)) u_step (
+    rc_path_register #(.Width(1), .Stages(Held)) u_step (
       .clk_i, .data_i(valid[i]), .data_o(valid[i+1]));
   end
 

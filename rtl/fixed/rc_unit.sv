@@ -1,5 +1,5 @@
 // A vector's direction: v / |v| with UnitBits of fraction (16), each component from
-// -2^16 to 2^16; zero of zero. Error bounds: model/shade/unit_vector.hpp, the model.
+// -2^16 to 2^16; zero of zero. Error bounds: model/unit/shade/unit_vector.hpp, the model.
 //
 // Latency rc_pkg::UnitStages stages of Every cycles, a vector as often, no stall; it is held as
 // long. A stage works only if valid_i came with its vector, in its first cycle.
@@ -20,7 +20,7 @@ module rc_unit #(
   // In which cycle of which stage a vector is; ends[i]: one goes on from stage i.
   logic [Stages*Every-1:0] turn;
   logic [Stages-1:0]       ends;
-  rc_turns #(.Stages(Stages), .Every(Every)) u_turns (
+  rc_phase #(.Stages(Stages), .Every(Every)) u_turns (
     .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
 
   // s1: sizes and signs.
@@ -33,7 +33,7 @@ module rc_unit #(
     assign s0_size[k*W +: W] = v[W-1] ? -v : v;
   end
   always_ff @(posedge clk_i) if (ends[0]) s1_size_q <= s0_size;
-  rc_delay #(.Width(3), .Stages(Stages)) u_neg (
+  rc_shift_register #(.Width(3), .Stages(Stages)) u_neg (
     .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: length of the longest.
@@ -41,7 +41,7 @@ module rc_unit #(
   logic [L-1:0]   s1_len, s2_len_q;
   logic [3*W-1:0] s2_size_q;
   assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
-  rc_cut #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_any (
+  rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_any (
     .clk_i, .data_i(s1_any), .data_o(s1_any_told));
   always_comb begin
     s1_len = '0;
@@ -118,9 +118,9 @@ module rc_unit #(
   // s8: a r, rounded. Components wait from s4 to s7.
   logic [50:0] s7_a;
   logic        s7_low;
-  rc_delay #(.Width(51), .Stages(3)) u_a (
+  rc_shift_register #(.Width(51), .Stages(3)) u_a (
     .clk_i, .valid_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
-  rc_delay #(.Width(1), .Stages(2)) u_low (
+  rc_shift_register #(.Width(1), .Stages(2)) u_low (
     .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
   logic [3*36-1:0] s7_product;
   rc_mul_held #(.AW(17), .BW(19), .Signed(1'b0), .Products(3), .Every(Every)) u_products (

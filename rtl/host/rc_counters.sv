@@ -29,7 +29,7 @@ module rc_counters #(
     localparam int unsigned Unit  = k < S ? k : (k - S) % U;
     if (k < S ? rc_pkg::SharedUnitsThere[Unit] : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
       logic [W-1:0] count;
-      rc_tally u_tally (
+      rc_cause_counters u_tally (
         .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_cause),
         .count_o(count));
       assign there[k]         = which_unit == {4'(Group), 4'(Unit)};

@@ -1,5 +1,5 @@
 // The chip's face to a host: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
-// addresses). docs/chip.md has the registers to the bit, sim/gen/registers.hpp lists them.
+// addresses). docs/chip.md has the registers to the bit, sim/run/gen/registers.hpp lists them.
 //
 // Every access is answered two cycles after it is seen: by ack, or by err if it asks for
 // what is not there or not possible now. An access that ends in err changes nothing. A start

@@ -220,7 +220,7 @@ module rc_cache #(
   assign read_at   = draining ? place(drain_set, drain_way, read_word)
                               : place(set, line_way, read_word);
   assign fill_at   = place(fill_set, fill_way, fill_id_i[WordW-1:0] & WordW'(Words - 1));
-  rc_door #(.Credits(Queue)) u_door (
+  rc_credit_counter #(.Credits(Queue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(open));
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
@@ -248,7 +248,7 @@ module rc_cache #(
     assign s1_data = s1_part_q ? gen_part[1].data : gen_part[0].data;
   end
   logic [IdBits+PartW-1:0] end_answer;
-  rc_cut #(.Width(IdBits + PartW), .Stages(Cut)) u_answer (
+  rc_path_register #(.Width(IdBits + PartW), .Stages(Cut)) u_answer (
     .clk_i, .data_i({s1_id_q, s1_data}), .data_o(end_answer));
   if (Cut == 0) begin : gen_answer_now
     assign end_valid = s1_valid_q;
@@ -261,7 +261,7 @@ module rc_cache #(
     assign end_valid = end_valid_q;
   end
   logic [IdBits+PartW-1:0] next_answer;
-  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  rc_fifo_peek #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o), .next_fires_o,
     .next_o(next_answer));

@@ -153,7 +153,7 @@ module rc_tags #(
       .clk_i, .write_i(!rst_ni || touched), .write_addr_i(tree_set),
       .write_data_i(rst_ni ? late_recent : '0), .read_addr_i(ahead_set_i),
       .read_data_o(kept));
-    rc_cut #(.Width(Ways), .Stages(Cut)) u_recent_late (
+    rc_path_register #(.Width(Ways), .Stages(Cut)) u_recent_late (
       .clk_i, .data_i(recent_d), .data_o(late_recent));
     if (Cut == 0) begin : gen_at_once
       assign recent  = kept;

@@ -9,12 +9,12 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/area.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/area.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "model/base/stopwatch.hpp"
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -11,14 +11,14 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/methods.hpp"
 #include "sim/app/options.hpp"
-#include "sim/chip/estimate.hpp"
-#include "sim/chip/picture.hpp"
-#include "sim/chip/report.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/report/accounts.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
+#include "sim/silicon/chip/estimate.hpp"
+#include "sim/silicon/chip/picture.hpp"
+#include "sim/silicon/chip/report.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

@@ -9,7 +9,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "sim/app/options.hpp"
-#include "sim/chip/clock.hpp"
+#include "sim/silicon/chip/clock.hpp"
 
 namespace rayclock {
 

@@ -7,10 +7,10 @@
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/compare/compare.hpp"
+#include "sim/view/compare/compare.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report_page/frame.hpp"
+#include "sim/view/page/frame.hpp"
 
 namespace rayclock {
 

@@ -1,9 +1,9 @@
 #pragma once
 // A machine's frame beside the reference's: what simulate and explain need.
-#include "model/reference/reference.hpp"
-#include "sim/cause/finished.hpp"
-#include "sim/report/json.hpp"
-#include "sim/request/request.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/finished.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/run/request/request.hpp"
 
 namespace rayclock {
 

@@ -6,10 +6,10 @@
 
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/spd.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/text.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/spd.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

@@ -7,13 +7,13 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
-#include "sim/explain/page.hpp"
+#include "sim/view/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/view/page/frame.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

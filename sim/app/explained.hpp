@@ -1,7 +1,7 @@
 #pragma once
 // What explain says of a pixel, and simulate's report of many.
 #include "sim/app/compared.hpp"
-#include "sim/explain/explain.hpp"
+#include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
 

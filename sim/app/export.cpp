@@ -4,13 +4,13 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/export/export.hpp"
+#include "sim/silicon/export/export.hpp"
 #include "sim/files/folder.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -11,11 +11,11 @@
 #include "model/base/split.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/figures/page.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/figures/page.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

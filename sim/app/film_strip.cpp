@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "model/hits.hpp"
-#include "model/reference/reference.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/film/strip.hpp"
-#include "sim/image/image.hpp"
-#include "sim/report/accounts.hpp"
-#include "sim/report/text.hpp"
+#include "sim/run/film/strip.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "sim/files/folder.hpp"
-#include "sim/film/film.hpp"
-#include "sim/report/json.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/view/report/json.hpp"
 
 namespace rayclock {
 

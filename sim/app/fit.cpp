@@ -11,12 +11,12 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/fit_device.hpp"
 #include "sim/app/options.hpp"
-#include "sim/fit/dominant.hpp"
-#include "sim/fit/report.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/explore/fit/dominant.hpp"
+#include "sim/explore/fit/report.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -6,10 +6,10 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/options.hpp"
-#include "sim/balance/doors.hpp"
-#include "sim/balance/report.hpp"
-#include "sim/chip/report.hpp"
-#include "sim/rtl/builder.hpp"
+#include "sim/explore/balance/doors.hpp"
+#include "sim/explore/balance/report.hpp"
+#include "sim/silicon/chip/report.hpp"
+#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

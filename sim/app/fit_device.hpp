@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "sim/app/methods.hpp"
-#include "sim/balance/search.hpp"
-#include "sim/chip/run.hpp"
-#include "sim/film/choice.hpp"
+#include "sim/explore/balance/search.hpp"
+#include "sim/silicon/chip/run.hpp"
+#include "sim/run/film/choice.hpp"
 
 namespace rayclock {
 

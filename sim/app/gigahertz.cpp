@@ -6,12 +6,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/gigahertz/page.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/interrupt.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/gigahertz/page.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

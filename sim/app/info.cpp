@@ -4,11 +4,11 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/tables.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/interrupt.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/interrupt.hpp"
 
 namespace rayclock {
 

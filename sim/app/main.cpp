@@ -20,8 +20,8 @@
 #include "sim/app/manual.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report/builds.hpp"
-#include "sim/rtl/interrupt.hpp"
+#include "sim/view/report/builds.hpp"
+#include "sim/files/process/interrupt.hpp"
 
 namespace {
 

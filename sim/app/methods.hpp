@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/app/parser.hpp"
-#include "sim/chip/nextpnr.hpp"
+#include "sim/silicon/chip/nextpnr.hpp"
 
 namespace rayclock {
 

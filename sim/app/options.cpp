@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/image/image.hpp"
-#include "sim/report/text.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

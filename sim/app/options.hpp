@@ -4,10 +4,10 @@
 
 #include "model/mem/memport.hpp"
 #include "sim/app/parser.hpp"
-#include "sim/film/film.hpp"
-#include "sim/report/limits.hpp"
-#include "sim/request/config_file.hpp"
-#include "sim/request/request.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/view/report/limits.hpp"
+#include "sim/run/request/config_file.hpp"
+#include "sim/run/request/request.hpp"
 
 namespace rayclock {
 

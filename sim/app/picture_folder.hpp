@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/files/folder.hpp"
-#include "sim/image/image.hpp"
+#include "sim/files/image/image.hpp"
 
 namespace rayclock {
 

@@ -7,11 +7,11 @@
 #include "model/base/error.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/hard_cases.hpp"
-#include "sim/report/text.hpp"
-#include "sim/stress/report.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/hard_cases.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/explore/stress/report.hpp"
 
 namespace rayclock {
 

@@ -7,12 +7,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/structures/page.hpp"
-#include "sim/pages/typed.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/structures/page.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

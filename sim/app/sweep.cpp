@@ -6,12 +6,12 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/swept.hpp"
-#include "sim/image/image.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/stopping.hpp"
-#include "sim/sweep/cost.hpp"
-#include "sim/sweep/shard.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/explore/sweep/cost.hpp"
+#include "sim/explore/sweep/shard.hpp"
 
 namespace rayclock {
 

@@ -8,12 +8,12 @@
 #include "sim/app/command_line.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/report/text.hpp"
-#include "sim/sweep/cost.hpp"
-#include "sim/sweep/page.hpp"
-#include "sim/sweep/plot.hpp"
-#include "sim/sweep/table.hpp"
+#include "sim/view/page/frame.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/explore/sweep/cost.hpp"
+#include "sim/explore/sweep/page.hpp"
+#include "sim/explore/sweep/plot.hpp"
+#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 #pragma once
 // What sweep and merge write about the points of a sweep.
 #include "sim/app/options.hpp"
-#include "sim/sweep/merge.hpp"
+#include "sim/explore/sweep/merge.hpp"
 
 namespace rayclock {
 

@@ -5,12 +5,12 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/jobs/threads.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/lockstep.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/torture/torture.hpp"
+#include "sim/files/process/threads.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/lockstep.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/explore/torture/torture.hpp"
 
 namespace rayclock {
 

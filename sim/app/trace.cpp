@@ -9,12 +9,12 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/observe/replay.hpp"
-#include "sim/report/json.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
-#include "sim/timeline/timeline.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/view/observe/replay.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/view/timeline/timeline.hpp"
 
 namespace rayclock {
 

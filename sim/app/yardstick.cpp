@@ -4,12 +4,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/chip/clock.hpp"
-#include "sim/image/image.hpp"
-#include "sim/pages/yardstick.hpp"
-#include "sim/report/text.hpp"
-#include "sim/rtl/interrupt.hpp"
-#include "sim/rtl/stopping.hpp"
+#include "sim/silicon/chip/clock.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/study/yardstick.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

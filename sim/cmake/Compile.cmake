@@ -11,7 +11,7 @@ target_compile_options(rc_options INTERFACE
   -ffp-contract=off)
 # GCC 12 reports overlaps inside std::string's operator+ that cannot happen (GCC bug 105651).
 target_compile_options(rc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-# Flags of the model are joined by & and | where the host should not branch: model/base/ring.hpp.
+# Flags of the model are joined by & and | where the host should not branch: model/core/ring.hpp.
 target_compile_options(rc_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # A program loads the libraries that it calls, and no other: OpenImageIO brings 250, a fifth of a second at every start.
 target_link_options(rc_options INTERFACE LINKER:--as-needed)

@@ -7,7 +7,7 @@
 #include "model/scene/builtin.hpp"
 #include "model/scene/folded.hpp"
 #include "sim/files/input.hpp"
-#include "sim/image/average.hpp"
+#include "sim/files/image/average.hpp"
 #include "sim/load/json_scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh_file.hpp"

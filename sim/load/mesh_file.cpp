@@ -6,7 +6,7 @@
 
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
-#include "sim/import/assimp.hpp"
+#include "sim/load/import/assimp.hpp"
 #include "sim/load/gunzip.hpp"
 #include "sim/load/triangulate.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/import/assimp.hpp"
+#include "sim/load/import/assimp.hpp"
 #include "sim/load/gltf_buffers.hpp"
 #include "sim/load/mesh_file.hpp"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/scene/placed.hpp"
-#include "model/shade/bounce.hpp"
-#include "model/shade/unit_vector.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/unit_vector.hpp"
 #include "tests/accel/meshes.hpp"
 namespace rayclock {
 

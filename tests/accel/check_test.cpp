@@ -1,8 +1,8 @@
 // The validator itself: every kind of damage has to be noticed.
 #include <catch2/catch.hpp>
 
-#include "model/accel/decode.hpp"
-#include "model/accel/encode.hpp"
+#include "model/layout/decode.hpp"
+#include "model/layout/encode.hpp"
 #include "tests/accel/meshes.hpp"
 
 using namespace rayclock;

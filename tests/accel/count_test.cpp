@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "model/accel/decode.hpp"
-#include "model/isect/tri.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/layout/decode.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/walk.hpp"
 #include "tests/accel/meshes.hpp"

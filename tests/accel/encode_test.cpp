@@ -2,7 +2,7 @@
 // a small lattice.
 #include <catch2/catch.hpp>
 
-#include "model/accel/encode.hpp"
+#include "model/layout/encode.hpp"
 
 using namespace rayclock;
 

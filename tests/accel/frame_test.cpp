@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/accel/memory_image.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/layout/memory_image.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "tests/accel/meshes.hpp"
 
 using namespace rayclock;

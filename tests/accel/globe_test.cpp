@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/accel/globe/check.hpp"
-#include "model/accel/globe/encode.hpp"
+#include "tests/support/check/globe_check.hpp"
+#include "model/engine/globe/encode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/cases/draw.hpp"

@@ -2,9 +2,9 @@
 
 #include <tbb/global_control.h>
 
-#include "model/accel/decode.hpp"
-#include "model/accel/emit.hpp"
-#include "model/accel/encode.hpp"
+#include "model/layout/decode.hpp"
+#include "model/compile/emit.hpp"
+#include "model/layout/encode.hpp"
 #include "model/base/error.hpp"
 #include "tests/accel/meshes.hpp"
 

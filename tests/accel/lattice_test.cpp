@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "tests/accel/meshes.hpp"
 
 using namespace rayclock;

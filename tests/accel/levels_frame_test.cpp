@@ -1,10 +1,10 @@
 // Whole pictures in two levels, beside the same scene in one.
 #include <catch2/catch.hpp>
 
-#include "model/accel/levels/levels.hpp"
+#include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
 #include "model/trace/trace.hpp"
-#include "model/xform/picture.hpp"
+#include "tests/support/levels/picture.hpp"
 #include "tests/accel/solids.hpp"
 
 using namespace rayclock;

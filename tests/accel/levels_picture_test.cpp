@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
-#include "model/shade/shade.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "model/scene/hit_shading.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/accel/mixed.hpp"
 #include "tests/accel/solids.hpp"

@@ -4,17 +4,17 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/accel/levels/levels.hpp"
+#include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/isect/any.hpp"
-#include "model/oracle/sight.hpp"
-#include "model/raygen/raygen.hpp"
-#include "model/shade/bounce.hpp"
-#include "model/shade/dot.hpp"
-#include "model/shade/light.hpp"
-#include "model/shade/surf.hpp"
-#include "model/shade/unit_vector.hpp"
-#include "model/xform/walk.hpp"
+#include "model/unit/isect/any.hpp"
+#include "sim/judge/oracle/sight.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/light.hpp"
+#include "model/unit/shade/surf.hpp"
+#include "model/unit/shade/unit_vector.hpp"
+#include "tests/support/levels/walk.hpp"
 #include "tests/accel/aim.hpp"
 #include "tests/accel/solids.hpp"
 

@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/accel/levels/levels.hpp"
+#include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/oracle/surface.hpp"
-#include "model/raygen/raygen.hpp"
-#include "model/xform/walk.hpp"
+#include "sim/judge/oracle/surface.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "tests/support/levels/walk.hpp"
 #include "tests/accel/solids.hpp"
 
 using namespace rayclock;

@@ -1,6 +1,6 @@
 #pragma once
 // A scene's primitives on the lattice of a machine: those of a list.
-#include "model/accel/decode.hpp"
+#include "model/layout/decode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "model/accel/octree/build.hpp"
+#include "model/engine/octree/build.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

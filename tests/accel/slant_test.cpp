@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/accel/bsp/check.hpp"
-#include "model/accel/bsp/facets.hpp"
-#include "model/bsp/slant.hpp"
+#include "tests/support/check/bsp_check.hpp"
+#include "model/engine/bsp/facets.hpp"
+#include "model/engine/bsp/slant.hpp"
 #include "model/core/layout.hpp"
 #include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "model/accel/encode.hpp"
-#include "model/isect/vectors.hpp"
+#include "model/layout/encode.hpp"
+#include "model/unit/isect/vectors.hpp"
 #include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 

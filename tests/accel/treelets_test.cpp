@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "model/accel/kd/build.hpp"
-#include "model/accel/kd/split.hpp"
-#include "model/accel/kd/treelets.hpp"
+#include "model/engine/kd/build.hpp"
+#include "model/engine/kd/split.hpp"
+#include "model/engine/kd/treelets.hpp"
 #include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
-#include "sim/chip/anchor.hpp"
-#include "sim/chip/cells.hpp"
+#include "sim/silicon/chip/anchor.hpp"
+#include "sim/silicon/chip/cells.hpp"
 #include "sim/files/input.hpp"
 #include "tests/image/folder.hpp"
 

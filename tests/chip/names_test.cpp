@@ -6,11 +6,11 @@
 
 #include "model/base/error.hpp"
 #include "model/core/config.hpp"
-#include "sim/chip/cells.hpp"
-#include "sim/rtl/sources.hpp"
-#include "sim/synth/yosys.hpp"
-#include "sim/chip/harness.hpp"
-#include "sim/chip/run.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/run/rtl/sources.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+#include "sim/silicon/chip/harness.hpp"
+#include "sim/silicon/chip/run.hpp"
 #include "tests/image/folder.hpp"
 
 using namespace rayclock;
@@ -114,7 +114,7 @@ TEST_CASE("a netlist is the same wherever the sources lie") {
         Config{}, "-defer ",
         "hierarchy -top rc_fifo\nproc\ndelete =A:whitebox =A:lib_whitebox\nwrite_json netlist.json\n"));
     const std::string netlist = run.text("netlist.json");
-    CHECK(netlist.find("rtl/prim/rc_fifo_ahead.sv:") != netlist.npos);
+    CHECK(netlist.find("rtl/cells/rc_fifo_peek.sv:") != netlist.npos);
     CHECK(netlist.find(rtl_sources().string()) == netlist.npos);
     CHECK(netlist.find(folder.path().string()) == netlist.npos);
 }

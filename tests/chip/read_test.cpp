@@ -5,11 +5,11 @@
 #include <fstream>
 
 #include "model/base/error.hpp"
-#include "sim/chip/cells.hpp"
-#include "sim/chip/nextpnr.hpp"
-#include "sim/chip/picture.hpp"
-#include "sim/chip/route.hpp"
-#include "sim/chip/timing.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/silicon/chip/nextpnr.hpp"
+#include "sim/silicon/chip/picture.hpp"
+#include "sim/silicon/chip/route.hpp"
+#include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"
 #include "tests/image/folder.hpp"
 

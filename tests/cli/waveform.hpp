@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "sim/wave/fst.hpp"
+#include "sim/view/wave/fst.hpp"
 
 namespace rayclock::test {
 

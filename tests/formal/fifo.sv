@@ -1,4 +1,4 @@
-// What rc_fifo_ahead promises, and so rc_fifo, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
+// What rc_fifo_peek promises, and so rc_fifo, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
 // else comes out; ready and an offer stay until they are used.
 //
 // One entry is followed, any: `pick_i` says which. `ahead_q` entries leave before it. Ties to the inside, as an
@@ -20,7 +20,7 @@ module fifo #(
   logic             ready_o, valid_o;
   logic [Width-1:0] data_o, next_data;
   logic             next_fires;
-  rc_fifo_ahead #(.Width(Width), .Depth(Depth), .Cut(Cut), .Second(Second)) u_dut (
+  rc_fifo_peek #(.Width(Width), .Depth(Depth), .Cut(Cut), .Second(Second)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
     .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o), .next_fires_o(next_fires), .next_o(next_data));
   (* hierconn *) wire [IndexW:0] \u_dut.head_q ;

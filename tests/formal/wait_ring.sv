@@ -1,4 +1,4 @@
-// What rc_wait promises: what came with valid_i comes out after exactly Stages cycles. Two bits of data stand for any width.
+// What rc_delay_ram promises: what came with valid_i comes out after exactly Stages cycles. Two bits of data stand for any width.
 // Induction over more than Stages cycles sees everything that lies in the memory come in; only the place must be tied.
 module wait_ring #(
   parameter  int unsigned Stages = 3,
@@ -10,7 +10,7 @@ module wait_ring #(
   input logic [1:0] data_i
 );
   logic [1:0] data_o;
-  rc_wait #(.Width(2), .Stages(Stages)) u_dut (
+  rc_delay_ram #(.Width(2), .Stages(Stages)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .data_i(data_i), .data_o(data_o));
   (* hierconn *) wire [IndexW-1:0] \u_dut.at_q ;
 

@@ -3,7 +3,7 @@
 fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])
-fuzz_mutant(cache_key_not_compared QUICK FILE sim/jobs/cache.cpp TARGET cache RUNS 20000
+fuzz_mutant(cache_key_not_compared QUICK FILE sim/files/cache/results.cpp TARGET cache RUNS 20000
   OLD [[entry["key"] != key || ]]
   NEW [[]])
 fuzz_mutant(mtl_more_light_than_came FILE sim/load/surface.cpp TARGET mtl RUNS 100000
@@ -24,7 +24,7 @@ fuzz_mutant(scene_index_one_beyond FILE sim/load/json_parts.cpp TARGET scene RUN
 fuzz_mutant(config_value_above_its_range FILE model/core/check.cpp TARGET config RUNS 100000
   OLD [[if (value < p.lo || value > p.hi)]]
   NEW [[if (value < p.lo)]])
-fuzz_mutant(state_of_other_rays FILE sim/stress/state.cpp TARGET state RUNS 100000
+fuzz_mutant(state_of_other_rays FILE sim/explore/stress/state.cpp TARGET state RUNS 100000
   OLD [[if (c.rays != rays)]]
   NEW [[if (c.rays > 2 * rays)]])
 fuzz_mutant(options_clock_of_any_rate FILE sim/app/values.cpp TARGET options RUNS 100000

@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
-#include "model/shade/shade.hpp"
+#include "model/scene/hit_shading.hpp"
 
 namespace rayclock {
 

@@ -9,7 +9,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "sim/image/golden.hpp"
+#include "sim/files/image/golden.hpp"
 #include "tests/golden/golden_scenes.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/image/golden.hpp"
-#include "sim/image/srgb.hpp"
+#include "sim/files/image/golden.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "tests/image/folder.hpp"
 
 using namespace rayclock;

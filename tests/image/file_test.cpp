@@ -10,8 +10,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include "sim/files/output.hpp"
-#include "sim/image/codec.hpp"
-#include "sim/image/srgb.hpp"
+#include "sim/files/image/codec.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "tests/image/folder.hpp"
 
 using namespace rayclock;

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "model/base/error.hpp"
-#include "sim/image/image.hpp"
+#include "sim/files/image/image.hpp"
 
 namespace rayclock {
 

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/image/golden.hpp"
+#include "sim/files/image/golden.hpp"
 #include "tests/golden/golden_scenes.hpp"
 #include "tests/reference/embree_scene.hpp"
 

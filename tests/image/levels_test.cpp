@@ -1,10 +1,10 @@
 // Pictures of two levels beside the reference, which sees a flat scene in double precision.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
-#include "model/shade/shade.hpp"
-#include "model/xform/picture.hpp"
-#include "sim/image/image.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "model/scene/hit_shading.hpp"
+#include "tests/support/levels/picture.hpp"
+#include "sim/files/image/image.hpp"
 
 using namespace rayclock;
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "sim/import/assimp.hpp"
-#include "sim/rtl/process.hpp"
+#include "sim/load/import/assimp.hpp"
+#include "sim/files/process/process.hpp"
 #include "tests/load/files.hpp"
 
 using namespace rayclock;

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/image/image.hpp"
+#include "sim/files/image/image.hpp"
 #include "tests/load/files.hpp"
 
 using namespace rayclock;

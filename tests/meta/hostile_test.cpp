@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "sim/load/load.hpp"
-#include "sim/lockstep/lockstep.hpp"
-#include "sim/report/lockstep.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
+#include "sim/view/report/lockstep.hpp"
 #include "tests/meta/campaign/schema.hpp"
 
 using namespace rayclock;

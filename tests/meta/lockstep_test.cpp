@@ -8,14 +8,14 @@
 #include <sstream>
 #include <unistd.h>
 
-#include "model/machine.hpp"
-#include "model/trace/witness.hpp"
-#include "sim/divergence/fields.hpp"
+#include "model/machine/machine.hpp"
+#include "model/machine/witness.hpp"
+#include "sim/view/divergence/fields.hpp"
 #include "sim/load/load.hpp"
-#include "sim/lockstep/driver.hpp"
-#include "sim/lockstep/lockstep.hpp"
-#include "sim/report/builds.hpp"
-#include "sim/report/lockstep.hpp"
+#include "sim/run/lockstep/driver.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
+#include "sim/view/report/builds.hpp"
+#include "sim/view/report/lockstep.hpp"
 
 using namespace rayclock;
 namespace fs = std::filesystem;
@@ -147,7 +147,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
-        "bvh/rc_answer.sv", queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
+        "bvh/rc_node_answer.sv", queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
         "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
         "    late_q <= rst_ni && end_valid_i;\n    data_q <= queue_data;\n  end\n" +
             queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
@@ -320,7 +320,7 @@ TEST_CASE("a wrong register of cycles is told in a sentence") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     const Job job = small_job();
-    const Mutant mutant("bvh/rc_decide.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
+    const Mutant mutant("bvh/rc_node_test.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());

@@ -2,7 +2,7 @@
 // project.
 #include <cstdio>
 
-#include "model/machine.hpp"
+#include "model/machine/machine.hpp"
 #include "model/scene/builtin.hpp"
 
 using namespace rayclock;

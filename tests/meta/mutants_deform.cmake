@@ -67,47 +67,47 @@ mutant(placed_skins_have_joints_of_another_file FILE sim/load/json_motion.cpp TE
   NEW [[if (joint.node) *joint.node += 0;]])
 
 # ---- Trees that follow.
-mutant(refit_keeps_the_boxes FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_keeps_the_boxes FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[    if (!is_first) {
         fit();]]
   NEW [[    if (!is_first) {]])
-mutant(refit_keeps_the_boxes_of_parents FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_keeps_the_boxes_of_parents FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[        node.box = {};]]
   NEW [[        if (node.inner == 0 || built_cost_ == 0) node.box = {};
         else continue;]])
-mutant(refit_keeps_the_primitives FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_keeps_the_primitives FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[    prims_ = std::move(prims);]]
   NEW [[    if (is_first) prims_ = std::move(prims);]])
-mutant(refit_rebuilds_what_is_good FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_rebuilds_what_is_good FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[if (cost() <= rebuild * built_cost_) return false;]]
   NEW [[if (cost() > rebuild * built_cost_) return false;]])
-mutant(refit_compares_with_the_frame_before FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_compares_with_the_frame_before FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[if (cost() <= rebuild * built_cost_) return false;]]
   NEW [[if (cost() <= rebuild * built_cost_) {
             built_cost_ = cost();
             return false;
         }]])
-mutant(refit_forgets_leaves_in_the_cost FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_forgets_leaves_in_the_cost FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[leaf.count * box_of(leaf).area();]]
   NEW [[0 * box_of(leaf).area();]])
-mutant(refit_has_room_for_good_trees_only FILE model/accel/refit/refit.cpp TEST motion [refit]
+mutant(refit_has_room_for_good_trees_only FILE model/compile/refit/refit.cpp TEST motion [refit]
   OLD [[return nodes + (prims + nodes) / 2;]]
   NEW [[return nodes / 2 + (prims + nodes) / 2;]])
-mutant(refit_leaves_out_what_has_no_area FILE model/accel/levels/compile.cpp TEST motion [deform]
+mutant(refit_leaves_out_what_has_no_area FILE model/compile/levels/compile.cpp TEST motion [deform]
   OLD [[if (made.deforms || counts(prim, config))]]
   NEW [[if (counts(prim, config))]])
-mutant(refit_of_levels_keeps_boxes_of_instances FILE model/accel/levels/moving.cpp TEST motion [deform]
+mutant(refit_of_levels_keeps_boxes_of_instances FILE model/compile/levels/moving.cpp TEST motion [deform]
   OLD [[places[i] == last_[i] && !levels_.maps.classes[map.mesh_class].deforms]]
   NEW [=[places[i] == last_[i]]=])
-mutant(refit_of_levels_keeps_the_shape FILE model/accel/levels/moving.cpp TEST motion [deform]
+mutant(refit_of_levels_keeps_the_shape FILE model/compile/levels/moving.cpp TEST motion [deform]
   OLD [[        take_shape(made, mesh, config_);
         const bool]]
   NEW [[        const bool]])
-mutant(refit_of_levels_draws_into_one_buffer FILE model/accel/levels/moving.cpp TEST motion [deform]
+mutant(refit_of_levels_draws_into_one_buffer FILE model/compile/levels/moving.cpp TEST motion [deform]
   OLD [[root = levels_.roots[c] + std::uint32_t(buffer) * room;
     std::vector]]
   NEW [[root = levels_.roots[c];
     std::vector]])
-mutant(refit_of_levels_keeps_surfaces FILE model/accel/levels/moving.cpp TEST motion [deform]
+mutant(refit_of_levels_keeps_surfaces FILE model/compile/levels/moving.cpp TEST motion [deform]
   OLD [[        std::copy(part.words.begin(), part.words.end(),]]
   NEW [[        if (frame_ < 2) std::copy(part.words.begin(), part.words.end(),]])

@@ -98,7 +98,7 @@ mutant(files_dae_unit_of_a_part_is_left_out FILE sim/load/dae_document.cpp TEST 
 mutant(files_dae_hole_sees_the_first_corner FILE sim/load/holes.cpp TEST load "dae: a polygon with holes*"
   OLD [[const std::size_t seen = seen_from(plane(hole.front()), flat);]]
   NEW [[const std::size_t seen = seen_from(plane(hole.front()), flat) * 0;]])
-mutant(files_assimp_may_run_for_ever FILE sim/import/assimp.cpp TEST load "assimp: what it does*"
+mutant(files_assimp_may_run_for_ever FILE sim/load/import/assimp.cpp TEST load "assimp: what it does*"
   OLD [[fmt::format("--cpu={}", limits.processor_seconds)]]
   NEW [[std::string("--cpu=unlimited")]])
 mutant(files_3ds_up_stays FILE sim/load/read_3ds.cpp TEST load "one mesh*"
@@ -107,7 +107,7 @@ mutant(files_3ds_up_stays FILE sim/load/read_3ds.cpp TEST load "one mesh*"
 mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
   OLD [[            is_open = false;]]
   NEW [[            return out;]])
-mutant(files_memory_time_is_rounded FILE sim/memory/memory_file.cpp TEST unit "a memory that is written*"
+mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST unit "a memory that is written*"
   OLD [[const double ps = std::round(ns * 1000);]]
   NEW [[const double ps = std::round(ns * 100) * 10;]])
 
@@ -121,16 +121,16 @@ mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: 
 mutant(load_instance_keeps_its_meshs_material FILE model/scene/placed.cpp TEST load "json:*"
   OLD [[t.material = material ? *material : t.material + material_base;]]
   NEW [[t.material += material_base;]])
-mutant(files_picture_is_not_read_back FILE sim/image/write.cpp TEST image "a picture that is encoded wrongly*"
+mutant(files_picture_is_not_read_back FILE sim/files/image/write.cpp TEST image "a picture that is encoded wrongly*"
   OLD [[if (!stop()) codec.check(]]
   NEW [[if (stop()) codec.check(]])
-mutant(files_film_is_not_read_back FILE sim/film/strip.cpp TEST cli "a film that does not show its frames*"
+mutant(files_film_is_not_read_back FILE sim/run/film/strip.cpp TEST cli "a film that does not show its frames*"
   OLD [[if (!fault.empty())]]
   NEW [[if (count == 0)]])
-mutant(files_film_times_unseen FILE sim/film/read_back.cpp TEST cli "a film that does not show its frames*"
+mutant(files_film_times_unseen FILE sim/run/film/read_back.cpp TEST cli "a film that does not show its frames*"
   OLD [[step.delay % delay != 0]]
   NEW [[delay == 0]])
-mutant(oracle_fraction_by_boost FILE model/oracle/exact.hpp WITH tests/unit/fractions_test.cpp TEST unit "a fraction and a whole number*"
+mutant(oracle_fraction_by_boost FILE sim/judge/oracle/exact.hpp WITH tests/unit/fractions_test.cpp TEST unit "a fraction and a whole number*"
   OLD [[eval_divide(quotient, cpp_rational_backend(b));]]
   NEW [[quotient.negate();]])
 # What the machine does not give, and what other programs write (tests/cli/faults_test.cpp, hostile_test.cpp).
@@ -140,32 +140,32 @@ mutant(output_replaces_an_input FILE sim/files/named.cpp TEST cli "no output rep
 mutant(input_is_read_from_an_output FILE sim/files/named.cpp TEST cli "no output replaces an input*"
   OLD [[outputs.emplace(key_of(file), path);]]
   NEW [[]])
-mutant(waveform_may_be_cut FILE sim/wave/fst_writer.cpp TEST cli "a waveform that the disk*"
+mutant(waveform_may_be_cut FILE sim/view/wave/fst_writer.cpp TEST cli "a waveform that the disk*"
   OLD [[if (rc_fst_error != 0) not_written(file_->path, rc_fst_error);]]
   NEW [[]])
-mutant(nobody_ends_deaf_work FILE sim/rtl/interrupt.cpp TEST cli "what does not listen*"
+mutant(nobody_ends_deaf_work FILE sim/files/process/interrupt.cpp TEST cli "what does not listen*"
   OLD [[::setitimer(ITIMER_REAL, &once, nullptr);]]
   NEW [[(void)once;]])
-mutant(sigterm_is_not_heard FILE sim/rtl/interrupt.cpp TEST cli "what does not listen*"
+mutant(sigterm_is_not_heard FILE sim/files/process/interrupt.cpp TEST cli "what does not listen*"
   OLD [[std::signal(SIGTERM, interrupt);]]
   NEW [[]])
-mutant(tools_may_print_without_end FILE sim/rtl/process.cpp TEST cli "a tool that hangs*"
+mutant(tools_may_print_without_end FILE sim/files/process/process.cpp TEST cli "a tool that hangs*"
   OLD [[if (error || printed <= most_output_) return false;]]
   NEW [[return false;]])
-mutant(tools_may_hang FILE sim/rtl/process.cpp TEST cli "a tool that hangs*"
+mutant(tools_may_hang FILE sim/files/process/process.cpp TEST cli "a tool that hangs*"
   OLD [[        if (interrupted()) throw Interrupted(stopped);
         if (meanwhile)]]
   NEW [[        if (meanwhile)]])
-mutant(cache_of_everybody_is_run FILE sim/rtl/cache.cpp TEST cli "a cache that others*"
+mutant(cache_of_everybody_is_run FILE sim/files/cache/libraries.cpp TEST cli "a cache that others*"
   OLD [[(status.st_mode & 022) == 0]]
   NEW [[true]])
-mutant(compare_unpacks_anything FILE sim/report_page/html.cpp TEST cli "what compare reads*"
+mutant(compare_unpacks_anything FILE sim/view/page/html.cpp TEST cli "what compare reads*"
   OLD [[if (size / most_for_a_byte > packed.size()) throw]]
   NEW [[if (packed.empty()) throw]])
-mutant(compare_names_figures_of_any_length FILE sim/compare/compare.cpp TEST cli "what compare reads*"
+mutant(compare_names_figures_of_any_length FILE sim/view/compare/compare.cpp TEST cli "what compare reads*"
   OLD [[if (path.size() > longest_path)]]
   NEW [[if (path.size() > 1000 * longest_path * longest_path)]])
-mutant(merge_names_every_missing_part FILE sim/sweep/merge.cpp TEST cli "what merge reads*"
+mutant(merge_names_every_missing_part FILE sim/explore/sweep/merge.cpp TEST cli "what merge reads*"
   OLD [[part <= of && named.size() < most; ++part)]]
   NEW [[part <= of; ++part)]])
 mutant(turns_are_not_counted FILE sim/load/json_motion.cpp TEST cli "few bytes*"
@@ -174,6 +174,6 @@ mutant(turns_are_not_counted FILE sim/load/json_motion.cpp TEST cli "few bytes*"
 mutant(gltf_copies_are_not_counted FILE sim/load/read_gltf.cpp TEST cli "few bytes*"
   OLD [[if (!loading_.may_make(triangles_ * bytes_of_a_placed_triangle)) at_.refuse(loading_.too_much());]]
   NEW [[]])
-mutant(stress_finds_few_rays_wrong FILE sim/stress/tests.cpp TEST system "a test that meets no demand*"
+mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system "a test that meets no demand*"
   OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
   NEW [[false]])

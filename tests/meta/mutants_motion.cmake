@@ -27,38 +27,38 @@ mutant(gltf_rotations_begin_with_x FILE sim/load/gltf_motion.cpp TEST motion [mo
   NEW [[glm::dquat(v[0], v[1], v[2], v[3])]])
 
 # ---- Films: what the host makes anew, and where it lies.
-mutant(film_keeps_old_maps FILE model/accel/levels/moving.cpp TEST motion [film]
+mutant(film_keeps_old_maps FILE model/compile/levels/moving.cpp TEST motion [film]
   OLD [[        map = map_at(places[i], map.mesh_class, levels_.maps, config_);]]
   NEW [[        if (frame_ < 2) map = map_at(places[i], map.mesh_class, levels_.maps, config_);]])
 mutant(film_resets_leave_surfaces FILE model/core/config.cpp TEST motion "model and RTL draw the same finished film*"
   OLD [[prim_sets, shading ? surf_sets : 0, l2_sets});]]
   NEW [[prim_sets, l2_sets});]])
-mutant(film_never_resets_the_chip FILE model/accel/levels/moving.cpp TEST motion [film]
+mutant(film_never_resets_the_chip FILE model/compile/levels/moving.cpp TEST motion [film]
   OLD [[upload.resets = !upload.lines.empty() && is_read_[buffer];]]
   NEW [[upload.resets = false;]])
-mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion [film]
+mutant(film_writes_one_line_less FILE model/compile/levels/moving.cpp TEST motion [film]
   OLD [[part(root_, levels_.upper_lines, nullptr);]]
   NEW [[part(root_ + 1, levels_.upper_lines - 1, nullptr);]])
-mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
+mutant(film_boxes_are_too_small FILE model/compile/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])
-mutant(film_lights_stand_still FILE sim/film/film.cpp TEST motion [film]
+mutant(film_lights_stand_still FILE sim/run/film/film.cpp TEST motion [film]
   OLD [[if (job_.config.shading)]]
   NEW [[if (job_.config.shading && frame_ == 1)]])
-mutant(film_forgets_that_images_are_mirrored FILE sim/engine/engine.cpp TEST motion [film]
+mutant(film_forgets_that_images_are_mirrored FILE sim/run/engine/engine.cpp TEST motion [film]
   OLD [[std::swap(picture.hits.back().u, picture.hits.back().v);]]
   NEW [[void();]])
 
 # ---- Lattices serve all frames.
-mutant(film_scene_lattice_of_the_first_frame FILE model/accel/levels/maps.cpp TEST motion [film]
+mutant(film_scene_lattice_of_the_first_frame FILE model/compile/levels/maps.cpp TEST motion [film]
   OLD [[for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)
                     for]]
   NEW [[for (std::size_t t = 0; t < 1; ++t)
                     for]])
-mutant(film_mesh_lattices_of_the_first_frame FILE model/accel/levels/maps.cpp TEST motion [film]
+mutant(film_mesh_lattices_of_the_first_frame FILE model/compile/levels/maps.cpp TEST motion [film]
   OLD [[for (std::size_t t = 1; t < times; ++t) add(own, needs_of(seen_at(i, t)));]]
   NEW [[for (std::size_t t = 1; t < 1; ++t) add(own, needs_of(seen_at(i, t)));]])
-mutant(film_lattice_of_the_first_eye FILE model/accel/levels/maps.cpp TEST motion [film]
+mutant(film_lattice_of_the_first_eye FILE model/compile/levels/maps.cpp TEST motion [film]
   OLD [[for (const glm::dvec3& eye : eyes_) box.add(glm::dmat4(1), eye);]]
   NEW [[box.add(glm::dmat4(1), eyes_[0]);]])
 
@@ -78,6 +78,6 @@ mutant(memory_writes_for_nothing FILE model/mem/memory.cpp TEST motion [dram]
 mutant(memory_is_done_too_soon FILE model/mem/memory.hpp WITH tests/motion/writes_test.cpp TEST motion [dram]
   OLD [[return left_ > 0 || (dram_ && dram_->writes());]]
   NEW [[return left_ > 0;]])
-mutant(uploads_are_not_waited_for FILE model/upload.hpp WITH sim/engine/engine.cpp sim/lockstep/lockstep.cpp TEST motion [film]
+mutant(uploads_are_not_waited_for FILE model/compile/upload.hpp WITH sim/run/engine/engine.cpp sim/run/lockstep/lockstep.cpp TEST motion [film]
   OLD [[    machine.finish_writes();]]
   NEW [[    (void)0;]])

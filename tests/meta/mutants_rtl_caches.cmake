@@ -1,7 +1,7 @@
 # Faults of the caches: who waits, which line goes, what is read. How a row reads: mutants_rtl.cmake.
 
 mutant(cache_one_cycle_late FILE rtl/mem/rc_cache.sv TEST unit "a hit is answered exactly*"
-  OLD [[  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  OLD [[  rc_fifo_peek #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),]]
   NEW [[  logic late_q;
   logic [IdBits+PartW-1:0] late_data_q;
@@ -9,7 +9,7 @@ mutant(cache_one_cycle_late FILE rtl/mem/rc_cache.sv TEST unit "a hit is answere
     late_q      <= rst_ni && end_valid;
     late_data_q <= end_answer;
   end
-  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  rc_fifo_peek #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(rsp_place), .data_i(late_data_q),]])
 mutant(cache_line_filled_one_cycle_late FILE rtl/mem/rc_mshr.sv TEST unit "a miss asks memory*"
   OLD [[  rc_queue #(.Width(MshrW + SetW + WayW), .Depth(Mshrs)) u_filled (

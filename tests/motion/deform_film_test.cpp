@@ -2,8 +2,8 @@
 // its own scene whatever was refitted before it, and model and RTL do the same.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
-#include "sim/image/image.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/files/image/image.hpp"
 #include "tests/motion/films.hpp"
 #include "tests/motion/shapes.hpp"
 

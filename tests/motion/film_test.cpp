@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/rng.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/film/film.hpp"
-#include "sim/image/image.hpp"
-#include "sim/lockstep/lockstep.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
 #include "tests/load/files.hpp"
 #include "tests/motion/films.hpp"
 #include "tests/support/machine/build_all.hpp"

@@ -1,7 +1,7 @@
 // The lattices of a film are chosen once: they must hold every frame.
 #include <catch2/catch.hpp>
 
-#include "model/accel/levels/moving.hpp"
+#include "model/compile/levels/moving.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

@@ -2,12 +2,12 @@
 // the measure says when it is built anew.
 #include <catch2/catch.hpp>
 
-#include "model/accel/decode.hpp"
-#include "model/accel/emit.hpp"
-#include "model/accel/encode.hpp"
-#include "model/accel/refit/flat.hpp"
-#include "model/accel/refit/refit.hpp"
-#include "model/accel/surfaces.hpp"
+#include "model/layout/decode.hpp"
+#include "model/compile/emit.hpp"
+#include "model/layout/encode.hpp"
+#include "model/compile/refit/flat.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/record.hpp"
 #include "tests/accel/meshes.hpp"

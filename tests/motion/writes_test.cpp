@@ -6,7 +6,7 @@
 
 #include "model/mem/dram.hpp"
 #include "model/mem/memory.hpp"
-#include "model/machine.hpp"
+#include "model/machine/machine.hpp"
 
 using namespace rayclock;
 

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/request/ground.hpp"
+#include "sim/run/request/ground.hpp"
 
 using namespace rayclock;
 

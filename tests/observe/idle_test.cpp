@@ -5,10 +5,10 @@
 
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/run/engine/engine.hpp"
 #include "sim/load/load.hpp"
-#include "sim/request/idle.hpp"
-#include "sim/request/material.hpp"
+#include "sim/run/request/idle.hpp"
+#include "sim/run/request/material.hpp"
 
 using namespace rayclock;
 

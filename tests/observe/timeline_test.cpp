@@ -12,8 +12,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/split.hpp"
-#include "sim/timeline/timeline.hpp"
-#include "sim/wave/fst.hpp"
+#include "sim/view/timeline/timeline.hpp"
+#include "sim/view/wave/fst.hpp"
 #include "tests/observe/watched.hpp"
 
 using namespace rayclock;

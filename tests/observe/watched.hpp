@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/scene/builtin.hpp"
-#include "sim/observe/story.hpp"
+#include "sim/view/observe/story.hpp"
 
 namespace rayclock::test {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <unistd.h>
 
-#include "sim/wave/fst.hpp"
-#include "sim/wave/gtkw.hpp"
+#include "sim/view/wave/fst.hpp"
+#include "sim/view/wave/gtkw.hpp"
 
 using namespace rayclock;
 

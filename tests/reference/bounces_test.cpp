@@ -1,7 +1,7 @@
 // Built-in scenes with mirrors or glass send rays as deep as they are meant to: counted by depth.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 
 using namespace rayclock;

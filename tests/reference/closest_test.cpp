@@ -2,9 +2,9 @@
 // last bit, against a loop over all triangles with its own triangle test (the hierarchy loses nothing).
 #include <catch2/catch.hpp>
 
-#include "model/reference/ray.hpp"
-#include "model/reference/reference.hpp"
-#include "model/reference/unit_space.hpp"
+#include "sim/judge/reference/ray.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/reference/unit_space.hpp"
 #include "tests/reference/meshes.hpp"
 #include "tests/reference/oracle.hpp"
 

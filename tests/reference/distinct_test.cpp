@@ -1,8 +1,8 @@
 // Coincident primitives: the reference holds the one with the lowest number, as the machine does.
 #include <catch2/catch.hpp>
 
-#include "model/reference/distinct.hpp"
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/distinct.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
 #include "tests/support/cases/coincident.hpp"

@@ -2,8 +2,8 @@
 // disagrees the disagreement must be explained by its rounding, pixel by pixel; unexplained ones: none.
 #include <catch2/catch.hpp>
 
-#include "model/reference/instances.hpp"
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/instances.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/reference/embree_scene.hpp"
 #include "tests/reference/oracle.hpp"

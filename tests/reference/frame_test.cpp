@@ -8,8 +8,8 @@
 #include <tbb/task_arena.h>
 
 #include "model/base/error.hpp"
-#include "model/reference/hierarchy.hpp"
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/hierarchy.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "model/reference/octree.hpp"
+#include "sim/judge/reference/octree.hpp"
 #include "model/scene/builtin.hpp"
 
 using namespace rayclock;

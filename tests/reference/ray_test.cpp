@@ -2,7 +2,7 @@
 // origins on surfaces; and what trace() promises of depth, sides and directions.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

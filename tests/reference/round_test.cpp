@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/reference/geometry.hpp"
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/reference/embree_scene.hpp"
 #include "tests/reference/meshes.hpp"

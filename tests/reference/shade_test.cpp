@@ -1,7 +1,7 @@
 // shade(): each term against a hand-computed value, sides, smooth normals and their edge cases.
 #include <catch2/catch.hpp>
 
-#include "model/shade/shade.hpp"
+#include "model/scene/hit_shading.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

@@ -3,7 +3,7 @@
 // that pass by more.
 #include <catch2/catch.hpp>
 
-#include "model/reference/ray.hpp"
+#include "sim/judge/reference/ray.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

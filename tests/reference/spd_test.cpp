@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 
 using namespace rayclock;

@@ -3,7 +3,7 @@
 // allowed.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

@@ -1,7 +1,7 @@
 // What Yosys says of a hierarchy, as counts of a unit and of the cells beneath it.
 #include <catch2/catch.hpp>
 
-#include "sim/area/run.hpp"
+#include "sim/silicon/area/run.hpp"
 #include "model/base/error.hpp"
 
 using namespace rayclock;

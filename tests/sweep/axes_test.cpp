@@ -3,7 +3,7 @@
 #include <set>
 
 #include "model/base/error.hpp"
-#include "sim/sweep/shard.hpp"
+#include "sim/explore/sweep/shard.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;

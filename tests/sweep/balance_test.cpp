@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/balance/report.hpp"
+#include "sim/explore/balance/report.hpp"
 
 using namespace rayclock;
 using namespace rayclock::balance;

@@ -1,7 +1,7 @@
 // What was worked out is found again, and nothing else is.
 #include <fstream>
 
-#include "sim/sweep/key.hpp"
+#include "sim/explore/sweep/key.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;

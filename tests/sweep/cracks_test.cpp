@@ -3,8 +3,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/raygen/raygen.hpp"
-#include "sim/sweep/cracks.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "sim/explore/sweep/cracks.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;

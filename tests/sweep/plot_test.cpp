@@ -1,9 +1,9 @@
 // Plots: well-formed SVG, shapes where they were put, and labels that cover nothing.
 #include <cmath>
 
-#include "sim/plot/axis.hpp"
+#include "sim/view/plot/axis.hpp"
 #include "tests/sweep/support.hpp"
-#include "sim/sweep/plot.hpp"
+#include "sim/explore/sweep/plot.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "sim/load/load.hpp"
-#include "sim/sweep/front.hpp"
+#include "sim/explore/sweep/front.hpp"
 
 namespace rayclock::test {
 

@@ -2,15 +2,15 @@
 // and every decision is the exact one about the ray as it was rounded for the instance.
 #include <catch2/catch.hpp>
 
-#include "model/accel/levels/levels.hpp"
+#include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/isect/primitive.hpp"
-#include "model/oracle/exact.hpp"
-#include "model/oracle/placed.hpp"
-#include "model/oracle/surface.hpp"
-#include "model/raygen/raygen.hpp"
-#include "model/xform/walk.hpp"
-#include "sim/stress/aim.hpp"
+#include "model/unit/isect/primitive.hpp"
+#include "sim/judge/oracle/exact.hpp"
+#include "sim/judge/oracle/placed.hpp"
+#include "sim/judge/oracle/surface.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "tests/support/levels/walk.hpp"
+#include "sim/explore/stress/aim.hpp"
 #include "tests/accel/solids.hpp"
 
 using namespace rayclock;

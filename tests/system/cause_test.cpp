@@ -7,10 +7,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/reference/reference.hpp"
-#include "sim/cause/cause.hpp"
-#include "sim/cause/truth.hpp"
-#include "sim/image/srgb.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/cause.hpp"
+#include "sim/judge/cause/truth.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

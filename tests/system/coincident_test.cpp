@@ -2,9 +2,9 @@
 // "another primitive".
 #include <catch2/catch.hpp>
 
-#include "model/accel/surfaces.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/report/json.hpp"
+#include "model/compile/surfaces.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/view/report/json.hpp"
 #include "tests/support/cases/coincident.hpp"
 #include "tests/system/frames.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "model/oracle/surface.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/judge/oracle/surface.hpp"
+#include "sim/run/engine/engine.hpp"
 
 namespace rayclock::test {
 

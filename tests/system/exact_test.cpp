@@ -2,7 +2,7 @@
 // as stated.
 #include <catch2/catch.hpp>
 
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "tests/system/exact.hpp"
 #include "tests/system/frames.hpp"
 

@@ -1,9 +1,9 @@
 // Finished pictures: the RTL makes the colours that the model makes, in the same cycles.
 #include <catch2/catch.hpp>
 
-#include "model/accel/surfaces.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/image/image.hpp"
+#include "model/compile/surfaces.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/files/image/image.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"

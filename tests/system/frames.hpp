@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/lockstep/lockstep.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
 #include "tests/support/machine/machines.hpp"
 
 namespace rayclock::test {

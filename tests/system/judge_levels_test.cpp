@@ -6,13 +6,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/accel/encode.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/cause/finished.hpp"
-#include "sim/judge/answer.hpp"
-#include "sim/judge/camera.hpp"
-#include "sim/judge/picture.hpp"
-#include "sim/judge/placed.hpp"
+#include "model/layout/encode.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/finished.hpp"
+#include "sim/judge/paths/answer.hpp"
+#include "sim/judge/paths/camera.hpp"
+#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/placed.hpp"
 #include "tests/accel/mixed.hpp"
 #include "tests/accel/solids.hpp"
 #include "tests/system/frames.hpp"

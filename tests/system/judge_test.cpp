@@ -2,8 +2,8 @@
 // tampered with.
 #include <catch2/catch.hpp>
 
-#include "model/reference/reference.hpp"
-#include "sim/judge/picture.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/paths/picture.hpp"
 #include "sim/load/load.hpp"
 #include "tests/system/frames.hpp"
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/accel/surfaces.hpp"
-#include "model/hits.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/cause/finished.hpp"
-#include "sim/engine/engine.hpp"
+#include "model/compile/surfaces.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/finished.hpp"
+#include "sim/run/engine/engine.hpp"
 #include "tests/support/scenes/random_scene.hpp"
 
 using namespace rayclock;

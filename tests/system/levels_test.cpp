@@ -2,7 +2,7 @@
 // hit.
 #include <catch2/catch.hpp>
 
-#include "model/xform/picture.hpp"
+#include "tests/support/levels/picture.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/system/frames.hpp"
 

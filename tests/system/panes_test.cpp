@@ -2,10 +2,10 @@
 // draws what the reference draws by its own rules.
 #include <catch2/catch.hpp>
 
-#include "model/accel/surfaces.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/cause/finished.hpp"
-#include "sim/image/image.hpp"
+#include "model/compile/surfaces.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/finished.hpp"
+#include "sim/files/image/image.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

@@ -7,8 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/oracle/exact.hpp"
-#include "model/oracle/placed.hpp"
+#include "sim/judge/oracle/exact.hpp"
+#include "sim/judge/oracle/placed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

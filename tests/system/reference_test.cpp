@@ -23,9 +23,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/raygen/raygen.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/report/json.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/view/report/json.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

@@ -3,9 +3,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/reference/reference.hpp"
-#include "sim/cause/finished.hpp"
-#include "sim/image/srgb.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/finished.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "tests/accel/mixed.hpp"
 #include "tests/system/frames.hpp"
 

@@ -1,10 +1,10 @@
 // Secondary rays: no surface shadows itself, and no light leaks through a shell, however thin.
 #include <catch2/catch.hpp>
 
-#include "model/isect/origin.hpp"
-#include "model/oracle/sight.hpp"
-#include "sim/stress/shadow_scenes.hpp"
-#include "sim/stress/shadows.hpp"
+#include "model/unit/isect/origin.hpp"
+#include "sim/judge/oracle/sight.hpp"
+#include "sim/explore/stress/shadow_scenes.hpp"
+#include "sim/explore/stress/shadows.hpp"
 
 using namespace rayclock;
 using oracle::Corners;

@@ -2,10 +2,10 @@
 // the model draws what the reference draws by its own rules, and the judge finds nothing wrong.
 #include <catch2/catch.hpp>
 
-#include "model/accel/surfaces.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/judge/picture.hpp"
-#include "sim/report/json.hpp"
+#include "model/compile/surfaces.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/paths/picture.hpp"
+#include "sim/view/report/json.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

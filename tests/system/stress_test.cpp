@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "model/base/error.hpp"
-#include "sim/stress/aim.hpp"
-#include "sim/stress/report.hpp"
-#include "sim/stress/sketch.hpp"
+#include "sim/explore/stress/aim.hpp"
+#include "sim/explore/stress/report.hpp"
+#include "sim/explore/stress/sketch.hpp"
 
 using namespace rayclock;
 using namespace rayclock::stress;

@@ -5,10 +5,10 @@
 #include <memory>
 #include <tuple>
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/trace/walk.hpp"
 #include "sim/load/load.hpp"
-#include "sim/stress/families.hpp"
+#include "sim/explore/stress/families.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/oracle/exact.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/system/exact.hpp"
 

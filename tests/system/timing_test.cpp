@@ -3,8 +3,8 @@
 
 #include <future>
 
-#include "sim/engine/engine.hpp"
-#include "sim/report/accounts.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/view/report/accounts.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

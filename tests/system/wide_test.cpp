@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
-#include "model/oracle/extra_visits.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/cause/truth.hpp"
-#include "sim/judge/camera.hpp"
-#include "sim/report/json.hpp"
+#include "sim/judge/oracle/extra_visits.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/cause/truth.hpp"
+#include "sim/judge/paths/camera.hpp"
+#include "sim/view/report/json.hpp"
 #include "tests/system/exact.hpp"
 #include "tests/system/frames.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/machine.hpp"
-#include "sim/report/accounts.hpp"
-#include "sim/report/lockstep.hpp"
-#include "sim/torture/torture.hpp"
+#include "model/machine/machine.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/lockstep.hpp"
+#include "sim/explore/torture/torture.hpp"
 #include "tests/support/machine/build_all.hpp"
 
 using namespace rayclock;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/base/rng.hpp"
-#include "model/isect/vectors.hpp"
+#include "model/unit/isect/vectors.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;

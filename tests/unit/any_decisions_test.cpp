@@ -1,6 +1,6 @@
 // tri of a chip that shades: its decisions about single rays, worked out beside it.
-#include "model/isect/origin.hpp"
-#include "model/reference/round.hpp"
+#include "model/unit/isect/origin.hpp"
+#include "sim/judge/reference/round.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;

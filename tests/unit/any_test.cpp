@@ -1,6 +1,6 @@
 // tri of a chip that shades: every kind of ray against every kind of primitive, exact except for a sphere's
 // t, which has a bound.
-#include "model/isect/origin.hpp"
+#include "model/unit/isect/origin.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;

@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/isect/any.hpp"
-#include "model/shade/approach.hpp"
-#include "model/shade/dot.hpp"
-#include "model/shade/light.hpp"
+#include "model/unit/isect/any.hpp"
+#include "model/unit/shade/approach.hpp"
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/light.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/shade/bounce.hpp"
+#include "model/unit/shade/bounce.hpp"
 
 using namespace rayclock;
 

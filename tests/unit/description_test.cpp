@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "model/core/links.hpp"
-#include "sim/gen/chip_page.hpp"
+#include "sim/run/gen/chip_page.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;

@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
-#include "model/raygen/raygen.hpp"
-#include "model/reference/reference.hpp"
-#include "sim/fit/dominant.hpp"
-#include "sim/fit/search.hpp"
-#include "sim/report/json.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/explore/fit/dominant.hpp"
+#include "sim/explore/fit/search.hpp"
+#include "sim/view/report/json.hpp"
 #include "tests/support/machine/machines.hpp"
 
 using namespace rayclock;

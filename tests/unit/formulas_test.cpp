@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/shade/bounce.hpp"
-#include "model/shade/dot.hpp"
-#include "model/shade/light.hpp"
-#include "model/shade/pass.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/light.hpp"
+#include "model/unit/shade/pass.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;

@@ -2,7 +2,7 @@
 // cases must not change a verdict.
 #include <catch2/catch.hpp>
 
-#include "model/oracle/exact.hpp"
+#include "sim/judge/oracle/exact.hpp"
 
 using rayclock::oracle::Int;
 using rayclock::oracle::Rational;

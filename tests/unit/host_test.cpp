@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/gen/registers.hpp"
-#include "sim/rtl/rtl_module.hpp"
+#include "sim/run/gen/registers.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/support/cases/host_cases.hpp"
 

@@ -1,7 +1,7 @@
 // Payloads as bits: nothing is lost, nothing overlaps, and the order is the one SystemVerilog sees.
 #include <tuple>
 
-#include "model/bvh/children.hpp"
+#include "model/unit/trav/children.hpp"
 #include "model/core/links.hpp"
 #include "tests/support/world/traffic.hpp"
 

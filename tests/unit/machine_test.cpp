@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "model/machine.hpp"
-#include "sim/rtl/rtl_machine.hpp"
+#include "model/machine/machine.hpp"
+#include "sim/run/rtl/rtl_machine.hpp"
 #include "tests/support/machine/machines.hpp"
 #include "tests/support/world/traffic.hpp"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
-#include "sim/memory/memory_file.hpp"
+#include "sim/run/memory/memory_file.hpp"
 
 using namespace rayclock;
 using Catch::Contains;

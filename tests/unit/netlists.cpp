@@ -1,7 +1,7 @@
 // RAYCLOCK_TEST_NETLISTS=1: what these tests say of the RTL they say of the netlists that Yosys makes of it.
 #include <cstdlib>
 
-#include "sim/rtl/builder.hpp"
+#include "sim/run/rtl/builder.hpp"
 
 namespace {
 

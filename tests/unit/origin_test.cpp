@@ -1,9 +1,9 @@
 // origin: points of a surface, and rays from and to them, exact to the last decision.
 #include <catch2/catch.hpp>
 
-#include "model/isect/origin.hpp"
-#include "model/isect/tri.hpp"
-#include "model/oracle/exact.hpp"
+#include "model/unit/isect/origin.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

@@ -1,7 +1,7 @@
 // The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box
 // test adds to it.
-#include "model/oracle/extra_visits.hpp"
-#include "model/oracle/overlap.hpp"
+#include "sim/judge/oracle/extra_visits.hpp"
+#include "sim/judge/oracle/overlap.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/cases/box_cases.hpp"

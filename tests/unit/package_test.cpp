@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/gen/chip_page.hpp"
-#include "sim/gen/rc_pkg.hpp"
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/sources.hpp"
+#include "sim/run/gen/chip_page.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/run/rtl/sources.hpp"
 
 using namespace rayclock;
 

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/rtl/rtl_module.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "model/core/config.hpp"
-#include "model/shade/power.hpp"
-#include "model/shade/square_root.hpp"
-#include "model/shade/tables.hpp"
+#include "model/unit/shade/power.hpp"
+#include "model/unit/shade/square_root.hpp"
+#include "model/unit/shade/tables.hpp"
 #include "tests/support/dut/cell.hpp"
 
 using namespace rayclock;

@@ -1,7 +1,7 @@
 // The selectable ray-triangle tests: how one is chosen, and the baselines, which are what their papers say
 // and lose what they are known to lose. The sheared test: sheared_test.cpp.
 #include "model/base/error.hpp"
-#include "model/isect/unit24.hpp"
+#include "model/unit/isect/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
 
 using namespace rayclock;

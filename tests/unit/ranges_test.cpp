@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "sim/fit/ranges.hpp"
-#include "sim/rtl/builder.hpp"
+#include "sim/explore/fit/ranges.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/support/machine/machines.hpp"
 #include "tests/support/machine/observed.hpp"

@@ -1,7 +1,7 @@
 // raygen for every direction component that its width allows, and at a small width for every sum that is
 // rounded to one. Judged by plain integers: d = floor((2^s sum + half) / 2^guard_bits) with the largest s
 // that fits, r m <= 2^(M+R-1) < (r + 1) m.
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/small.hpp"
 
 using namespace rayclock;

@@ -1,5 +1,5 @@
 // raygen: camera rays and reciprocal directions, against exact fractions.
-#include "model/oracle/exact.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
-#include "sim/rtl/builder.hpp"
-#include "sim/rtl/rtl_module.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/dut/cell.hpp"
 #include "tests/support/dut/dut.hpp"
 

@@ -1,7 +1,7 @@
 // The sheared test: watertight, by itself and through the tree, and near the exact one by a derived bound.
-#include "model/accel/decode.hpp"
-#include "model/isect/sheared.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/layout/decode.hpp"
+#include "model/unit/isect/sheared.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
 

@@ -1,6 +1,6 @@
 // raygen of a chip that shades: rays of every kind, samples of a pixel, and which request goes first.
-#include "model/accel/memory_image.hpp"
-#include "model/oracle/exact.hpp"
+#include "model/layout/memory_image.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "model/scene/whitted.hpp"
 #include "tests/support/dut/raygen_dut.hpp"
 #include "tests/support/world/traffic.hpp"

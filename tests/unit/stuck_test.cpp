@@ -1,9 +1,9 @@
 // A machine that stands still: the watchdog sees it, and says where every ray is.
 #include <map>
 
-#include "model/machine.hpp"
-#include "model/where.hpp"
-#include "sim/lockstep/lockstep.hpp"
+#include "model/machine/machine.hpp"
+#include "model/machine/where.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
 #include "tests/support/machine/machines.hpp"
 #include "tests/support/world/traffic.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/accel/surfaces.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/scene/whitted.hpp"
-#include "model/shade/bounce.hpp"
-#include "model/shade/pass.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/pass.hpp"
 
 using namespace rayclock;
 

@@ -1,11 +1,11 @@
 // Traces are made by lean forms of the units, for speed: each must say exactly what the unit's public form
 // says, and the recorder as a whole what the walk says.
-#include "model/isect/facet.hpp"
+#include "model/unit/isect/facet.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
-#include "model/bvh/slab.hpp"
+#include "model/engine/bvh/slab.hpp"
 #include "tests/support/cases/box_cases.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 #include "tests/support/machine/walked.hpp"

@@ -2,9 +2,9 @@
 // by ray.
 #include <catch2/catch.hpp>
 
-#include "model/raygen/raygen.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
-#include "model/shade/shader.hpp"
+#include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "model/trace/trace.hpp"

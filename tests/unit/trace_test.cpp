@@ -2,7 +2,7 @@
 // format.
 #include <catch2/catch.hpp>
 
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "tests/support/dut/dut.hpp"
 #include "tests/support/machine/machines.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "model/isect/tri.hpp"
+#include "model/unit/isect/tri.hpp"
 #include "tests/support/cases/small.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 

@@ -1,8 +1,8 @@
 // unit_vector: a vector's direction, judged by long double; and its RTL against it.
 #include <cmath>
 
-#include "model/shade/tables.hpp"
-#include "model/shade/unit_vector.hpp"
+#include "model/unit/shade/tables.hpp"
+#include "model/unit/shade/unit_vector.hpp"
 #include "tests/support/dut/cell.hpp"
 
 using namespace rayclock;

@@ -1,6 +1,6 @@
 // Entries of the cache of figures.
 #include "sim/files/json_value.hpp"
-#include "sim/jobs/cache.hpp"
+#include "sim/files/cache/results.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

@@ -1,8 +1,8 @@
 // Configuration files.
 #include <nlohmann/json.hpp>
 
-#include "sim/memory/memory_file.hpp"
-#include "sim/request/config_file.hpp"
+#include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/config_file.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

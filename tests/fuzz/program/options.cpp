@@ -14,11 +14,11 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/film/film.hpp"
+#include "sim/run/film/film.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report/builds.hpp"
-#include "sim/request/view.hpp"
-#include "sim/sweep/axes.hpp"
+#include "sim/view/report/builds.hpp"
+#include "sim/run/request/view.hpp"
+#include "sim/explore/sweep/axes.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 int rayclock_main(int argc, char** argv);   // sim/app/main.cpp

@@ -1,11 +1,11 @@
 // What this program reads back of its own reports: parts of sweeps, reports and pages of simulate.
 #include <nlohmann/json.hpp>
 
-#include "sim/compare/compare.hpp"
-#include "sim/sweep/front.hpp"
-#include "sim/sweep/key.hpp"
-#include "sim/sweep/merge.hpp"
-#include "sim/sweep/table.hpp"
+#include "sim/view/compare/compare.hpp"
+#include "sim/explore/sweep/front.hpp"
+#include "sim/explore/sweep/key.hpp"
+#include "sim/explore/sweep/merge.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "tests/fuzz/program/scratch.hpp"
 #include "tests/fuzz/program/targets.hpp"
 

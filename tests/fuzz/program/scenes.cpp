@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "model/scene/view.hpp"
-#include "sim/import/assimp.hpp"
+#include "sim/load/import/assimp.hpp"
 #include "sim/load/lights.hpp"
-#include "sim/sweep/key.hpp"
+#include "sim/explore/sweep/key.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock {

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/files/json_value.hpp"
-#include "sim/stress/state.hpp"
-#include "sim/jobs/cache.hpp"
+#include "sim/explore/stress/state.hpp"
+#include "sim/files/cache/results.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

@@ -1,10 +1,10 @@
 // What tools write: counts and faces of Yosys; clocks, delays and logs of nextpnr.
-#include "sim/chip/harness.hpp"
-#include "sim/chip/nextpnr.hpp"
-#include "sim/chip/route.hpp"
-#include "sim/chip/timing.hpp"
-#include "sim/synth/parts.hpp"
-#include "sim/synth/stat.hpp"
+#include "sim/silicon/chip/harness.hpp"
+#include "sim/silicon/chip/nextpnr.hpp"
+#include "sim/silicon/chip/route.hpp"
+#include "sim/silicon/chip/timing.hpp"
+#include "sim/silicon/synth/parts.hpp"
+#include "sim/silicon/synth/stat.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

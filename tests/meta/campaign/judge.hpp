@@ -3,7 +3,7 @@
 // a verdict as well.
 #include <functional>
 
-#include "sim/torture/torture.hpp"
+#include "sim/explore/torture/torture.hpp"
 #include "tests/meta/campaign/state.hpp"
 
 /// The model's fault that is awake; 0: none.

@@ -17,17 +17,17 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Where the machine's arithmetic is. Faults are drawn from its sources, not its headers.
-constexpr const char* arithmetic[] = {"model/isect/", "model/bvh/", "model/list/", "model/raygen/",
-                                      "model/shade/"};
+constexpr const char* arithmetic[] = {"model/unit/isect/", "model/engine/bvh/", "model/unit/list/", "model/unit/raygen/",
+                                      "model/unit/shade/"};
 /// Primitive tests that no RTL has, and pictures of hits alone: no machine runs them.
-constexpr const char* not_in_a_machine[] = {"model/isect/moller.cpp", "model/isect/woop.cpp",
-                                            "model/isect/unit24.cpp", "model/isect/truncated.cpp",
-                                            "model/shade/shade.cpp"};
+constexpr const char* not_in_a_machine[] = {"model/unit/isect/moller.cpp", "model/unit/isect/woop.cpp",
+                                            "model/unit/isect/unit24.cpp", "model/unit/isect/truncated.cpp",
+                                            "model/scene/hit_shading.cpp"};
 
 /// What model and RTL share: memory images, memory's timing, pictures to compare with. A fault there changes
 /// both alike.
-constexpr const char* shared[] = {"model/accel/",  "model/mem/dram",   "model/mem/memport", "model/core/",
-                                  "model/oracle/", "model/reference/", "model/scene/"};
+constexpr const char* shared[] = {"model/compile/",  "model/mem/dram",   "model/mem/memport", "model/core/",
+                                  "sim/judge/oracle/", "sim/judge/reference/", "model/scene/"};
 
 bool is_shared(const Mutant& m) {
     const auto begins = [&](const char* folder) { return m.file.starts_with(folder); };

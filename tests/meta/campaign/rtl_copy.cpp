@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/rtl/builder.hpp"
-#include "sim/torture/torture.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/explore/torture/torture.hpp"
 #include "tests/meta/campaign/copies.hpp"
 #include "tests/meta/campaign/draw.hpp"
 #include "tests/meta/campaign/rows.hpp"

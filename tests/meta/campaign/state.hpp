@@ -22,7 +22,7 @@ struct Verdict {
 };
 void append(const std::filesystem::path& file, int number, const Verdict& verdict);
 
-/// "rtl/bvh/rc_box.sv:80 comparison: ...", of a line of `mutants`.
+/// "rtl/engine/bvh/rc_box.sv:80 comparison: ...", of a line of `mutants`.
 std::string description(const std::vector<std::string>& mutant);
 
 /// Descriptions of the faults that change nothing, as the page lists them: a line "- `description`: reason"

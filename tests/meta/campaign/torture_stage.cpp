@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/rtl/builder.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "tests/meta/campaign/copies.hpp"
 #include "tests/meta/campaign/judge.hpp"
 #include "tests/meta/campaign/stages.hpp"

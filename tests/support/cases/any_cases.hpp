@@ -1,9 +1,9 @@
 #pragma once
 // Requests for the tri of a chip that shades, every kind of ray and primitive, and the verdict of exact
 // geometry on its answers.
-#include "model/isect/any.hpp"
-#include "model/isect/tri.hpp"
-#include "model/oracle/ball.hpp"
+#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "sim/judge/oracle/ball.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
@@ -101,7 +101,7 @@ inline oracle::Rational unit_of(const Config& c) {
 }
 inline oracle::Int most_t(const Config& c) { return (oracle::Int(1) << c.t_bits()) - 1; }
 
-/// The most that t of a sphere may be too large, as model/isect/any.hpp states it.
+/// The most that t of a sphere may be too large, as model/unit/isect/any.hpp states it.
 inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c) {
     const oracle::Rational unit = unit_of(c), a = ball.speed_squared();
     const oracle::Rational radius = sqrt(oracle::ceil(ball.radius_squared * unit * unit / a)) + 1;

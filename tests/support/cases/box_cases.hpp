@@ -1,6 +1,6 @@
 #pragma once
 // Requests for box, and the verdict of exact geometry on its answers.
-#include "model/oracle/exact.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

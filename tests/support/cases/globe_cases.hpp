@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/globe/globe.hpp"
-#include "model/oracle/exact.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/engine/globe/globe.hpp"
+#include "sim/judge/oracle/exact.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 // Configurations of chips that shade, and random passes of their unit shade: every event, every kind of
 // surface.
-#include "model/shade/bounce.hpp"
-#include "model/shade/pass.hpp"
-#include "model/shade/unit_vector.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/pass.hpp"
+#include "model/unit/shade/unit_vector.hpp"
 #include "tests/support/cases/placement_cases.hpp"
 
 namespace rayclock::test {

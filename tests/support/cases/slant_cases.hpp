@@ -1,6 +1,6 @@
 #pragma once
 // Requests for slant, and the verdict of exact geometry on its answers.
-#include "model/bsp/slant.hpp"
+#include "model/engine/bsp/slant.hpp"
 #include "tests/support/cases/treelet_cases.hpp"
 
 namespace rayclock::test {

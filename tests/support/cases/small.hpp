@@ -3,7 +3,7 @@
 // units' formulas hold for them all the same.
 #include <functional>
 
-#include "model/oracle/overlap.hpp"
+#include "sim/judge/oracle/overlap.hpp"
 #include "tests/support/cases/box_cases.hpp"
 
 namespace rayclock::test {

@@ -1,6 +1,6 @@
 #pragma once
 // Requests for treelet, and the verdict of exact geometry on its answers and on those of slant.
-#include "model/oracle/exact.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Requests for tri, and the verdict of exact geometry on its answers.
-#include "model/isect/sheared.hpp"
-#include "model/oracle/exact.hpp"
+#include "model/unit/isect/sheared.hpp"
+#include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

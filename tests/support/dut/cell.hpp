@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-#include "sim/rtl/rtl_module.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {

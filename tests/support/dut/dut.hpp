@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/ring.hpp"
-#include "model/isect/tri.hpp"
-#include "model/raygen/raygen.hpp"
-#include "model/bvh/box.hpp"
-#include "model/bsp/slant.hpp"
-#include "model/globe/globe.hpp"
-#include "model/kd/treelet.hpp"
-#include "sim/rtl/rtl_module.hpp"
+#include "model/core/ring.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "model/engine/bvh/box.hpp"
+#include "model/engine/bsp/slant.hpp"
+#include "model/engine/globe/globe.hpp"
+#include "model/engine/kd/treelet.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
 
 namespace rayclock::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "model/core/stages.hpp"
-#include "model/list/list.hpp"
-#include "model/list/ray_tests.hpp"
+#include "model/unit/list/list.hpp"
+#include "model/unit/list/ray_tests.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {

@@ -1,6 +1,6 @@
 #pragma once
-#include "model/sched/dispatch.hpp"
-#include "model/sched/sched.hpp"
+#include "model/unit/sched/dispatch.hpp"
+#include "model/unit/sched/sched.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {

@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "model/shade/unit.hpp"
+#include "model/unit/shade/unit.hpp"
 #include "tests/support/dut/dut.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "model/bvh/box.hpp"
-#include "model/bvh/trav.hpp"
+#include "model/engine/bvh/box.hpp"
+#include "model/unit/trav/trav.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/rtl/builder.hpp"
-#include "sim/jobs/threads.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/threads.hpp"
 
 namespace rayclock::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/scene/builtin.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/run/engine/engine.hpp"
 
 namespace rayclock::test {
 

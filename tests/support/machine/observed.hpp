@@ -4,14 +4,14 @@
 #include <map>
 #include <string>
 
-#include "model/accel/decode.hpp"
-#include "model/raygen/raygen.hpp"
+#include "model/layout/decode.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/trace/walk.hpp"
-#include "sim/fit/interval.hpp"
+#include "sim/explore/fit/interval.hpp"
 
 namespace rayclock::test {
 
-/// Extremes by "unit.signal", in the names of sim/fit/ranges.hpp.
+/// Extremes by "unit.signal", in the names of sim/explore/fit/ranges.hpp.
 class Observed {
 public:
     using Wide = fit::Wide;

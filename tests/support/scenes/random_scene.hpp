@@ -8,7 +8,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/accel/memory_image.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/scene/placed.hpp"
 
 namespace rayclock::test {

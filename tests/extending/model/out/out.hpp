@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "model/base/ring.hpp"
+#include "model/core/ring.hpp"
 #include "model/core/units.hpp"
 
 namespace rayclock {

@@ -1,0 +1,105 @@
+// Layout: cells of space as memory lines, treelet by treelet.
+#include "model/compile/emit.hpp"
+#include "model/layout/encode.hpp"
+#include "model/engine/kd/build.hpp"
+#include "model/engine/kd/exits.hpp"
+#include "model/engine/octree/build.hpp"
+#include "model/layout/written.hpp"
+
+namespace rayclock {
+
+namespace {
+
+using kd::Place;
+
+constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
+
+/// `Line` is what a node is: a treelet or a slant.
+template <class Line> class Emitter {
+public:
+    Emitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
+            const std::string& name, MemoryImage& image)
+        : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
+
+    void run() {
+        image_.words.assign(words_per_line, 0);
+        pending_.push_back({Place(&root_), 0, 0});
+        while (!pending_.empty()) {   // depth first, as of the box tree
+            const Pending next = pending_.back();
+            pending_.pop_back();
+            emit(next);
+        }
+        written_.account(image_);
+    }
+
+private:
+    struct Pending {
+        Place place;
+        std::uint32_t line = 0, parent = 0;
+    };
+
+    void emit(const Pending& at) {
+        const auto width = std::size_t(config_.node_width);
+        Line treelet;
+        const std::array<Place, max_width> exits = exits_.of(at.place, config_.node_width, treelet);
+        std::uint32_t inner = 0;
+        std::size_t primitives = 0;
+        for (std::size_t i = 0; i < width; ++i) {
+            const bool leaf = exits[i].is_leaf(leaf_most);
+            treelet.kind[i] = exits[i].is_empty() ? 0 : leaf ? 1 + std::uint32_t(exits[i].count) : 1;
+            inner += !leaf;
+            if (leaf && !exits[i].is_empty()) primitives += exits[i].count, ++image_.report.leaves;
+        }
+        const std::size_t base = image_.words.size() / words_per_line;
+        const std::size_t lines = base + inner + (primitives + 1) / 2;
+        check_lines(lines, config_, name_);
+        image_.words.resize(lines * words_per_line, 0);
+        treelet.base = std::uint32_t(base);
+        write_payload(treelet, config_, &image_.words[at.line * words_per_line], scratch_);
+        std::size_t half_line = 2 * (base + inner);
+        for (std::size_t i = 0; i < width; ++i)
+            for (std::size_t p = 0; treelet.kind[i] > 1 && p < exits[i].count; ++p)
+                write_payload(prims_[exits[i].prim(p)], config_, &image_.words[half_line++ * words_per_half],
+                              scratch_);
+        image_.report.references += primitives;
+        const std::uint32_t id = written_.add(at.parent, inner);
+        for (std::size_t i = width, line = base + inner; i-- > 0;)
+            if (treelet.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
+    }
+
+    const kd::Cell& root_;
+    const std::vector<PrimData>& prims_;
+    const Config& config_;
+    const std::string& name_;
+    MemoryImage& image_;
+    kd::Exits<Line> exits_{leaf_most};
+    std::vector<Pending> pending_;
+    WrittenNodes written_;
+    Words scratch_;
+};
+
+}   // namespace
+
+void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+                MemoryImage& image) {
+    const kd::CellPtr root = config.is_octree() ? octree::build(prims, config) : kd::build(prims, config);
+    if (config.has_slants())
+        Emitter<Slant>{*root, prims, config, name, image}.run();
+    else
+        Emitter<Treelet>{*root, prims, config, name, image}.run();
+}
+
+void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+               MemoryImage& image) {
+    const std::size_t lines = (prims.size() + 1) / 2;
+    check_lines(lines, config, name);
+    image.words.assign(lines * words_per_line, 0);
+    Words scratch;
+    for (std::size_t i = 0; i < prims.size(); ++i)
+        write_payload(prims[i], config, &image.words[i * words_per_half], scratch);
+    image.listed = std::uint32_t(prims.size());
+    image.report.references = prims.size();
+    image.report.bytes = image.words.size() * sizeof(std::uint32_t);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,89 @@
+// The lattice of a scene: bounds, pitches, nearest point.
+//
+// The eye is a lattice point: what it is off would move the whole picture. To get there the lattice is
+// shifted by up to half a pitch, so a vertex at the end of the bounds lies at up to L + 1/2, L = 2^(N-1) - 1,
+// and still goes to a point within half a pitch: to L, since snap() ends there.
+//
+// What the machine decides does not change under a map of each axis by a factor: sides of edges, order along
+// a ray and ties are the same. So an axis along which the scene is short has a finer pitch; no finer than
+// half the coarsest, because the directions' components grow alike, which takes up to a bit of M from the
+// other axes and of the range of t.
+//
+// Plain double arithmetic in a fixed order (-ffp-contract=off): the same points on every machine.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/compile/plane.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr double most_ratio = 2;
+
+double largest_coordinate(int coord_bits) { return double((1 << (coord_bits - 1)) - 1); }
+
+/// A pitch, at least as large, of which the first plane's sides on the lattice are whole multiples.
+double with_planes(const Scene& scene, Lattice lattice, double pitch) {
+    lattice.pitch = glm::dvec3(pitch);
+    const double side =
+        std::ldexp(glm::length(scene.planes[0].u), -plane_on_lattice(scene.planes[0], lattice).level[0]);
+    return side / std::floor(side / pitch);
+}
+
+/// Of the scene and the eye, and of each plane that point which is nearest to their middle.
+Bounds bounds_with(const Scene& scene, const glm::dvec3& eye) {
+    Bounds box = bounds(scene);
+    box = {glm::min(box.lo, eye), glm::max(box.hi, eye)};
+    const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;   // lo + hi might overflow
+    for (const Plane& plane : scene.planes) {
+        const glm::dvec3 point = nearest_point(plane, middle);
+        box = {glm::min(box.lo, point), glm::max(box.hi, point)};
+    }
+    return box;
+}
+
+}   // namespace
+
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic, double room) {
+    const Bounds box = bounds_with(scene, eye);
+    Lattice lattice;
+    lattice.coord_bits = coord_bits;
+    glm::dvec3 middle{0}, reach{0};
+    for (int k = 0; k < 3; ++k) {
+        middle[k] = 0.5 * box.lo[k] + 0.5 * box.hi[k];
+        reach[k] = std::max(box.hi[k] - middle[k], middle[k] - box.lo[k]);
+    }
+    const double largest = largest_coordinate(coord_bits);
+    double coarsest = std::max({reach.x, reach.y, reach.z}) / largest;
+    if (!scene.planes.empty() && coarsest > 0) {
+        lattice.centre = middle;
+        coarsest = with_planes(scene, lattice, room * coarsest);
+    }
+    const double finest = cubic ? coarsest : coarsest / most_ratio;
+    for (int k = 0; k < 3; ++k) {
+        // Everything in one point: any pitch will do. Extents at the very bottom of the format must not give
+        // a pitch of zero.
+        lattice.pitch[k] =
+            coarsest > 0 ? std::max({reach[k] / largest, finest, std::numeric_limits<double>::min()}) : 1;
+        lattice.centre[k] = eye[k] - lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k]);
+    }
+    return lattice;
+}
+
+double Lattice::coarsest() const { return std::max({pitch.x, pitch.y, pitch.z}); }
+
+Vec3i Lattice::snap(const glm::dvec3& point) const {
+    const double largest = largest_coordinate(coord_bits);
+    Vec3i snapped{};
+    for (int k = 0; k < 3; ++k)
+        snapped[std::size_t(k)] =
+            std::int32_t(std::clamp(std::round((point[k] - centre[k]) / pitch[k]), -largest, largest));
+    return snapped;
+}
+
+}   // namespace rayclock

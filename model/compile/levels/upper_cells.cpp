@@ -1,0 +1,59 @@
+// The scene's tree as cells of space.
+#include "model/engine/kd/build.hpp"
+#include "model/engine/kd/exits.hpp"
+#include "model/compile/levels/upper_lines.hpp"
+#include "model/engine/octree/build.hpp"
+
+namespace rayclock {
+namespace {
+
+/// `Line` is what a node is: a treelet or a slant.
+template <class Line> class CellWriter {
+public:
+    CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
+
+    /// Returns how many groups of siblings a ray may have to keep below the node.
+    int write(const kd::Place& place, std::uint32_t at, int depth) {
+        Line line;
+        const int width = lines_.config().node_width;
+        const std::array<kd::Place, max_width> exits = kd::Exits<Line>(1).of(place, width, line);
+        std::uint32_t count = 0;
+        for (std::size_t i = 0; i < std::size_t(width); ++i) {
+            line.kind[i] = !exits[i].is_empty();   // an instance stands where an inner child would
+            count += line.kind[i];
+        }
+        line.base = lines_.take(count);
+        lines_.write(line, at);
+        ++totals_.report.nodes;
+        int need = 0;
+        for (std::uint32_t i = 0, next = line.base; i < std::uint32_t(width); ++i) {
+            if (exits[i].is_empty()) continue;
+            need = std::max(need, exits[i].is_leaf(1) ? totals_.place(exits[i].prim(0), next, depth)
+                                                      : write(exits[i], next, depth + 1));
+            ++next;
+        }
+        return need + (count >= 2);
+    }
+
+private:
+    UpperLines& lines_;
+    UpperTotals& totals_;
+};
+
+}   // namespace
+
+UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std::vector<LatticeBox>& boxes,
+                              UpperLines& lines, std::uint32_t root, std::vector<PlacedEntry>& placed) {
+    Config config = lines.config();
+    config.leaf_size = 1;   // of an octree
+    const kd::Pieces pieces(boxes, config);
+    const kd::CellPtr cells =
+        config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, {}, config);
+    UpperTotals totals{entries, placed};
+    const kd::Place all(cells.get());
+    totals.report.stack_need = config.has_slants() ? CellWriter<Slant>(lines, totals).write(all, root, 1)
+                                                   : CellWriter<Treelet>(lines, totals).write(all, root, 1);
+    return totals.report;
+}
+
+}   // namespace rayclock

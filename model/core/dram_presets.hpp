@@ -1,0 +1,15 @@
+#pragma once
+#include "model/core/dram_parts.hpp"
+
+namespace rayclock {
+
+/// Memories that ship with the program, each with the source of its figures.
+DramPart sdr();
+DramPart sdr_half();
+DramPart ddr3();
+DramPart rpu();
+DramPart ddr4();
+DramPart lpddr4();
+DramPart hbm2();
+
+}   // namespace rayclock

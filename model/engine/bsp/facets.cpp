@@ -1,0 +1,120 @@
+#include "model/engine/bsp/facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+#include "model/unit/isect/vectors.hpp"
+
+namespace rayclock::bsp {
+
+namespace {
+
+constexpr std::size_t most_items = 16, offering = 2;
+constexpr double oblique_factor = 1.2;
+constexpr int most_step = (1 << (normal_step_bits - 1)) - 1;
+
+glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
+
+}   // namespace
+
+Vec3i nearest_normal(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    const double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > 0)) return {};
+    const glm::dvec3 d = direction / longest;
+    Vec3i best{};
+    double least = 4;   // squared tangent of the angle between them
+    for (int longer = 1; longer <= most_step; ++longer) {
+        const glm::dvec3 n = glm::round(d * double(longer));
+        const glm::dvec3 off = glm::cross(n, d);
+        const double error = glm::dot(off, off) / glm::dot(n, n);
+        if (error < least * (1 - 1e-9)) {
+            least = error;
+            best = {int(n.x), int(n.y), int(n.z)};
+        }
+    }
+    return best;
+}
+
+Facets::Facets(const std::vector<PrimData>& prims, const kd::Pieces& pieces, const Config& config)
+    : pieces_(pieces), normals_(prims.size()), stops_(Straddlers(config.straddlers) == Straddlers::stop) {
+    tbb::parallel_for(std::size_t(0), prims.size(),
+                      [&](std::size_t i) { normals_[i] = normals_of(prims[i]); });
+}
+
+Facets::Normals Facets::normals_of(const PrimData& prim) {
+    Normals normals{};
+    if (PrimKind(prim.kind) != PrimKind::triangle) return normals;
+    const std::array corners{point(prim.a), point(prim.b), point(prim.c)};
+    const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    normals[0] = nearest_normal(across);
+    for (std::size_t i = 0; i < 3; ++i)
+        normals[1 + i] = nearest_normal(glm::cross(corners[(i + 1) % 3] - corners[i], across));
+    return normals;
+}
+
+void Facets::consider(const kd::Items& items, const Solid& solid, std::uint32_t prim, const Vec3i& normal,
+                      kd::Split& best) const {
+    const auto own = pieces_.of(prim).reach(normal);
+    std::array<kd::Clipper::Reach, most_items> reaches;
+    for (std::size_t i = 0; i < items.size(); ++i) reaches[i] = pieces_.reach(items[i], normal);
+    consider_at(std::span(reaches).first(items.size()), solid, normal, own.lo, best);
+    if (own.hi != own.lo) consider_at(std::span(reaches).first(items.size()), solid, normal, own.hi, best);
+}
+
+void Facets::consider_at(std::span<const kd::Clipper::Reach> reaches, const Solid& solid, const Vec3i& normal,
+                         std::int64_t at, kd::Split& best) const {
+    std::size_t below = 0, above = 0, flat = 0;
+    for (const kd::Clipper::Reach& reach : reaches) {
+        below += reach.lo < at;
+        above += reach.hi > at;
+        flat += reach.lo == at && reach.hi == at;
+    }
+    const std::size_t all = reaches.size();
+    if (stops_ && below + above + flat > all) return;
+    // Both surfaces together are not less than the whole: no need to look, if that is too dear.
+    if (oblique_factor * kd::cost_of(0.5, std::min(below, above), 0.5, std::min(below, above)) >= best.cost)
+        return;
+    const Solid::Halves halves = solid.halves(point(normal), double(at));
+    const double lower = halves.lower / solid.area(), upper = halves.upper / solid.area();
+    for (const bool flat_above : {false, true}) {
+        const std::size_t b = below + (flat_above ? 0 : flat), a = above + (flat_above ? flat : 0);
+        const double cost = oblique_factor * kd::cost_of(lower, b, upper, a);
+        if (cost < best.cost)
+            best = {{no_axis, std::int32_t(at), flat_above, normal}, cost, b, a, lower, upper};
+        if (flat == 0) break;
+    }
+}
+
+void Facets::best_split(const kd::Items& items, const kd::Region& region, kd::Split& best) const {
+    const std::size_t most = stops_ ? items.size() : 2 * items.size();
+    if (items.size() > most_items) return kd::try_axes(items, region.box, most, best);
+    Solid solid(region.box);
+    for (std::size_t i = region.own; i < region.walls.size(); ++i)
+        solid.cut(point(region.walls[i].normal), region.walls[i].at, region.walls[i].upper);
+    if (!(solid.area() > 0)) return kd::try_axes(items, region.box, most, best);
+    kd::Split across = best;
+    across.cost = 2 * best.cost;
+    kd::try_axes(items, region.box, most, across);
+    if (across.is_there()) {   // as the others are scored
+        glm::dvec3 normal(0);
+        normal[int(across.axis)] = 1;
+        const Solid::Halves halves = solid.halves(normal, across.plane);
+        across.cost =
+            kd::cost_of(halves.lower / solid.area(), across.below, halves.upper / solid.area(), across.above);
+        if (across.cost < best.cost) best = across;
+    }
+    const std::size_t asked = std::min(items.size(), offering);
+    for (std::size_t i = 0; i < asked; ++i) {
+        const std::uint32_t prim = items[i * items.size() / asked].prim;
+        for (const Vec3i& normal : normals_.empty() ? Normals{} : normals_[prim]) {
+            if ((normal[0] != 0) + (normal[1] != 0) + (normal[2] != 0) < 2) continue;
+            consider(items, solid, prim, normal, best);
+        }
+    }
+}
+
+}   // namespace rayclock::bsp

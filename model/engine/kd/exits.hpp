@@ -1,0 +1,68 @@
+#pragma once
+// Which of a tree's planes and cells a node has: what all that write cells as lines share.
+#include "model/engine/kd/cell.hpp"
+
+namespace rayclock::kd {
+
+/// A cell, or some of a leaf's primitives: a leaf that is too large for an exit is walked in parts.
+struct Place {
+    const Cell* cell = nullptr;
+    std::size_t first = 0, count = 0;   ///< of a leaf
+    explicit Place(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
+    Place(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
+    bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
+    /// `most` primitives fit an exit.
+    bool is_leaf(std::size_t most) const { return is_empty() || (cell->is_leaf() && count <= most); }
+    std::uint32_t prim(std::size_t i) const { return cell->prims[first + i]; }
+    Place lower() const { return cell->is_leaf() ? Place(cell, first, count / 2) : Place(cell->lower.get()); }
+    Place upper() const {
+        return cell->is_leaf() ? Place(cell, first + count / 2, count - count / 2) : Place(cell->upper.get());
+    }
+};
+
+inline void put(const Cell& cell, std::size_t plane, Treelet& treelet) {
+    treelet.axis[plane] = cell.axis;
+    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
+}
+inline void put(const Cell& cell, std::size_t plane, Slant& slant) {
+    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
+    slant.at[plane] = cell.at;
+}
+inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
+inline void put_none(std::size_t, Slant&) {}
+
+/// The exits of a node over a place, with `most` primitives in each. Writes planes and box of the node;
+/// `Line` is what it is, a treelet or a slant.
+template <class Line> class Exits {
+public:
+    explicit Exits(std::size_t most) : most_(most) {}
+
+    std::array<Place, max_width> of(const Place& place, int node_width, Line& line) {
+        const LatticeBox& bounds = place.cell->bounds;
+        line.open = bounds.lo[0] > bounds.hi[0];
+        if (!line.open) line.lo = bounds.lo, line.hi = bounds.hi;
+        fill(place, 0, 0, std::size_t(node_width), line);
+        return exits_;
+    }
+
+private:
+    /// The part of the node under plane `plane`, which has the exits from `exit` on.
+    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
+        if (exits == 1 || plane >= line.at.size()) {   // the second says it to GCC 14
+            exits_[exit] = place;
+            return;
+        }
+        const bool cut = !place.is_leaf(most_) && (plane == 0 || !place.cell->begins);
+        if (cut && !place.cell->is_leaf())
+            put(*place.cell, plane, line);
+        else
+            put_none(plane, line);
+        fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, line);
+        fill(cut ? place.upper() : Place(), 2 * plane + 2, exit + exits / 2, exits / 2, line);
+    }
+
+    std::size_t most_;
+    std::array<Place, max_width> exits_;
+};
+
+}   // namespace rayclock::kd

@@ -1,0 +1,142 @@
+#include "model/engine/octree/build.hpp"
+
+#include <array>
+
+#include <tbb/parallel_for.h>
+
+namespace rayclock::octree {
+
+namespace {
+
+using kd::Cell;
+using kd::CellPtr;
+using kd::Cut;
+using kd::Items;
+
+constexpr std::size_t parallel = 4096;   // from here on octants are worked on at once
+
+/// Part of a node's cell: one of its octants, or a few that have not been cut from each other yet.
+struct Part {
+    Items items;
+    LatticeBox box;
+};
+using Octants = std::array<Part, 8>;
+
+/// The plane that halves a cell; none where it is too thin.
+Cut middle(const LatticeBox& box, std::size_t axis) {
+    if (box.hi[axis] - box.lo[axis] < 2) return {};
+    return {axis, (box.lo[axis] + box.hi[axis]) >> 1};
+}
+
+class Builder {
+public:
+    Builder(const kd::Pieces& pieces, const Config& config)
+        : pieces_(pieces),
+          leaf_size_(std::size_t(config.leaf_size)),
+          inner_(Straddlers(config.straddlers) == Straddlers::inner) {}
+
+    CellPtr node(Part part, int depth, double budget) const {
+        const bool can_be_cut = !(middle(part.box, 0).axis == no_axis &&
+                                  middle(part.box, 1).axis == no_axis && middle(part.box, 2).axis == no_axis);
+        if (part.items.size() <= leaf_size_ || depth == 0 || !can_be_cut) return leaf_of(part.items);
+        const std::size_t given_to = part.items.size();
+        const Items own = inner_ ? straddlers(part) : Items{};
+        const LatticeBox box = part.box;
+        Octants octants;
+        halve(part, 0, octants.data());
+        std::size_t given = own.size();
+        for (const Part& octant : octants) given += octant.items.size();
+        if (double(given) > std::max(budget, double(given_to))) return leaf_of(part.items);
+        Items().swap(part.items);
+        std::array<CellPtr, 8> cells;
+        const auto go_down = [&](std::size_t i) {
+            const double share = budget / double(given) * double(octants[i].items.size());
+            cells[i] = node(std::move(octants[i]), depth - 1, share);
+        };
+        if (given_to >= parallel)
+            tbb::parallel_for(std::size_t(0), cells.size(), go_down);
+        else
+            for (std::size_t i = 0; i < cells.size(); ++i) go_down(i);
+        CellPtr tree = joined(cells.data(), box, 0);
+        return own.empty() ? std::move(tree) : beside(leaf_of(own), std::move(tree));
+    }
+
+private:
+    /// Takes what lies on both sides of one of the middle planes out of a part.
+    static Items straddlers(Part& part) {
+        Items own, rest;
+        for (const kd::Item& item : part.items) {
+            bool straddles = false;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Cut cut = middle(part.box, k);
+                straddles = straddles ||
+                            (cut.axis != no_axis && item.box.lo[k] < cut.plane && item.box.hi[k] > cut.plane);
+            }
+            (straddles ? own : rest).push_back(item);
+        }
+        part.items = std::move(rest);
+        return own;
+    }
+
+    /// The octants of a part that is still to be cut on `axis` and those after it, lower sides first. An axis
+    /// without a plane has all on its lower side.
+    void halve(const Part& part, std::size_t axis, Part* octants) const {
+        if (axis == 3) {
+            *octants = part;
+            return;
+        }
+        const Cut cut = middle(part.box, axis);
+        Part lower{{}, part.box}, upper{{}, part.box};
+        if (cut.axis == no_axis) {
+            lower.items = part.items;
+        } else {
+            lower.box.hi[axis] = upper.box.lo[axis] = cut.plane;
+            pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);
+        }
+        halve(lower, axis + 1, octants);
+        halve(upper, axis + 1, octants + (std::size_t(4) >> axis));
+    }
+
+    /// The cells of a part's octants under the planes that cut it.
+    static CellPtr joined(CellPtr* octants, LatticeBox box, std::size_t axis) {
+        if (axis == 3) return std::move(*octants);
+        const std::size_t half = std::size_t(4) >> axis;
+        bool is_empty = true;
+        for (std::size_t i = 0; i < 2 * half; ++i)
+            is_empty = is_empty && octants[i]->is_leaf() && octants[i]->prims.empty();
+        if (is_empty) return std::make_unique<Cell>();
+        const Cut cut = middle(box, axis);
+        LatticeBox below = box, above = box;
+        if (cut.axis != no_axis) below.hi[axis] = above.lo[axis] = cut.plane;
+        CellPtr cell = beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1));
+        cell->axis = std::uint32_t(cut.axis);
+        cell->at = cut.plane;
+        return cell;
+    }
+    static CellPtr beside(CellPtr lower, CellPtr upper) {
+        auto cell = std::make_unique<Cell>();
+        cell->bounds = merged(lower->bounds, upper->bounds);
+        cell->lower = std::move(lower);
+        cell->upper = std::move(upper);
+        return cell;
+    }
+
+    const kd::Pieces& pieces_;
+    std::size_t leaf_size_;
+    bool inner_;
+};
+
+}   // namespace
+
+CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
+    return build(kd::Pieces(prims, config), config);
+}
+
+CellPtr build(const kd::Pieces& pieces, const Config& config) {
+    Items items = pieces.all();
+    const double most = double(config.references) * double(items.size());
+    const LatticeBox box = kd::bounds_of(items);
+    return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, most_depth, most));
+}
+
+}   // namespace rayclock::octree

@@ -1,0 +1,233 @@
+#include "model/machine/machine.hpp"
+
+#include <algorithm>
+
+#include "model/compile/upload.hpp"
+
+namespace rayclock {
+
+Machine::Machine(const Config& config, int khz, Traffic traffic)
+    : config_(config),
+      traffic_(traffic),
+      has_l2_(config.l2_sets > 0),
+      dispatch_(config),
+      clients_(std::uint32_t(config.clients())),
+      client_shift_(config.client_id_bits() - config.client_bits()),
+      arbiter_(config.clients() * config.pipelines),
+      memory_(config, khz, traffic),
+      undisturbed_(traffic.none()),
+      shared_moves_(std::size_t(config.pipelines)),
+      masks_(std::size_t(config.pipelines)) {
+    for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
+    if (has_l2_) l2_.emplace(l2_shape(config));
+}
+
+void Machine::start(const Frame& frame, const Trace& trace) {
+    dispatch_.start(frame);
+    for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
+    pixels_ = std::uint64_t(frame.width) * frame.height;
+    hits_ = 0;
+    moved_at_ = now_;
+}
+
+void Machine::pass_cycle() {
+    memory_.clock(nullptr);
+    ++now_;
+}
+
+void Machine::finish_writes() {
+    while (memory_.writes()) pass_cycle();
+}
+
+void Machine::reset() {
+    dispatch_ = Dispatch(config_);
+    pipelines_.clear();
+    for (int p = 0; p < config_.pipelines; ++p) pipelines_.emplace_back(config_, traffic_, p);
+    arbiter_ = Arbiter(config_.clients() * config_.pipelines);
+    if (has_l2_) l2_.emplace(l2_shape(config_));
+    for (int i = 0; i < reset_cycles(config_); ++i) pass_cycle();
+}
+
+// Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the
+// cache that asked. All of it follows from registered state.
+void Machine::settle_shared() {
+    std::uint32_t want = 0;
+    std::uint64_t misses = 0;
+    for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
+        const Pipeline& pipeline = pipelines_[p];
+        want |= std::uint32_t(pipeline.tile_ready()) << p;
+        misses |=
+            (std::uint64_t(pipeline.node_miss_valid()) | std::uint64_t(pipeline.prim_miss_valid()) << 1 |
+             std::uint64_t(pipeline.surf_miss_valid()) << 2)
+            << clients_ * p;
+        shared_moves_[p] = {};
+    }
+    granted_ = dispatch_.grant(want);
+    if (granted_ >= 0) shared_moves_[std::size_t(granted_)].tile = &dispatch_.tile();
+    client_valid_ = misses;
+    client_ = misses ? arbiter_.choose(misses) : -1;
+
+    const bool memory_valid = memory_.valid();
+    valid_ = LinkMask(memory_valid) << index(Link::mem_rsp);
+    fire_ = valid_;
+    const auto link = [&](Link c, bool valid, bool ready) {
+        valid_ |= LinkMask(valid) << index(c);
+        fire_ |= LinkMask(valid && ready) << index(c);
+    };
+    if (has_l2_) {
+        link(Link::l2_req, client_ >= 0, l2_->ready());
+        link(Link::l2_rsp, l2_->valid(), true);
+        link(Link::mem_req, l2_->miss_valid(), memory_.ready());
+        if (l2_->miss_valid()) l2_miss_ = l2_->miss();
+        route(fires(Link::l2_rsp), fires(Link::l2_rsp) ? l2_->answer() : 0);
+    } else {
+        if (client_ >= 0) link(Link::mem_req, true, memory_.ready());
+        route(memory_valid, memory_valid ? memory_.answer().id : 0);
+    }
+    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
+    if (client_ >= 0) {
+        const std::size_t p = std::size_t(client_) / clients_;
+        const std::uint32_t cache = std::uint32_t(client_) % clients_;
+        const Cache::Miss miss = cache == 0   ? pipelines_[p].node_miss()
+                                 : cache == 1 ? pipelines_[p].prim_miss()
+                                              : pipelines_[p].surf_miss();
+        client_request_ = {std::uint32_t(client_) << client_shift_ | miss.id, miss.addr};
+        (cache == 0   ? shared_moves_[p].node_miss
+         : cache == 1 ? shared_moves_[p].prim_miss
+                      : shared_moves_[p].surf_miss) = taken;
+    }
+    const std::uint32_t dispatch = granted_ >= 0 ? 0 : dispatch_.more() ? 2 : 1;
+    last_shared_ = dispatch | (client_ < 0 ? 1u : taken ? 0u : 2u) << 2;
+    ++shared_counts_[last_shared_];
+}
+
+void Machine::route(bool answered, std::uint32_t id) {
+    fill_client_ = -1;
+    if (!answered) return;
+    fill_client_ = int(id >> client_shift_);
+    fill_id_ = id & ((1u << client_shift_) - 1);
+    SharedMoves& moves = shared_moves_[std::size_t(fill_client_) / clients_];
+    const std::uint32_t cache = std::uint32_t(fill_client_) % clients_;
+    (cache == 0 ? moves.node_fill : cache == 1 ? moves.prim_fill : moves.surf_fill) = &fill_id_;
+}
+
+void Machine::settle_pipelines() {
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        pipelines_[p].settle(now_);
+        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p]), pipelines_[p].fire_mask(shared_moves_[p])};
+    }
+}
+
+void Machine::clock_pipelines() {
+    finished_ = 0;
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        if (masks_[p].fire) moved_at_ = now_ + 1;
+        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
+        pipelines_[p].clock(now_, shared_moves_[p]);
+    }
+    hits_ += finished_;
+}
+
+void Machine::clock_shared() {
+    dispatch_.clock(granted_);
+    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
+    arbiter_.clock(client_valid_, client_, taken);
+    if (has_l2_) {
+        const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
+        l2_deed_ = l2_->clock(taken, client_request_, fires(Link::l2_rsp),
+                              fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
+        ++l2_counts_[std::size_t(l2_deed_)];
+    }
+    const Memory::Answer request{asked().id, asked().addr};
+    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_);
+    ++now_;
+    if (fire_) moved_at_ = now_;
+}
+
+// In most cycles nothing moves between the pipelines and what they share.
+inline bool Machine::shared_is_still() const {
+    if (has_l2_ || memory_.valid()) return false;
+    bool asks = false;   // without branches: this is asked in every cycle
+    for (const Pipeline& pipeline : pipelines_) asks |= pipeline.asks(dispatch_.more());
+    return !asks;
+}
+
+void Machine::step() {
+    static constexpr SharedMoves nothing{};
+    const bool still = shared_is_still();
+    if (!still) settle_shared();
+    bool asleep = true;
+    finished_ = 0;
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        finished_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
+        asleep &= pipelines_[p].slept();
+    }
+    hits_ += finished_;
+    if (still) {
+        last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of units that wait
+        ++shared_counts_[last_shared_];
+        valid_ = fire_ = 0;
+        memory_.clock(nullptr, finished_);
+        ++now_;
+    } else {
+        clock_shared();
+    }
+    if (!asleep) moved_at_ = now_;
+}
+
+void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
+    settle_shared();
+    settle_pipelines();
+    finished_ = 0;
+    for (std::size_t p = pipelines_.size(); p-- > 0;) {
+        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
+        pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
+    }
+    hits_ += finished_;
+    clock_shared();
+}
+
+void Machine::run(std::uint64_t until) {
+    while (!done() && now_ < until) {
+        step();
+        if (moved_at_ < now_ && undisturbed_) sleep(until);
+    }
+}
+
+// If nothing can change before an answer of a pipe or of memory comes, the cycles until then are like the
+// last one.
+void Machine::sleep(std::uint64_t until) {
+    // In the next cycle, an answer is there, or a request that waits is taken.
+    if (memory_.valid() || ((valid_ & bit(Link::mem_req)) && memory_.ready())) return;
+    std::uint64_t wake = until;
+    for (const Pipeline& pipeline : pipelines_) {
+        if (!pipeline.slept()) return;
+        wake = std::min(wake, pipeline.wakes(now_));
+    }
+    if (has_l2_) {
+        if (l2_deed_ <= CacheDeed::drain) return;
+        if (l2_->answers() || l2_->loaded()) return;
+    }
+    wake = std::min(wake, memory_.quiet_until());
+    if (wake <= now_) return;
+    const std::uint64_t cycles = wake - now_;
+    for (Pipeline& pipeline : pipelines_) pipeline.skip(cycles);
+    shared_counts_[last_shared_] += cycles;
+    if (has_l2_) l2_counts_[std::size_t(l2_deed_)] += cycles;
+    memory_.skip(cycles);
+    now_ = wake;
+}
+
+Accounts Machine::accounts() const {
+    Accounts sums;
+    for (const Pipeline& pipeline : pipelines_) sums += pipeline.accounts();
+    for (std::size_t i = 0; i < shared_counts_.size(); ++i) {
+        sums.units[index(Unit::dispatch)][i & 3] += shared_counts_[i];
+        sums.units[index(Unit::memport)][i >> 2] += shared_counts_[i];
+    }
+    sums.units[index(Unit::l2)] = l2_counts_;
+    sums.units[index(Unit::memory)] = memory_.deeds();
+    return sums;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,172 @@
+#pragma once
+// The machine, cycle by cycle: mirror of rtl/rc_top.sv with the memory that lies under both.
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "model/mem/arbiter.hpp"
+#include "model/mem/memory.hpp"
+#include "model/machine/pipeline.hpp"
+#include "model/unit/sched/dispatch.hpp"
+
+namespace rayclock {
+
+/// A transfer on a link: whose and what, as far as time goes. What the payload holds beyond that is a
+/// Witness' business.
+struct Move {
+    int pipeline = 0;   ///< of the links that all share: 0
+    Link link{};
+    std::uint32_t id = 0;         ///< ray on a pipeline's links, request on the memory's
+    std::uint32_t addr = 0;       ///< of requests, and of the line that comes back
+    std::uint32_t x = 0, y = 0;   ///< tile, pixel
+};
+
+class Machine {
+public:
+    /// khz: clock of the chip. `traffic` disturbs memory and sinks, for tests.
+    Machine(const Config& config, int khz, Traffic traffic = {});
+
+    /// A new frame; the machine must be fresh or done. What lies in the caches stays. The trace must outlive
+    /// the frame.
+    void start(const Frame& frame, const Trace& trace);
+
+    /// Between frames: resets the chip, after which its caches are empty. The memory goes on with what it
+    /// does, for reset_cycles() of the configuration.
+    void reset();
+    /// The host begins to write these lines of the memory, beside whatever the chip reads.
+    void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }
+    /// Between frames: waits until the host has written all of them.
+    void finish_writes();
+
+    /// One clock cycle.
+    void step();
+    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in link order, and the
+    /// masks are set.
+    template <class Observer> void step(Observer&& observe) {
+        settle_shared();
+        settle_pipelines();
+        show(observe);
+        clock_pipelines();
+        clock_shared();
+    }
+    /// Clocks until the frame is done, at most up to cycle `until`; passes over idle times.
+    void run(std::uint64_t until);
+    /// One clock cycle with the pipelines' clock edges in another order of units.
+    void step_in_order(const std::array<int, pipeline_units>& order);
+
+    const Config& config() const { return config_; }
+    bool done() const { return hits_ == pixels_; }
+    std::uint64_t cycle() const { return now_; }               ///< since the machine was made
+    std::uint64_t hits() const { return hits_; }               ///< of the frame
+    std::uint64_t quiet() const { return now_ - moved_at_; }   ///< cycles since anything moved
+    const Slot& pixel(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].pixel(ray);
+    }
+    Accounts accounts() const;
+    /// What the units of one pipeline did.
+    Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
+    const Memory& memory() const { return memory_; }
+    /// What a cache of a pipeline, or the l2, did at the last clock edge that was observed.
+    CacheDeed deed(int pipeline, Unit cache) const {
+        return cache == Unit::l2 ? l2_deed_ : pipelines_[std::size_t(pipeline)].deed(cache);
+    }
+    /// What a ray is for, while its transfer on the link spawn is observed.
+    RayPurpose purpose(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].purpose(ray);
+    }
+    std::string where(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].where(ray, now_);
+    }
+
+    /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
+    LinkMask valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
+    LinkMask fire_mask(int pipeline) const { return masks_[std::size_t(pipeline)].fire; }
+    LinkMask shared_valid() const { return valid_; }
+    LinkMask shared_fire() const { return fire_; }
+
+private:
+    struct Masks {
+        LinkMask valid = 0, fire = 0;
+    };
+    void settle_shared();
+    bool shared_is_still() const;
+    void settle_pipelines();
+    void clock_pipelines();
+    void clock_shared();
+    void route(bool answered, std::uint32_t id);
+    void pass_cycle();
+    void sleep(std::uint64_t until);
+    template <class Observer> void show(Observer& observe) const;
+    bool fires(Link c) const { return fire_ >> index(c) & 1; }
+    const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }   ///< of memory
+
+    Config config_;
+    Traffic traffic_;
+    bool has_l2_;
+    Dispatch dispatch_;
+    std::vector<Pipeline> pipelines_;
+    std::uint32_t clients_;
+    int client_shift_;   ///< of a cache's number in the id of its request
+    Arbiter arbiter_;
+    std::optional<Cache> l2_;
+    Memory memory_;
+    bool undisturbed_;
+
+    // The cycle, once settled.
+    std::vector<SharedMoves> shared_moves_;   // [pipeline]
+    std::vector<Masks> masks_;
+    LinkMask valid_ = 0, fire_ = 0;   // of the shared links
+    int granted_ = -1, client_ = -1,
+        fill_client_ = -1;             // pipeline that gets a tile; caches that ask for and that get a word
+    std::uint64_t client_valid_ = 0;   ///< caches that ask
+    std::uint32_t fill_id_ = 0;
+    Cache::Request client_request_{}, l2_miss_{};
+
+    std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
+    std::uint32_t finished_ = 0;      // pixels, in this cycle
+    std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
+    CacheDeed l2_deed_{};
+    std::array<std::uint64_t, 16> shared_counts_{};
+    CauseCounts l2_counts_{};
+};
+
+template <class Observer> void Machine::show(Observer& observe) const {
+    for (int p = 0; p < config_.pipelines; ++p) {
+        const Pipeline& pipeline = pipelines_[std::size_t(p)];
+        for (LinkMask left = masks_[std::size_t(p)].fire; left; left &= left - 1) {
+            const Link c = Link(std::countr_zero(left));
+            Move move{p, c, 0, 0, 0, 0};
+            switch (c) {
+                case Link::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
+                case Link::node_miss:
+                    move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr;
+                    break;
+                case Link::prim_miss:
+                    move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr;
+                    break;
+                case Link::node_fill:
+                case Link::surf_fill:
+                case Link::prim_fill: move.id = fill_id_; break;
+                case Link::surf_miss:
+                    move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr;
+                    break;
+                default: {
+                    move.id = pipeline.ray_on(c);
+                    const Slot& pixel = c == Link::slot ? pipeline.slot() : pipeline.pixel(move.id);
+                    move.x = pixel.x, move.y = pixel.y;
+                    if (c == Link::node_req) move.addr = pipeline.node_addr(move.id);
+                    if (c == Link::surf_req) move.addr = pipeline.surf_addr(move.id);
+                    if (c == Link::prim_req) move.addr = pipeline.prim_addr(move.id);
+                }
+            }
+            observe(move);
+        }
+    }
+    if (fires(Link::l2_req)) observe(Move{0, Link::l2_req, client_request_.id, client_request_.addr, 0, 0});
+    if (fires(Link::l2_rsp)) observe(Move{0, Link::l2_rsp, l2_->answer(), 0, 0, 0});
+    if (fires(Link::mem_req)) observe(Move{0, Link::mem_req, asked().id, asked().addr, 0, 0});
+    if (fires(Link::mem_rsp))
+        observe(Move{0, Link::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
+}
+
+}   // namespace rayclock

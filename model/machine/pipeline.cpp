@@ -1,0 +1,200 @@
+#include "model/machine/pipeline.hpp"
+
+#include <algorithm>
+
+namespace rayclock {
+
+Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
+    : shading_(config.shading != 0),
+      levels_(config.has_instances()),
+      lists_(config.is_list()),
+      upper_(node_unit(config.engine())),
+      lower_(node_unit(config.lower_engine())),
+      box_is_low_(config.has_two_engines() && config.lower_engine() == Structure::bvh),
+      sched_(config),
+      raygen_(config.raygen_latency(), config.raygen_queue),
+      raygen_rests_(std::uint32_t(config.raygen_interval - 1)),
+      trav_(config),
+      node_cache_(node_cache_shape(config)),
+      box_(config.node_latency(), config.box_queue),
+      boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      box_rests_(std::uint32_t(config.box_interval() - 1)),
+      xform_(config.xform_latency() - 1, config.contexts),
+      xform_rests_(std::uint32_t(config.xform_interval - 1)),
+      list_(config),
+      prim_cache_(prim_cache_shape(config)),
+      tri_(config.tri_latency(), config.tri_queue),
+      tried_(std::max(0, Stages(config).tried - 1), config.contexts),
+      tri_rests_(std::uint32_t(config.tri_interval - 1)),
+      late_(Stages(config).arrive > 0),
+      surf_cache_(surf_cache_shape(config)),
+      shade_(config),
+      sink_(traffic, number),
+      rays_(std::size_t(config.contexts)) {}
+
+void Pipeline::settle(std::uint64_t now) {
+    moves_ = {};
+    shading_  ? (levels_ ? settle<true, true>(moves_, now) : settle<true, false>(moves_, now))
+    : levels_ ? settle<false, true>(moves_, now)
+              : settle<false, false>(moves_, now);
+}
+void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
+    shading_  ? (levels_ ? clock<true, true>(moves_, now, shared) : clock<true, false>(moves_, now, shared))
+    : levels_ ? clock<false, true>(moves_, now, shared)
+              : clock<false, false>(moves_, now, shared);
+}
+
+void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
+                              const std::array<int, pipeline_units>& order) {
+    account_units<true>(moves_);   // what no link carries is not there
+    for (const int unit : order) switch (Unit(unit)) {
+            case Unit::sched:
+                shading_ ? clock_sched<true>(moves_, shared.tile) : clock_sched<false>(moves_, shared.tile);
+                break;
+            case Unit::raygen:
+                shading_ ? clock_raygen<true>(moves_, now) : clock_raygen<false>(moves_, now);
+                break;
+            case Unit::trav:
+                shading_  ? (levels_ ? clock_trav<true, true>(moves_) : clock_trav<true, false>(moves_))
+                : levels_ ? clock_trav<false, true>(moves_)
+                          : clock_trav<false, false>(moves_);
+                break;
+            case Unit::node_cache: clock_node_cache(moves_, shared); break;
+            case Unit::box: clock_box(moves_, now); break;
+            case Unit::xform:
+                if (levels_) clock_xform(moves_, now);
+                break;
+            case Unit::list: clock_list(moves_); break;
+            case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
+            case Unit::tri: clock_tri(moves_, now); break;
+            case Unit::surf_cache:
+                if (shading_) clock_surf_cache(moves_, shared);
+                break;
+            case Unit::shade:
+                if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
+                break;
+            default: break;   // treelet, globe and slant are clocked as box is, which stands for them
+        }
+    account_caches();
+}
+
+void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& req = m[Link::surf_req];
+    surf_deed_ = surf_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
+                                   shared.surf_fill, shared.surf_miss);
+    last_shades_ = std::uint32_t(surf_deed_) | m.shade_code << 3;
+    ++shades_[last_shades_];
+}
+
+/// What the trace says after a ray: what its passes lead to.
+Shade::Turn Pipeline::turn_of(std::uint32_t ray) {
+    Place& place = rays_[ray];
+    if (--place.head > 0) return Shade::Turn::again;
+    if (*place.at & Trace::pixel_flag) return Shade::Turn::pixel;
+    place.at += 2;
+    place.head = *place.at;
+    return Shade::Turn::spawn;
+}
+
+template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
+    Shade::Wants wants = Shade::Wants::nothing;
+    const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
+    const auto next = [this](std::uint32_t ray) -> std::uint32_t {
+        Place& place = rays_[ray];
+        ++place.at;
+        place.head = place.at[1];
+        return *place.at;
+    };
+    if (closest.fires) {   // past the last visit, or its last triangle
+        const std::uint32_t word = next(closest.ray);
+        if (levels && (word & Trace::place_flag))
+            wants = Shade::Wants::place;
+        else if (word & Trace::surface_flag)
+            wants = Shade::Wants::surface;
+    }
+    const bool placed = came.fires & m.placing;
+    if (placed) next(came.ray);
+    shade_.clock<levels>(now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
+                         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
+                         [this](std::uint32_t ray) { return turn_of(ray); });
+}
+template void Pipeline::clock_shade<false>(const Moves& m, std::uint64_t now);
+template void Pipeline::clock_shade<true>(const Moves& m, std::uint64_t now);
+
+namespace {
+LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
+}   // namespace
+
+LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
+    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
+    return mask;
+}
+
+LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
+    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
+    return mask;
+}
+
+std::uint64_t Pipeline::wakes(std::uint64_t now) const {
+    if (node_cache_.answers() || prim_cache_.answers() || (shading_ && surf_cache_.answers())) return now;
+    std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    if (levels_) wakes = std::min(wakes, xform_.due(now));
+    if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});
+    return shading_ ? std::min(wakes, shade_.due()) : wakes;
+}
+
+std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
+    if (!sched_.in_use(ray)) return {};
+    if (const char* place = trav_.where(ray)) return place;
+    if (const char* place = list_.where(ray)) return place;
+    if (const char* place = shading_ ? shade_.where(ray) : nullptr) return place;
+    if (std::string place = shading_ ? surf_cache_.where(ray) : ""; !place.empty())
+        return "surf_cache: " + place;
+    if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
+    if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
+    return raygen_.contains(RayNumber(ray))     ? "raygen"
+           : box_.contains(RayNumber(ray), now) ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
+           : xform_.contains(RayNumber(ray), now)          ? "xform"
+           : tri_.contains(RayNumber(ray), now)            ? "tri"
+           : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
+           : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
+                                                           : "nowhere";
+}
+
+Accounts Pipeline::accounts() const {
+    Accounts sums;
+    const auto add = [&](Unit unit, std::uint32_t code, std::uint64_t cycles) {
+        sums.units[index(unit)][code] += cycles;
+    };
+    for (std::uint32_t i = 0; i < units_.size(); ++i) {
+        if (units_[i] == 0) continue;
+        add(Unit::sched, i & 3, units_[i]);
+        add(Unit::raygen, i >> 2 & 3, units_[i]);
+        add(Unit::trav, i >> 4 & 3, units_[i]);
+        if (!lists_) add(upper_.unit, i >> 6 & 3, units_[i]);
+        add(Unit::list, i >> 8 & 1, units_[i]);
+        add(Unit::tri, i >> 9 & 3, units_[i]);
+    }
+    for (std::uint32_t i = 0; i < caches_.size(); ++i) {
+        if (!lists_) add(Unit::node_cache, i & 7, caches_[i]);
+        add(Unit::prim_cache, i >> 3, caches_[i]);
+    }
+    for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
+    for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
+        add(lower_.unit, i, lowers_[i]);
+    for (std::uint32_t i = 0; i < shades_.size(); ++i) {
+        add(Unit::surf_cache, i & 7, shades_[i]);
+        add(Unit::shade, i >> 3, shades_[i]);
+    }
+    return sums;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,226 @@
+#pragma once
+// What a pipeline does in a cycle: all links are settled, then every unit sees the clock edge.
+#include "model/machine/pipeline.hpp"
+
+namespace rayclock {
+
+// Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
+template <bool shades, bool levels>
+[[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
+    // What leaves one unit enters another: noted before either sees the clock edge.
+    const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
+    const bool begins = raygen_.ready() & (raygen_rest_ == 0);
+    m.offer(Link::slot, sched_.slot_valid(), begins & camera, sched_.slot().ray);
+    m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
+    m.offer(Link::node_req, trav_.node_valid<levels>() & !lists_, node_cache_.ready(),
+            trav_.node_ray<levels>());
+    const std::uint32_t read = node_cache_.answer();
+    const bool enters = levels && Trace::enters(rays_[read].head);
+    m.low_asks = levels && is_low(read);
+    m.offer(Link::box_req, node_cache_.valid() & !enters,
+            box_.ready() & ((box_rest_ == 0) | (m.low_asks != box_is_low_)), read);
+    if constexpr (levels) m.lower_code = decide_code(m, true);
+    m.read = m[Link::box_req].fires;
+    if constexpr (levels) {
+        const OnLink changed = xform_.answer(now);
+        m.offer(Link::xform_req, node_cache_.valid() & enters, xform_rest_ == 0, read);
+        m.offer(Link::change, changed.there, true, changed.ray);
+        m.read = m.read | m[Link::xform_req].fires;
+        m.xform_code = (m[Link::xform_req].valid | (xform_rest_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
+    }
+    const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
+    m.low_tells = levels && is_low(boxed.ray);
+    m.boxed = late_ ? boxed_.answer(now) : boxed;
+    if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
+    m.tried = late_ ? tried_.answer(now) : tried;
+    m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
+    m.offer(Link::leaves, m.boxed.there & has_tests(m.boxed.ray), true, m.boxed.ray);
+    m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
+    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_rest_ == 0), prim_cache_.answer());
+    m.offer(Link::tri_rsp, tried.there, true, tried.ray);
+    const bool tested = list_.tested_valid();
+    m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
+    m.step = trav_.step_valid(tested) & trav_.step_ready();
+    if constexpr (shades) {
+        m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
+        m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
+        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_cache_.ready(), shade_.surf_ray<levels>());
+        const std::uint32_t came = surf_cache_.answer();
+        m.placing = levels && (*rays_[came].at & Trace::place_flag);
+        m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready() | m.placing, came);
+        m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
+        m.shade_code = shade_.code(surf_cache_.valid() & !m.placing, surf_cache_.waits());
+    } else {
+        m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
+    }
+}
+
+template <bool shades> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
+    const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
+    const bool asked = m[Link::slot].valid | (shades && m[Link::spawn].valid),
+               begun = m[Link::slot].fires | (shades && m[Link::spawn].fires);
+    const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
+    const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
+                        raygen = raygen_rest_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
+                        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
+                        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
+                        tri =
+                            tri_rest_ > 0
+                                ? 0u
+                                : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
+    last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
+    ++units_[last_units_];
+}
+
+inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
+    Place& place = rays_[ray];
+    const bool again = place.head >> Trace::turns_shift, done = !again & bool(place.head & Trace::end_flag);
+    const bool visit = valid & !again & !done;
+    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::turns_shift;
+    place.at += visit;
+    const std::uint32_t next = *place.at;
+    place.head = select(visit, next, place.head - turns);
+    return {visit, bool(valid & again), bool(valid & done)};
+}
+
+/// Of a ray that changed: to the visit of the mesh's root.
+inline void Pipeline::enter(const LinkInside& change) {
+    Place& place = rays_[change.ray];
+    place.at += change.fires;
+    if (change.fires) place.head = *place.at;
+}
+
+inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
+    Place& place = rays_[ray];
+    const bool more = !(*place.at & Trace::last_flag);
+    place.at += more & tested;
+    return more;
+}
+
+template <bool shades>
+[[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
+    const bool slot = m[Link::slot].fires;
+    if (slot) {
+        const Slot given = sched_.slot();
+        Place& place = rays_[given.ray];
+        place.at = ray_at(*trace_, given.x, given.y);
+        place.head = *place.at;
+    }
+    if constexpr (shades) {
+        const bool second = raygen_link_.second(shade_.spawn_valid());
+        raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
+    }
+    sched_.clock(slot, tile, m[Link::hit]);
+    sink_.clock();
+}
+
+template <bool shades>
+[[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
+    OnLink in = m[Link::slot];
+    if constexpr (shades) {
+        const LinkInside& spawn = m[Link::spawn];
+        in = {bool(in.there | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
+    }
+    raygen_.clock(now, m[Link::ray].fires, in.there, RayNumber(in.ray));
+    raygen_rest_ = select(in.there, raygen_rests_, raygen_rest_ - (raygen_rest_ > 0));
+}
+
+template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
+    const LinkInside& tested = m[Link::tested];
+    if constexpr (levels) enter(m[Link::change]);
+    trav_.clock<levels>({m[Link::ray],
+                         {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
+                         {tested.valid, tested.ray},
+                         lists_ ? m.boxed.there : m[Link::node_req].fires,
+                         m[shades ? Link::closest : Link::hit].fires,
+                         levels ? OnLink(m[Link::change]) : OnLink{}},
+                        [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& req = m[Link::node_req];
+    node_deed_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m.read, shared.node_fill,
+                                   shared.node_miss);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
+    box_.clock(now, m[Link::box_req]);
+    box_rest_ =
+        select(m[Link::box_req].fires & (m.low_asks == box_is_low_), box_rests_, box_rest_ - (box_rest_ > 0));
+    if (late_) boxed_.clock(now, m[Link::box_rsp]);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
+    const LinkInside& leaves = m[Link::leaves];
+    rays_[leaves.ray].at += leaves.fires;   // to the first triangle
+    list_.clock(leaves, m.tried, has_more(m.tried.ray, m.tried.there), m[Link::prim_req].fires,
+                m[Link::tested].fires);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& req = m[Link::prim_req];
+    prim_deed_ = prim_cache_.clock(req.fires, {req.ray, prim_addr(req.ray) >> 1}, m[Link::tri_req].fires,
+                                   shared.prim_fill, shared.prim_miss);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
+    tri_.clock(now, m[Link::tri_req]);
+    tri_rest_ = select(m[Link::tri_req].fires, tri_rests_, tri_rest_ - (tri_rest_ > 0));
+    if (late_) tried_.clock(now, m[Link::tri_rsp]);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock_xform(const Moves& m, std::uint64_t now) {
+    const LinkInside& req = m[Link::xform_req];
+    last_xform_ = m.xform_code;
+    ++xforms_[last_xform_];
+    last_lower_ = m.lower_code;
+    ++lowers_[last_lower_];
+    xform_.clock(now, req);
+    xform_rest_ = select(req.fires, xform_rests_, xform_rest_ - (xform_rest_ > 0));
+}
+
+template <bool shades, bool levels>
+[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
+                                                   const SharedMoves& shared) {
+    account_units<shades>(m);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there |
+                         (raygen_rest_ > 0) | (box_rest_ > 0) | (tri_rest_ > 0) | (levels && xform_rest_ > 0);
+    clock_sched<shades>(m, shared.tile);
+    clock_raygen<shades>(m, now);
+    clock_trav<shades, levels>(m);
+    if constexpr (levels) clock_xform(m, now);
+    clock_node_cache(m, shared);
+    clock_box(m, now);
+    clock_list(m);
+    clock_prim_cache(m, shared);
+    clock_tri(m, now);
+    account_caches();
+    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) & !node_cache_.loaded() &
+              !prim_cache_.loaded() &
+              !(turning | m.step | shared.any() |
+                m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
+                      Link::tri_req, Link::tri_rsp, Link::hit));
+    if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
+    if constexpr (shades) {
+        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() & !shade_.comes() &
+                  !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
+        clock_surf_cache(m, shared);
+        clock_shade<levels>(m, now);
+        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain) & !surf_cache_.loaded();
+    }
+}
+
+template <bool shades, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+    Moves m;   // not moves_: this lives in registers
+    settle<shades, levels>(m, now);
+    clock<shades, levels>(m, now, shared);
+    return m[Link::hit].fires;
+}
+
+inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+    return shading_  ? (levels_ ? step<true, true>(now, shared) : step<true, false>(now, shared))
+           : levels_ ? step<false, true>(now, shared)
+                     : step<false, false>(now, shared);
+}
+
+}   // namespace rayclock

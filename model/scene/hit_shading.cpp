@@ -1,0 +1,150 @@
+#include "model/scene/hit_shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+#include "model/scene/folded.hpp"
+
+namespace rayclock {
+namespace {
+
+/// Where a hit lies on the scene as given, and the normal there, on the eye's side.
+struct SurfacePoint {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+    glm::dvec3 to_eye;
+    const Material* material;
+    glm::dvec3 colour;
+};
+
+/// Unit vector along v, or `otherwise` where v has no direction.
+glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+/// `outside` turned to the eye.
+void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outside) {
+    point.to_eye = unit_or(eye - point.position, {0, 0, 1});
+    point.normal = unit_or(outside, point.to_eye);
+    if (glm::dot(point.normal, point.to_eye) < 0) point.normal = -point.normal;
+}
+
+/// Smooth normals can face away from the eye near a silhouette although the triangle faces it; the triangle
+/// decides which side is seen, and its normal stands in where the smooth one vanishes.
+SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
+                         const glm::dvec3& eye) {
+    const auto& [a, b, c] = triangle.vertices;
+    const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
+    SurfacePoint point;
+    point.material = &scene.materials.at(triangle.material);
+    point.colour = point.material->colour;
+    point.position = v0 * a + v1 * b + v2 * c;
+    finish(point, eye, glm::cross(b - a, c - a));
+    if (triangle.is_smooth) {
+        const glm::dvec3 flat = point.normal;
+        const auto& n = triangle.normals;
+        point.normal = unit_or(v0 * n[0] + v1 * n[1] + v2 * n[2], flat);
+        if (glm::dot(point.normal, flat) < 0) point.normal = -point.normal;
+    }
+    return point;
+}
+
+/// A hit says how far it is, so the point lies that far along the pixel's ray.
+SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
+                       const glm::dvec3& direction) {
+    SurfacePoint point;
+    point.material = &scene.materials.at(sphere.material);
+    point.colour = point.material->colour;
+    point.position = eye + static_cast<double>(hit.depth) * glm::normalize(direction);
+    finish(point, eye, point.position - sphere.centre);
+    return point;
+}
+
+/// A hit says how many squares it is from the plane's point.
+SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
+    SurfacePoint point;
+    point.material = &scene.materials.at(plane.material);
+    const bool is_other =
+        point.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2.0f) != 0;
+    point.colour = is_other ? point.material->other : point.material->colour;
+    point.position =
+        plane.point + static_cast<double>(hit.u) * plane.u + static_cast<double>(hit.v) * plane.v;
+    finish(point, eye, glm::cross(plane.u, plane.v));
+    return point;
+}
+
+/// A triangle of a flat scene.
+PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
+    const Triangle& triangle = scene.triangles[number];
+    PlacedTriangle out;
+    out.is_smooth = !scene.normals.empty();
+    out.material = triangle.material;
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.vertices[k] = scene.vertices[triangle.vertex[k]];
+        if (out.is_smooth) out.normals[k] = scene.normals[triangle.vertex[k]];
+    }
+    return out;
+}
+
+SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit,
+                           const glm::dvec3& eye, const glm::dvec3& direction) {
+    if (unfolder) return on_triangle(scene, (*unfolder)(hit.primitive), hit, eye);
+    const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
+    if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
+    if (hit.primitive < triangles + spheres)
+        return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
+    return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
+}
+
+/// Phong 1975, "Illumination for computer generated pictures", in Haines' terms: the ambient term, and for
+/// every light Lambert's cosine and the cosine between the light's mirrored direction and the eye to the
+/// power `shine`.
+glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
+    const Material& material = *point.material;
+    glm::dvec3 sum = material.ambient * point.colour;
+    for (const Light& light : scene.lights) {
+        const glm::dvec3 to_light = unit_or(light.position - point.position, point.normal);
+        const double lambert = glm::dot(point.normal, to_light);
+        if (!(lambert > 0)) continue;
+        const glm::dvec3 mirrored = 2 * lambert * point.normal - to_light;
+        const double phong = std::pow(std::max(0.0, glm::dot(mirrored, point.to_eye)), material.shine);
+        sum += light.colour * (material.diffuse * lambert * point.colour + material.highlight * phong);
+    }
+    return sum;
+}
+
+}   // namespace
+
+Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progress) {
+    if (!scene.camera) throw std::logic_error("shade() needs scene.camera: highlights depend on the eye");
+    const glm::dvec3 eye = scene.camera->eye;
+    const std::optional<Unfolder> unfolder =
+        is_folded(scene) ? std::make_optional<Unfolder>(*scene.placed) : std::nullopt;
+    const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
+    Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
+    std::mutex reporting;
+    std::uint64_t done = 0;
+    tbb::parallel_for(0, frame.size.height, [&](int y) {
+        const std::size_t begin = static_cast<std::size_t>(y) * frame.size.width;
+        for (std::size_t i = begin; i < begin + frame.size.width; ++i) {
+            const Hit& hit = frame.hits[i];
+            if (hit.primitive == no_primitive) continue;
+            const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
+            picture.pixels[i] = glm::vec3(
+                colour_at(scene, surface_point(scene, unfolder ? &*unfolder : nullptr, hit, eye, direction)));
+        }
+        if (!progress) return;
+        const std::lock_guard lock(reporting);
+        progress("shading", ++done, std::uint64_t(frame.size.height));
+    });
+    return picture;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,38 @@
+#pragma once
+#include "model/engine/bsp/slant.hpp"
+#include "model/engine/globe/globe.hpp"
+#include "model/unit/xform/xform.hpp"
+
+namespace rayclock {
+
+/// A ray in the space of the instance that it entered last. For the walk the line of an instance is a node
+/// with one child, the root of its mesh, which every ray meets at once. In which space a later node lies is
+/// said by its line, not by what the ray did before: a ray that comes back from an instance needs nothing to
+/// be put right.
+struct InsideRay {
+    Change change;
+    BoxRay from;
+    GlobeRay toward;   ///< if there are globes
+    Vec3i along{};     ///< if there are slants
+    Ray moved{};       ///< as any_test() wants it
+    WideNode entry;
+    bool enters = false;   ///< the line that was read last is an instance
+
+    /// The ray changes, and goes on: its best hit and its distance to beat stay.
+    const WideNode& enter(const Ray& ray, const Placement& placement, const Config& config,
+                          std::uint32_t* t_near, std::uint32_t& hits) {
+        change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
+        from = box_ray(change);
+        moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
+        moved.self = ray.self, moved.inside = ray.inside, moved.partial = ray.partial;
+        if (config.lower_engine() == Structure::spheres) toward = globe_ray(moved, config);
+        if (config.lower_engine() == Structure::bsp) along = aligned(moved, config);
+        entry.base = change.root;
+        entry.children = entry.children_mask = entry.inner_mask = 1;
+        t_near[0] = 0;
+        hits = 1;
+        return entry;
+    }
+};
+
+}   // namespace rayclock

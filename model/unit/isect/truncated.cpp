@@ -1,0 +1,61 @@
+#include "model/unit/isect/truncated.hpp"
+
+#include "model/unit/isect/float_hit.hpp"
+#include "model/unit/isect/tri.hpp"
+
+namespace rayclock {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+constexpr int frac = 16;
+
+std::int64_t shifted(std::int64_t x, int left) {
+    return left >= 0 ? x * (std::int64_t(1) << left) : x >> -left;
+}
+Vec3l shifted(const Vec3i& x, int left) {
+    return {shifted(x[0], left), shifted(x[1], left), shifted(x[2], left)};
+}
+Vec3l minus(const Vec3l& a, const Vec3l& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+std::int64_t product(std::int64_t a, std::int64_t b) { return (a * b) >> frac; }
+Vec3l cross(const Vec3l& a, const Vec3l& b) {
+    return {product(a[1], b[2]) - product(a[2], b[1]), product(a[2], b[0]) - product(a[0], b[2]),
+            product(a[0], b[1]) - product(a[1], b[0])};
+}
+std::int64_t dot(const Vec3l& a, const Vec3l& b) {
+    return product(a[0], b[0]) + product(a[1], b[1]) + product(a[2], b[2]);
+}
+
+}   // namespace
+
+void truncated_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
+                    const Config& config, TriRsp& out) {
+    no_hit(out);
+    const int up = frac + 1 - config.coord_bits, dir_up = frac + 1 - config.dir_bits;
+    const Vec3l a = shifted(triangle.a, up), dir = shifted(d, dir_up);
+    const Vec3l e1 = minus(shifted(triangle.b, up), a), e2 = minus(shifted(triangle.c, up), a),
+                s = minus(shifted(o, up), a);
+    const Vec3l p = cross(dir, e2), q = cross(s, e1);
+    const std::int64_t det_raw = dot(e1, p);
+    if (det_raw == 0) return;
+    const std::int64_t sign = det_raw < 0 ? -1 : 1, size = sign * det_raw;
+    const std::int64_t u = sign * dot(s, p), v = sign * dot(dir, q), along = sign * dot(e2, q);
+    if (u < 0 || v < 0 || u + v > size || along <= 0) return;
+    // Both scales are undone exactly: t is 2^(N-M) of what it is in the cube.
+    const int back = up - dir_up;
+    const std::int64_t num = shifted(along, std::max(0, -back)), det = shifted(size, std::max(0, back));
+    if (best.found) {
+        const Wide mine = Wide(num) * best.det, theirs = Wide(best.num) * det;
+        if (mine > theirs || (mine == theirs && triangle.prim > best.prim)) return;
+    }
+    out.closer = 1;
+    out.num = num;
+    out.det = det;
+    out.prim = triangle.prim;
+    out.t = distance(num, det, config);
+    out.u = barycentric(u, size, config);
+    out.v = barycentric(v, size, config);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,12 @@
+#pragma once
+#include "model/unit/isect/primitive.hpp"
+
+namespace rayclock {
+
+/// Baseline: Woop, Benthin and Wald 2013, "Watertight ray/triangle intersection", in float32 without
+/// contraction and without its fallback to double: an edge function of exactly zero counts for both sides, so
+/// edges are hit twice, and one that underflows or is rounded to zero as well. In software only.
+void woop_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
+               const Config& config, TriRsp& out);
+
+}   // namespace rayclock

@@ -1,0 +1,46 @@
+#pragma once
+#include "model/core/payloads.hpp"
+
+namespace rayclock {
+
+/// Gives the picture out in tiles of 2^tile_bits x 2^tile_bits pixels, row by row, one a cycle, to the
+/// pipelines that have room for one, in turn. Mirror of rtl/unit/sched/rc_dispatch.sv.
+class Dispatch {
+public:
+    explicit Dispatch(const Config& config)
+        : pipelines_(std::uint32_t(config.pipelines)), tile_bits_(config.tile_bits) {}
+
+    void start(const Frame& frame) {
+        columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
+        rows_ = (frame.height + (1u << tile_bits_) - 1) >> tile_bits_;
+        tile_ = {};
+        more_ = true;
+    }
+    bool more() const { return more_; }
+    const Tile& tile() const { return tile_; }
+
+    /// The pipeline that gets the tile, of those set in `want`, or -1.
+    int grant(std::uint32_t want) const {
+        if (!more_ || want == 0) return -1;
+        std::uint32_t p = next_;
+        while (!(want >> p & 1)) p = (p + 1) & (pipelines_ - 1);
+        return int(p);
+    }
+    void clock(int granted) {
+        if (granted < 0) return;
+        next_ = (std::uint32_t(granted) + 1) & (pipelines_ - 1);
+        if (++tile_.x == columns_) {
+            tile_.x = 0;
+            if (++tile_.y == rows_) more_ = false;
+        }
+    }
+
+private:
+    std::uint32_t pipelines_;
+    int tile_bits_;
+    std::uint32_t columns_ = 0, rows_ = 0, next_ = 0;
+    Tile tile_;
+    bool more_ = false;
+};
+
+}   // namespace rayclock

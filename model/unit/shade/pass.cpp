@@ -1,0 +1,260 @@
+#include "model/unit/shade/pass.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "model/scene/whitted.hpp"
+#include "model/unit/shade/approach.hpp"
+#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/light.hpp"
+#include "model/unit/shade/surf.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint32_t one = 1 << unit_bits;
+using Colour = std::array<std::uint32_t, 3>;
+
+void add(Colour& colour, const Colour& more) {
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
+}
+
+/// Whether the threshold lets a ray pass that is its camera ray's `bounce`th. Shares and weights are rounded,
+/// and a weight loses by that less than 3/2 units of 2^-16 a bounce (docs/shading.md, Numbers): that much is
+/// forgiven, so that a weight that is not below the threshold as both were written never is here.
+bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
+    return 2 * weight + 3 * bounce >= frame.shade.threshold;
+}
+
+ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c) {
+    if (s.depth >= frame.shade.depth) return ShadeEvent::pop;
+    if (c.refraction && s.transmit > 0) return ShadeEvent::refract;
+    return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;
+}
+
+/// The event after a surface (light -1) or a light.
+void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
+    s.light = light;
+    s.event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
+}
+
+Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
+    Spawn spawn;
+    spawn.ray = in.ray;
+    spawn.kind = std::uint32_t(kind);
+    spawn.x = s.x, spawn.y = s.y, spawn.sample = s.sample;
+    return spawn;
+}
+
+/// A ray of that weight meets nothing, or is not traced since it passes by the lattice.
+void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
+    Colour background{};
+    for (std::size_t k = 0; k < 3; ++k)
+        background[k] = std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));
+    add(s.colour, background);
+}
+
+/// The plane's bit in a cell, if it is a pane.
+std::uint32_t pane_of(const Surface& surface, const Config& c) {
+    if (PrimKind(surface.kind) != PrimKind::plane) return 0;
+    return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
+}
+
+void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
+    if (s.depth == 0 && s.sample == 0) {
+        s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
+    }
+    if (in.hit.found) {
+        add(s.colour, surf(in, c, s));
+        s.across = s.cell ^ pane_of(in.surface, c);
+        next_light(s, 0, frame, c);
+        if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::turn);
+        return;
+    }
+    see_background(s, s.weight, frame);
+    s.event = std::uint32_t(ShadeEvent::pop);
+}
+
+/// Where a ray from the surface begins; nothing if it misses the lattice.
+std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d, const Config& c) {
+    if (s.lost) return std::nullopt;
+    if (s.far) return approach(s.o, d, c);
+    return Vec3i{std::int32_t(s.o[0]), std::int32_t(s.o[1]), std::int32_t(s.o[2])};
+}
+
+/// The same of a bounce. If it passes by the lattice it may still meet a plane: then it begins at the point
+/// itself, without its last far_drop bits, and on the side to which it leaves.
+struct Origin {
+    Vec3i o{};
+    bool is_far = false;
+};
+std::optional<Origin> bounce_start(const ShadeState& s, const Vec3i& d, bool through, const Config& c) {
+    if (const std::optional<Vec3i> start = start_of(s, d, c)) return Origin{*start, false};
+    if (!c.horizon || s.lost) return std::nullopt;
+    Origin far{{}, true};
+    for (std::size_t k = 0; k < 3; ++k)
+        far.o[k] = std::int32_t((s.o[k] >> far_drop) + ((s.n[k] < 0) == through));
+    return far;
+}
+
+Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
+    Vec3i place{};
+    for (std::size_t k = 0; k < 3; ++k) place[k] = frame.shade.place[3 * light + k] * (1 << c.origin_bits);
+    return place;
+}
+
+/// From a light within the lattice to the point, if that lies in the lattice as well: exactly
+/// (docs/origins.md). To or from what lies beyond it a ray without end is sent, the part of it that the
+/// lattice holds: there is all that has an end. It tests planes only if a plane stands between the light
+/// and the path. Otherwise no plane hides the light.
+void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const LightOut found = light(frame, c, s, in.placement);
+    out.light = found.parts;
+    const std::uint32_t index = s.light;
+    next_light(s, index + 1, frame, c);
+    const bool near = frame.shade.near[index] != 0,
+               clear = frame.shade.clear[index] != 0 && frame.shade.cell[index] == s.cell;
+    if (!found.counts || (s.far && !clear)) return;
+    std::optional<Vec3i> start;
+    if (!near)
+        start = start_of(s, found.d, c);
+    else if (!s.lost)
+        start = light_place(frame, index, c);
+    if (!start) {
+        s.pending = std::uint32_t(Pending::sure);
+        return;
+    }
+    s.pending = std::uint32_t(Pending::answer);
+    out.leave = PassOut::Leave::spawn;
+    const bool to_the_point = near && !s.far;
+    out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
+    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    out.spawn.partial = c.planes && !to_the_point && clear;
+    out.spawn.o = *start;
+    out.spawn.d = found.d;
+    out.spawn.home = found.home;
+}
+
+void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
+    ShadeState& s = out.state;
+    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;
+    s.event = std::uint32_t(ShadeEvent::arrive);
+    out.leave = PassOut::Leave::spawn;
+    out.spawn = spawn_of(in, s, RayKind::bounce);
+    out.spawn.o = ray.o, out.spawn.d = ray.d;
+    out.spawn.self = ray.self, out.spawn.inside = ray.inside, out.spawn.partial = ray.partial;
+    out.spawn.home = ray.home;
+}
+
+Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found, bool through) {
+    return {start.o,
+            found.d,
+            found.weight,
+            s.depth + 1,
+            s.self,
+            s.inside ^ std::uint32_t(through),
+            through ? s.across : s.cell,
+            start.is_far,
+            found.home};
+}
+
+/// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other
+/// way round.
+void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const BounceOut found = refract(c, s, in.placement);
+    s.total = found.total;
+    s.event = std::uint32_t(ShadeEvent::reflect);
+    if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
+    out.refracted = true;
+    if (!found.goes) return;
+    const std::optional<Origin> start = bounce_start(s, found.d, true, c);
+    out.passes_by = !start;
+    if (!start) return see_background(s, found.weight, frame);
+    out.push = true;
+    out.pushed = bounced(s, *start, found, true);
+    ++s.waiting;
+}
+
+void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const BounceOut found = reflect(c, s, in.placement);
+    s.event = std::uint32_t(ShadeEvent::pop);
+    if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
+    const std::optional<Origin> start = bounce_start(s, found.d, false, c);
+    out.passes_by = !start;
+    if (!start) return see_background(s, found.weight, frame);
+    send_bounce(in, bounced(s, *start, found, false), out);
+}
+
+/// A sample is finished: the next one, or the pixel.
+void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    bool same = frame.shade.contrast > 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        s.sum[k] += s.colour[k];
+        s.least[k] = std::min(s.least[k], s.colour[k]);
+        s.most[k] = std::max(s.most[k], s.colour[k]);
+        same = same && s.most[k] - s.least[k] <= frame.shade.contrast;
+    }
+    const std::uint32_t done = s.sample + 1, all = frame.shade.side * frame.shade.side;
+    const bool first = done == std::min(first_samples, all) && same;
+    if (c.supersampling && done < all && !first) {
+        s.sample = done;
+        s.colour = {};
+        s.weight = one, s.depth = 0, s.cell = 0;
+        s.event = std::uint32_t(ShadeEvent::arrive);
+        out.leave = PassOut::Leave::spawn;
+        out.spawn = spawn_of(in, s, RayKind::camera);
+        return;
+    }
+    out.leave = PassOut::Leave::pixel;
+    out.pixel.first = {in.ray, s.found, s.prim, s.t, s.u, s.v, 0};
+    const std::uint32_t share = done < all ? frame.shade.first_share : frame.shade.share;
+    for (std::size_t k = 0; k < 3; ++k)
+        out.pixel.colour[k] = c.supersampling ? std::uint32_t(std::min<std::uint64_t>(
+                                                    rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one))
+                                              : s.colour[k];
+}
+
+}   // namespace
+
+ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
+    ShadeState s;
+    s.x = x, s.y = y;
+    s.least = {one, one, one};
+    s.weight = one;
+    return s;
+}
+
+PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
+    PassOut out;
+    out.state = in.state;
+    ShadeState& s = out.state;
+    const Pending pending = Pending(s.pending);
+    if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
+    s.pending = std::uint32_t(Pending::none);
+    switch (ShadeEvent(s.event)) {
+        case ShadeEvent::arrive: arrive(in, frame, c, s); break;
+        case ShadeEvent::light: send_shadow(in, frame, c, out); break;
+        case ShadeEvent::refract: send_refracted(in, frame, c, out); break;
+        case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
+        case ShadeEvent::turn:
+            turn_surface(in, c, s);
+            next_light(s, 0, frame, c);
+            break;
+        case ShadeEvent::pop:
+            if (s.waiting > 0) {
+                --s.waiting;
+                send_bounce(in, in.top, out);
+            } else {
+                finish(in, frame, c, out);
+            }
+    }
+    return out;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,64 @@
+#include "model/unit/shade/shader.hpp"
+
+#include <cassert>
+
+#include "model/scene/hit.hpp"
+
+namespace rayclock {
+
+void Shader::start(const Slot& slot) {
+    in_ = {};
+    in_.ray = slot.ray;
+    in_.state = fresh_state(slot.x, slot.y);
+    stack_.clear();
+    signature_.start();
+    ++counts_.primary;
+}
+
+void Shader::sent(const Ray& ray) {
+    if (watch_) watch_->sent(ray);
+    if (ends_at_any(ray.kind)) return;
+    in_.o = ray.o;
+    in_.d = ray.d;
+}
+
+void Shader::count(ShadeEvent event) {
+    counts_.refraction += out_.refracted;
+    if (out_.leave != PassOut::Leave::spawn) return;
+    counts_.primary += out_.spawn.kind == std::uint32_t(RayKind::camera);
+    counts_.shadow += event == ShadeEvent::light;
+    counts_.reflection += event == ShadeEvent::reflect;
+}
+
+RayPurpose Shader::purpose() const {
+    if (out_.spawn.kind == std::uint32_t(RayKind::camera)) return RayPurpose::camera;
+    return last_ == ShadeEvent::light     ? RayPurpose::shadow
+           : last_ == ShadeEvent::reflect ? RayPurpose::reflection
+                                          : RayPurpose::refraction;
+}
+
+int Shader::run() {
+    int passes = 0;
+    do {
+        const ShadeEvent event = ShadeEvent(in_.state.event);
+        if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
+        out_ = pass(in_, *frame_, *config_);
+        if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())
+            stack_.pop_back();
+        if (out_.push) {
+            assert(stack_.size() < std::size_t(config_->bounces) && "a ray waits at most at each depth");
+            stack_.push_back(out_.pushed);
+        }
+        if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
+            Pending(out_.state.pending) == Pending::sure)
+            signature_.asked(false);   // nothing can be in its way, and no ray is sent
+        if (watch_) watch_->passed(in_, out_);
+        in_.state = out_.state;
+        count(event);
+        last_ = event;
+        ++passes;
+    } while (out_.leave == PassOut::Leave::again);
+    return passes;
+}
+
+}   // namespace rayclock

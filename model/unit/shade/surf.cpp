@@ -1,0 +1,143 @@
+#include "model/unit/shade/surf.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/unit/isect/origin.hpp"
+#include "model/unit/shade/approach.hpp"
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/unit_vector.hpp"
+
+namespace rayclock {
+
+namespace {
+
+std::int64_t signed_uv(std::uint32_t x, const Config& c) {
+    const int spare = 32 - c.uv_bits();
+    return std::int32_t(x << spare) >> spare;
+}
+
+Vec3l edges_cross(const Surface& s) {
+    Vec3l e1{}, e2{};
+    for (std::size_t k = 0; k < 3; ++k)
+        e1[k] = std::int64_t(s.b[k]) - s.a[k], e2[k] = std::int64_t(s.c[k]) - s.a[k];
+    return {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
+}
+
+/// Keeps a coordinate within so many bits; true if it was not.
+bool saturate(std::int64_t at, int bits, std::int64_t& o) {
+    const std::int64_t most = (std::int64_t(1) << (bits - 1)) - 1;
+    o = std::clamp(at, -most, most);
+    return o != at;
+}
+
+/// What u and v weigh in units of 2^-(B + fine); `ends`: of a plane, they are as large as they can be said.
+struct Place {
+    std::int64_t u = 0, v = 0;
+    bool ends = false;
+};
+Place place_of(const Closest& hit, bool is_plane, int frac_bits, const Config& c) {
+    if (!is_plane) {
+        const Weights w = inner_weights(hit.u, hit.v, c.bary_bits, frac_bits);
+        return {w.u, w.v, false};
+    }
+    const std::int64_t u = signed_uv(hit.u, c), v = signed_uv(hit.v, c),
+                       most = (std::int64_t(1) << (c.uv_bits() - 1)) - 1;
+    const bool ends = u == most || v == most || u == -most - 1 || v == -most - 1;
+    return {rounded(u, c.bary_bits - c.origin_bits), rounded(v, c.bary_bits - c.origin_bits), ends};
+}
+
+/// The surface's colour; of a plane that of its square (Surface::normal), or where squares cannot be told any
+/// more, that between the two.
+std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Closest& hit, bool ends,
+                                       const Config& c) {
+    if (!s.checkered || !is_plane) return s.colour;
+    if (!ends) {
+        const auto second = [&](std::uint64_t x, std::size_t side) {
+            const std::uint64_t at = x + (std::uint64_t(std::uint32_t(s.normal[side])) << c.bary_bits);
+            return (at & ((std::uint64_t(1) << c.uv_bits()) - 1)) >> (s.normal[2 + side] & 63) & 1;
+        };
+        return second(hit.u, 0) != second(hit.v, 1) ? s.other : s.colour;
+    }
+    std::array<std::uint32_t, 3> between{};
+    for (std::size_t k = 0; k < 3; ++k) between[k] = (s.colour[k] + s.other[k]) >> 1;
+    return between;
+}
+
+/// Where the ray is at t.
+void ray_at(const PassIn& in, const Config& c, Vec3l& o) {
+    for (std::size_t k = 0; k < 3; ++k)
+        saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t,
+                                   c.dir_bits - 1 + c.t_frac_bits - c.origin_bits),
+                 c.origin_width(), o[k]);
+}
+
+/// The unit normal is made; the view against the ray, and the cosine between them.
+void look(const PassIn& in, ShadeState& state) {
+    state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
+    state.cosine = clamped_dot(state.normal, state.view);
+}
+
+}   // namespace
+
+void turn_surface(const PassIn& in, const Config& c, ShadeState& state) {
+    state.inner = state.o;
+    if (in.placement.same) return;
+    ray_at(in, c, state.o);
+    Vec3l toward{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            toward[k] += std::int64_t(in.placement.a[3 * i + k]) * state.normal[i];
+    state.normal = unit_vector(toward);
+    look(in, state);
+}
+
+std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState& state) {
+    const Surface& s = in.surface;
+    const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere,
+               is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
+    const int b = c.origin_bits;
+    Vec3l toward{};   // what the normal is made of
+    state.far = state.lost = 0;
+    bool ends = false;
+    if (is_sphere) {
+        ray_at(in, c, state.o);
+        for (std::size_t k = 0; k < 3; ++k) state.n[k] = state.o[k] - (std::int64_t(s.a[k]) << b);
+        toward = state.n;
+    } else {
+        const int fine = is_plane ? 0 : int(s.fine);
+        const Place p = place_of(in.hit, is_plane, b + fine, c);
+        state.n = edges_cross(s);
+        state.lost = ends = p.ends;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int64_t e1 = std::int64_t(s.b[k]) - s.a[k], e2 = std::int64_t(s.c[k]) - s.a[k];
+            state.lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine),
+                                   c.point_width(), state.o[k]);
+            state.far |= c.planes && std::abs(state.o[k]) > lattice_end(c);
+            toward[k] = c.smooth && s.smooth ? ((std::int64_t(1) << (b + fine)) - p.u - p.v) * s.normal[k] +
+                                                   p.u * s.normal[3 + k] + p.v * s.normal[6 + k]
+                                             : state.n[k];
+        }
+    }
+    state.far |= state.lost;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];
+    }
+    state.normal = unit_vector(toward);
+    look(in, state);
+    state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
+    state.self = in.hit.prim;
+    state.inside = in.hit.back;
+    state.diffuse = s.diffuse, state.highlight = s.highlight, state.mirror = s.mirror,
+    state.transmit = s.transmit;
+    state.shine = s.shine, state.schlick = s.schlick, state.r0 = s.r0;
+    state.ratio = in.hit.back ? s.leave : s.enter;
+
+    std::array<std::uint32_t, 3> ambient{};
+    for (std::size_t k = 0; k < 3; ++k)
+        ambient[k] =
+            std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));
+    return ambient;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,65 @@
+#include "model/unit/shade/tables.hpp"
+
+#include "model/unit/shade/square_root.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr int frac = 60;   // fraction bits of what the logarithms and powers are made of
+constexpr std::uint64_t one = std::uint64_t(1) << frac;
+
+std::uint64_t times(std::uint64_t a, std::uint64_t b) { return std::uint64_t(Unsigned(a) * b >> frac); }
+
+/// Nearest whole number of x / 2^drop.
+std::uint32_t rounded(std::uint64_t x, int drop) { return std::uint32_t(((x >> (drop - 1)) + 1) >> 1); }
+
+/// round(2^bits log2(x)) of x in 1..2, bit by bit: squaring doubles the logarithm.
+std::uint32_t log2_of(std::uint64_t x, int bits) {
+    std::uint64_t log = 0;
+    for (int i = 0; i <= bits; ++i) {   // one bit more, to round
+        if (x >= 2 * one) return std::uint32_t(1) << bits;
+        const Unsigned square = Unsigned(x) * x >> frac;
+        const bool is_set = square >= 2 * one;
+        log = 2 * log + is_set;
+        x = std::uint64_t(square >> is_set);
+    }
+    return std::uint32_t((log + 1) >> 1);
+}
+
+/// Values 0..n become entries 0..n-1.
+template <std::size_t n, class Value> std::array<TableEntry, n> make_table(Value value) {
+    std::array<TableEntry, n> table;
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::uint32_t here = value(i), next = value(i + 1);
+        table[i] = {here, here > next ? here - next : next - here};
+    }
+    return table;
+}
+
+}   // namespace
+
+const std::array<TableEntry, root_entries>& inverse_root_table() {
+    // 2^18 / sqrt((128 + i) / 128) = sqrt(2^43 / (128 + i)); 20 bits more before it is rounded.
+    static const auto table = make_table<root_entries>(
+        [](std::size_t i) { return rounded(square_root((Unsigned(1) << 83) / (128 + i)), 20); });
+    return table;
+}
+
+const std::array<TableEntry, log_entries>& log_table() {
+    static const auto table =
+        make_table<log_entries>([](std::size_t i) { return log2_of(one / 128 * (128 + i), 18); });
+    return table;
+}
+
+const std::array<TableEntry, exp_entries>& exp_table() {
+    static const auto table = make_table<exp_entries>([](std::size_t i) {
+        std::uint64_t ratio = one / 2, power = one;   // 2^(-1/128): seven square roots of a half
+        for (int k = 0; k < 7; ++k) ratio = square_root(Unsigned(ratio) << frac);
+        for (std::size_t k = 0; k < i; ++k) power = times(power, ratio);
+        return rounded(power, frac - 17);
+    });
+    return table;
+}
+
+}   // namespace rayclock

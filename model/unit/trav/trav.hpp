@@ -1,0 +1,139 @@
+#pragma once
+#include "model/core/ring.hpp"
+#include "model/unit/trav/stack.hpp"
+#include "model/core/stages.hpp"
+
+namespace rayclock {
+
+/// The walk through the tree: when. Takes rays whose node's leaves are tested, from list, or need not be, and
+/// gives out those that go to a node and those that are done; where they go is decided by a Stack.
+///
+/// Rays without leaves wait in a queue; those that list has tested go first. Two stages. In the first a step
+/// of one of them is accepted and the top of the ray's stack read; in the second the next
+/// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
+/// (recirculation, which goes before new steps). New rays start at the root when no step waits; with two
+/// levels, rays that xform has changed go on to their mesh's root, before new ones. In a fast chip there are
+/// more stages between the two, and an end is told a cycle later. Mirror of rtl/unit/trav/rc_trav.sv.
+class Trav {
+public:
+    explicit Trav(const Config& config)
+        : late_(Stages(config).stack),
+          spawn_(2),
+          changed_(config.has_instances() ? config.contexts : 1),
+          leafless_(config.contexts),
+          nodes_(config.contexts),
+          done_(config.contexts) {}
+
+    bool ray_ready() const { return !spawn_.full(); }
+    bool step_ready() const { return !again_; }
+    /// Whether a ray takes its step, and which one is next, if list offers one (null if it does not).
+    bool step_valid(bool offered) const { return offered | !leafless_.empty(); }
+    bool takes_leafless(bool offered) const { return step_link_.second(offered); }
+    std::uint32_t leafless_ray() const { return leafless_.front(); }
+    bool tested_ready(bool offered) const { return step_ready() & !takes_leafless(offered); }
+    template <bool levels = false> bool node_valid() const {
+        return !nodes_.empty() | !spawn_.empty() | (levels && !changed_.empty());
+    }
+    /// The node on offer is a root, of a new ray or of one that changed.
+    bool spawning() const { return node_link_.second(!nodes_.empty()); }
+    template <bool levels = false> std::uint32_t node_ray() const {
+        const RayNumber root = spawn_.front(), node = nodes_.front();
+        if constexpr (levels)
+            if (spawning() && !root_link_.second(!changed_.empty())) return changed_.front();
+        return select(spawning(), root, node);
+    }
+    bool done_valid() const { return !done_.empty(); }
+    std::uint32_t done_ray() const { return done_.front(); }
+    /// Nothing in the stages.
+    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.there); }
+
+    const char* where(std::uint32_t ray) const {
+        return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
+               : changed_.contains(RayNumber(ray))  ? "trav: changed, waits for the mesh's root's link"
+               : nodes_.contains(RayNumber(ray))    ? "trav: waits for the link to node_cache"
+               : done_.contains(RayNumber(ray))     ? "trav: done, waits for its hit to be taken"
+               : leafless_.contains(RayNumber(ray)) ? "trav: no leaf to be tested, waits for its step"
+               : is_decided(ray)                    ? "trav: being decided"
+                                                    : nullptr;
+    }
+
+    /// What came in one cycle: new rays, rays that box has answered and that have no leaf to be tested, rays
+    /// that list offers; and which outputs were taken.
+    struct Moves {
+        OnLink ray, leafless, tested;
+        bool node_taken = false, done_taken = false;
+        OnLink change{};   // of xform, with two levels
+    };
+    /// One clock edge. `decide(ray, valid)` tells the turn that the ray in the second stage takes, if it is
+    /// valid.
+    template <bool levels = false, class Decide> void clock(const Moves& moves, Decide&& decide) {
+        // Everything that leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
+        done_.pop(moves.done_taken);
+        const bool spawn = spawning();
+        node_link_.clock(node_valid<levels>(), moves.node_taken, spawn);
+        const bool change = levels && !root_link_.second(!changed_.empty());   // before a new ray
+        if constexpr (levels) {
+            root_link_.clock(!changed_.empty() | !spawn_.empty(), moves.node_taken & spawn, !change);
+            changed_.pop(moves.node_taken & spawn & change);
+            changed_.push(RayNumber(moves.change.ray), moves.change.there);
+        }
+        spawn_.pop(moves.node_taken & spawn & !change);
+        nodes_.pop(moves.node_taken & !spawn);
+        const bool offered = moves.tested.there, valid = step_valid(offered), step = valid & step_ready(),
+                   leafless = takes_leafless(offered);
+        step_link_.clock(valid, step, leafless);
+        const std::uint32_t without = leafless_.front(),
+                            stepping = select(leafless, without, moves.tested.ray);
+        leafless_.pop(step & leafless);
+        // Stage 0 looks at the recirculation register before stage 1 may set it again.
+        const bool turn = again_;
+        const std::uint32_t returned = again_ray_;
+        const OnLink last = last_stage();
+        const Turn::Flags went = decide(last.ray, last.there);
+        nodes_.push(RayNumber(last.ray), went.visit);
+        if (late_ == 0) {
+            done_.push(RayNumber(last.ray), went.done);
+        } else {   // told from a register: list reads what it has found far away
+            done_.push(RayNumber(ended_.ray), ended_.there);
+            ended_ = {went.done, last.ray};
+        }
+        again_ = went.again;
+        again_ray_ = last.ray;
+        if (late_ != 0) pass_on();
+        s1_valid_ = turn | step;
+        s1_ = select(turn, returned, stepping);
+        spawn_.push(RayNumber(moves.ray.ray), moves.ray.there);
+        leafless_.push(RayNumber(moves.leafless.ray), moves.leafless.there);
+    }
+
+private:
+    /// The ray that is decided in this cycle.
+    OnLink last_stage() const {
+        if (late_ == 0) return {s1_valid_, s1_};
+        return {bool(between_ >> (late_ - 1) & 1), waiting_[std::size_t(late_ - 1)]};
+    }
+    /// The stages between the second and the last: bit i of between_ says whether waiting_[i] is there.
+    void pass_on() {
+        for (int i = late_ - 1; i > 0; --i) waiting_[std::size_t(i)] = waiting_[std::size_t(i - 1)];
+        waiting_[0] = RayNumber(s1_);
+        between_ = (between_ << 1 | std::uint32_t(s1_valid_)) & ((1u << late_) - 1);
+    }
+    bool is_decided(std::uint32_t ray) const {
+        for (int i = 0; i < late_; ++i)
+            if ((between_ >> i & 1) && waiting_[std::size_t(i)] == ray) return true;
+        return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray) ||
+               (ended_.there && ended_.ray == ray);
+    }
+
+    int late_;   // stages between the second and the decision
+    std::uint32_t between_ = 0;
+    std::array<RayNumber, 4> waiting_{};
+    Ring<RayNumber, 2> spawn_;
+    RayRing changed_, leafless_, nodes_, done_;
+    Merge step_link_, node_link_, root_link_;   // root_link_: of changed_ and spawn_
+    bool again_ = false, s1_valid_ = false;     // recirculation register, second stage
+    std::uint32_t again_ray_ = 0, s1_ = 0;
+    OnLink ended_{};   // in a fast chip, before done_
+};
+
+}   // namespace rayclock

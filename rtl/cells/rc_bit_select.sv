@@ -1,0 +1,41 @@
+// One of many flags, by its index. In a fast chip it is told a cycle later (Cut): of every eight
+// one is in a register then. A choice of 64 in one cycle is five levels of LUTs and long wires.
+`default_nettype none
+module rc_bit_select #(
+  parameter  int unsigned Flags  = 2,
+  parameter  int unsigned Cut    = rc_pkg::Cut,
+  localparam int unsigned IndexW = Flags < 2 ? 1 : $clog2(Flags)
+) (
+  input  logic              clk_i,
+  input  logic [Flags-1:0]  flags_i,
+  input  logic [IndexW-1:0] index_i,
+  output logic              flag_o
+);
+  if (Flags < 1) begin : gen_refuse
+    $error("rc_bit_select: Flags must be at least 1");
+  end
+  if (Cut == 0) begin : gen_now
+    assign flag_o = flags_i[index_i];
+    logic unused;
+    assign unused = clk_i;
+  end else begin : gen_later
+    localparam int unsigned Parts = (Flags + 7) / 8;
+    localparam int unsigned PartW = Parts < 2 ? 1 : $clog2(Parts);
+    logic [8*Parts-1:0]    all;
+    logic [IndexW+PartW+2:0] index;
+    logic [Parts-1:0]      part_q;
+    logic [PartW-1:0]      which_q;
+    assign all   = {{(8*Parts-Flags){1'b0}}, flags_i};
+    assign index = {{(PartW+3){1'b0}}, index_i};
+    for (genvar p = 0; p < Parts; p++) begin : gen_part
+      logic [7:0] part;
+      assign part = all[8*p +: 8];
+      always_ff @(posedge clk_i) part_q[p] <= part[index[2:0]];
+    end
+    always_ff @(posedge clk_i) which_q <= index[3 +: PartW];
+    assign flag_o = part_q[which_q];
+    logic unused;
+    assign unused = ^index;
+  end
+endmodule
+`default_nettype wire

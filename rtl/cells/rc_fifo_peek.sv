@@ -1,0 +1,97 @@
+// First-in first-out queue of Depth entries, Depth a power of two above 1.
+//
+// Latency 1: what goes in is seen in the next cycle. ready_o and valid_o come
+// from registers only, so this cuts every combinational path between the sides.
+// With Cut the entry at the head is in a register as well, and so are ready_o and valid_o
+// themselves: a unit that reads its own memories by what a queue offers has the whole cycle.
+// No cycle is different. It also tells what comes to the head at the end of a cycle: block RAM is
+// read by that (rc_ram_prefetch). With Second the entry after the head is in a register, for a user
+// who picks one of many things by what comes to the head. Model: model/core/ring.hpp (Ring).
+`default_nettype none
+module rc_fifo_peek #(
+  parameter  int unsigned Width  = 1,
+  parameter  int unsigned Depth  = 4,
+  parameter  int unsigned Cut    = rc_pkg::Cut,
+  parameter  bit          Second = 0,
+  localparam int unsigned IndexW = $clog2(Depth)
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  input  logic             valid_i,
+  output logic             ready_o,
+  input  logic [Width-1:0] data_i,
+  output logic             valid_o,
+  input  logic             ready_i,
+  output logic [Width-1:0] data_o,
+  // With Cut: an entry comes to the head, and which
+  output logic             next_fires_o,
+  output logic [Width-1:0] next_o
+);
+  if (Width < 1) begin : gen_refuse
+    $error("rc_fifo_peek: Width must be at least 1");
+  end
+  if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_2
+    $error("rc_fifo_peek: Depth must be a power of two, at least 2");
+  end
+  logic [Width-1:0] mem [Depth];
+  logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
+
+  if (Cut == 0) begin : gen_at_once
+    assign valid_o = head_q != tail_q;
+    assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};
+    assign data_o  = mem[head_q[IndexW-1:0]];
+    assign {next_fires_o, next_o} = '0;
+  end else begin : gen_ahead
+    // The next entry comes from the memory, or from the input if the memory has no other.
+    // That it has one is in a register, which has hundreds of loads: many_q, two or more entries.
+    logic             valid_q, ready_q, many_q, more, third, one_place, comes, goes;
+    logic [IndexW:0]  next_q, after;
+    logic [Width-1:0] data_q, second;
+    assign after     = tail_q + 1'b1;
+    assign more      = many_q;
+    assign third     = many_q && next_q + 1'b1 != tail_q;
+    assign comes     = valid_i && ready_q;
+    assign goes      = valid_q && ready_i;
+    assign one_place = after == {~head_q[IndexW], head_q[IndexW-1:0]};
+    assign valid_o   = valid_q;
+    assign ready_o   = ready_q;
+    assign data_o    = data_q;
+    assign next_o       = more ? second : data_i;
+    assign next_fires_o = (!valid_q || ready_i) && (more || comes);
+    if (Second) begin : gen_second
+      logic [IndexW-1:0] following;
+      logic [Width-1:0]  second_q;
+      assign following = next_q[IndexW-1:0] + 1'b1;
+      always_ff @(posedge clk_i) if (goes || !many_q) second_q <= third ? mem[following] : data_i;
+      assign second = second_q;
+    end else begin : gen_read
+      assign second = mem[next_q[IndexW-1:0]];
+    end
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        valid_q <= 1'b0;
+        ready_q <= 1'b1;
+        many_q  <= 1'b0;
+        next_q  <= (IndexW+1)'(1);
+      end else begin
+        valid_q <= (valid_q && !ready_i) || more || comes;
+        ready_q <= goes || (ready_q && !(valid_i && one_place));
+        many_q  <= goes ? (comes ? many_q : third) : many_q || (comes && valid_q);
+        if (goes) next_q <= next_q + 1'b1;
+      end
+      if (!valid_q || ready_i) data_q <= next_o;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      head_q <= '0;
+      tail_q <= '0;
+    end else begin
+      if (valid_o && ready_i) head_q <= head_q + 1'b1;
+      if (valid_i && ready_o) tail_q <= tail_q + 1'b1;
+    end
+    if (valid_i && ready_o) mem[tail_q[IndexW-1:0]] <= data_i;
+  end
+endmodule
+`default_nettype wire

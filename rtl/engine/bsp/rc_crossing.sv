@@ -1,0 +1,200 @@
+// One plane of a slant, in any direction: whether the ray may be on the side that it meets first
+// (near) and on the other one (far), until when on the near side, rounded up, and from when on the
+// far side, rounded down. Part of rc_slant, which has the valid bits: operands come with
+// valid_i[0], the answer rc_pkg::CrossingStages later.
+//
+// at - n . o and n . d are exact, so on which side the origin is, and which way the ray goes, are
+// decided exactly. Only for the time both are cut off to CrossingBits; their quotient is then less
+// than 2 off. Model: crossing() in model/engine/bsp/slant.hpp, which has the formulas.
+`default_nettype none
+module rc_crossing #(
+  localparam int unsigned OW = rc_pkg::OriginWidth,
+  localparam int unsigned H  = rc_pkg::RayDirBits,
+  localparam int unsigned B  = rc_pkg::NormalStepBits,
+  localparam int unsigned AW = rc_pkg::PlaneOffsetBits,
+  localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned L  = rc_pkg::CrossingStages
+) (
+  input  logic                 clk_i,
+  input  logic [L-1:0]         valid_i,      // valid_i[i]: stage i holds a slant
+  input  logic [3*OW-1:0]      s0_o_i,
+  input  logic [3*H-1:0]       s0_along_i,
+  input  logic [3*B-1:0]       s0_normal_i,
+  input  logic signed [AW-1:0] s0_at_i,
+  output logic                 turned_o,     // the ray meets the upper side first
+  output logic                 near_o,
+  output logic                 far_o,
+  output logic [T-1:0]         near_to_o,
+  output logic [T-1:0]         far_from_o
+);
+  localparam int unsigned Frac = OW - rc_pkg::CoordBits;   // of the origin
+  localparam int unsigned NW   = AW + Frac + 1;            // at - n . o, signed
+  localparam int unsigned DW   = H + B + 1;                // n . d, signed
+  localparam int unsigned V    = rc_pkg::CrossingBits;
+  localparam int unsigned E    = 6;                        // of a length, of a shift to the right
+  localparam int unsigned S    = 8;                        // of a shift, signed
+  localparam int unsigned M    = rc_pkg::MulStages;
+  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned Div  = V / rc_pkg::QuotientBits;
+  // Stages: products, their sums, sizes cut off, the quotient; then it is moved to its place.
+  localparam int unsigned Product = M + 1;
+  localparam int unsigned Sum     = Product + 1 + Cut;
+  localparam int unsigned Size    = Sum + 1 + 3 * Cut;
+  // 2^T times as much is moved to the right by T - x, x = F + M - B - V and what lengths differ.
+  localparam logic signed [S-1:0] RightBase = S'(T) + S'(Frac) + S'(V) - S'(rc_pkg::TFracBits)
+      - S'(H);
+
+  // n . o and n . d.
+  logic [3*NW-1:0] origin_q;
+  logic [3*DW-1:0] along_q;
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    logic signed [B-1:0]    normal;
+    logic signed [OW-1:0]   o;
+    logic signed [H-1:0]    along;
+    logic signed [OW+B-1:0] origin_product;
+    logic signed [H+B-1:0]  along_product;
+    assign normal = s0_normal_i[k*B +: B];
+    assign o      = s0_o_i[k*OW +: OW];
+    assign along  = s0_along_i[k*H +: H];
+    rc_mul #(.AW(OW), .BW(B)) u_origin (.clk_i, .a_i(o), .b_i(normal), .p_o(origin_product));
+    rc_mul #(.AW(H), .BW(B)) u_along (.clk_i, .a_i(along), .b_i(normal), .p_o(along_product));
+    always_ff @(posedge clk_i) begin
+      if (valid_i[Product-1]) begin
+        origin_q[k*NW +: NW] <= NW'(origin_product);
+        along_q[k*DW +: DW]  <= DW'(along_product);
+      end
+    end
+  end
+  logic signed [AW-1:0] at, at_q;
+  rc_path_register #(.Width(AW), .Stages(M)) u_at (.clk_i, .data_i(s0_at_i), .data_o(at));
+  always_ff @(posedge clk_i) if (valid_i[Product-1]) at_q <= at;
+  logic [NW-1:0] num_less, num_more, num_two, num_rest, num_q;
+  logic [DW-1:0] den_one, den_two, den_rest, den_q;
+  assign num_less = origin_q[0 +: NW] + origin_q[NW +: NW];
+  assign num_more = $unsigned(NW'(at_q) <<< Frac) - origin_q[2*NW +: NW];
+  assign den_one  = along_q[0 +: DW] + along_q[DW +: DW];
+  rc_path_register #(.Width(2 * NW + 2 * DW)) u_two (
+    .clk_i, .data_i({num_less, num_more, den_one, along_q[2*DW +: DW]}),
+    .data_o({num_two, num_rest, den_two, den_rest}));
+  always_ff @(posedge clk_i) begin
+    if (valid_i[Sum-1]) begin
+      num_q <= num_rest - num_two;
+      den_q <= den_two + den_rest;
+    end
+  end
+
+  // Both along the ray. Of one that does not go to the plane only the origin's side matters.
+  logic          neg, zero, ahead, on, near, far, timed;
+  logic [NW-1:0] num;
+  logic [NW-2:0] num_abs, num_size;
+  logic [DW-1:0] den;
+  logic [DW-2:0] den_abs, den_size;
+  logic [3:0]    what;      // {neg, near, far, timed}
+  assign neg   = den_q[DW-1];
+  assign zero  = den_q == '0;
+  assign num   = neg ? -num_q : num_q;
+  assign den   = neg ? -den_q : den_q;
+  assign on    = num_q == '0;
+  assign ahead = !on && num_q[NW-1] == neg;
+  assign near  = zero ? ahead || on : ahead;
+  assign far   = !zero || !ahead;
+  assign timed = !zero && ahead;
+  rc_path_register #(.Width(NW + DW + 2)) u_abs (
+    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], neg, near, far, timed}),
+    .data_o({num_abs, den_abs, what}));
+
+  // Their lengths, then the highest bits: by a multiple of eight first, then by what is left.
+  logic [E-1:0]  num_len, den_len, num_long, den_long, num_short, den_short, num_up, den_up;
+  logic [2:0]    num_fine, den_fine;
+  logic [NW-2:0] num_coarse, num_rough, num_top;
+  logic [DW-2:0] den_coarse, den_rough, den_top;
+  logic signed [S-1:0] right;
+  logic [E-1:0]  size_right, rough_right, right_q;
+  logic [3:0]    len_what, rough_what, what_q;
+  logic [V-1:0]  dividend_q, divisor_q;
+  always_comb begin
+    num_len = '0;
+    den_len = '0;
+    for (int i = 0; i < NW - 1; i++) if (num_abs[i]) num_len = E'(i + 1);
+    for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = E'(i + 1);
+  end
+  rc_path_register #(.Width(NW + DW - 2 + 2 * E + 4)) u_len (
+    .clk_i, .data_i({num_abs, den_abs, num_len, den_len, what}),
+    .data_o({num_size, den_size, num_long, den_long, len_what}));
+  assign num_short = E'(NW - 1) - num_long;
+  assign den_short = E'(DW - 1) - den_long;
+  assign right     = RightBase + $signed({{(S-E){1'b0}}, den_long})
+                               - $signed({{(S-E){1'b0}}, num_long});
+  assign size_right = right[S-1] ? '0 : right > $signed(S'(63)) ? E'(63) : right[E-1:0];
+  assign num_up     = {num_short[E-1:3], 3'd0};
+  assign den_up     = {den_short[E-1:3], 3'd0};
+  assign num_coarse = num_size << num_up;
+  assign den_coarse = den_size << den_up;
+  rc_path_register #(.Width(NW + DW - 2 + 6 + E + 4)) u_coarse (
+    .clk_i, .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_what}),
+    .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_what}));
+  assign num_top = num_rough << num_fine;
+  assign den_top = den_rough << den_fine;
+  always_ff @(posedge clk_i) begin
+    if (valid_i[Size-1]) begin
+      dividend_q <= num_top[NW-2 -: V];
+      divisor_q  <= den_top[DW-2 -: V];
+      right_q    <= rough_right;
+      what_q     <= rough_what;
+    end
+  end
+
+  // 2^(V-1) num / den.
+  logic [V-1:0] quo;
+  logic [E-1:0] quo_right;
+  logic [3:0]   quo_what;
+  logic         inexact;
+  rc_divide #(.Width(V), .Stages(Div), .Bits(rc_pkg::QuotientBits)) u_divide (
+    .clk_i, .valid_i(valid_i[Size]), .rem_i({1'b0, dividend_q[V-1:1]}),
+    .low_i({dividend_q[0], {(V-1){1'b0}}}), .den_i(divisor_q), .quo_o(quo), .inexact_o(inexact));
+  rc_path_register #(.Width(E + 4), .Stages(Div)) u_beside (
+    .clk_i, .data_i({right_q, what_q}), .data_o({quo_right, quo_what}));
+
+  // 2 less and 2 more, in t's unit. What is moved off at the top saturates.
+  logic [V:0]     from_end, to_end, from_d, to_d, over;
+  logic [E-1:0]   end_right;
+  logic [3:0]     end_what, place_what, out_what;
+  logic [V+T:0]   from_moved, to_moved;
+  logic [T+6:0]   from_rest, to_rest, from_fine, to_fine;
+  logic           from_over, to_over, from_many, to_many, from_most, to_most;
+  logic [2:0]     fine;
+  logic [T-1:0]   from_t, to_t;
+  assign from_d = {1'b0, quo} - (V+1)'(2);
+  assign to_d   = {1'b0, quo} + (V+1)'(2);
+  rc_path_register #(.Width(2 * (V + 1) + E + 4)) u_ends (
+    .clk_i, .data_i({from_d, to_d, quo_right, quo_what}),
+    .data_o({from_end, to_end, end_right, end_what}));
+  assign over       = {(V+1){1'b1}} << end_right;
+  assign from_moved = {from_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
+  assign to_moved   = {to_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
+  assign from_over  = |(from_end & over);
+  assign to_over    = |(to_end & over);
+  rc_path_register #(.Width(2 * (T + 7) + 9)) u_place (
+    .clk_i,
+    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_what}),
+    .data_o({from_rest, to_rest, from_many, to_many, fine, place_what}));
+  assign from_fine = from_rest >> fine;
+  assign to_fine   = to_rest >> fine;
+  rc_path_register #(.Width(2 * T + 6)) u_fine (
+    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_what}),
+    .data_o({from_t, to_t, from_most, to_most, out_what}));
+  always_ff @(posedge clk_i) begin
+    if (valid_i[L-1]) begin
+      turned_o   <= out_what[3];
+      near_o     <= out_what[2];
+      far_o      <= out_what[1];
+      far_from_o <= out_what[0] ? from_t | {T{from_most}} : '0;
+      near_to_o  <= !out_what[0] || to_most || &to_t ? '1 : to_t + T'(1);
+    end
+  end
+
+  logic unused;
+  assign unused = ^{valid_i, num[NW-1], den[DW-1], num_top[NW-2-V:0], den_top[DW-2-V:0], inexact,
+                    from_moved[V+T:T+7], to_moved[V+T:T+7], from_fine[T+6:T], to_fine[T+6:T]};
+endmodule
+`default_nettype wire

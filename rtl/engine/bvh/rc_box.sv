@@ -1,0 +1,206 @@
+// Slab test of all children of a node, conservative, and their order.
+//
+// Latency rc_pkg::BoxLatency + 1 (result queue), throughput 1 node every rc_pkg::BoxInterval
+// cycles, answers in order. Model: model/engine/bvh/box.hpp, which has the formulas. No box that holds a
+// point of the ray is left out; a child's t_near is never beyond such a point.
+//
+// If a node has more children than there are lanes, they are tested beat by beat, as many at once
+// as there are lanes. The node stays at the front until its last beat, its planes move on by a beat
+// in every cycle. What the first beats have found waits for the last one.
+`default_nettype none
+module rc_box (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  // From trav
+  input  logic             req_valid_i,
+  output logic             req_ready_o,
+  input  rc_pkg::box_req_t req_i,
+  output logic             rests_o,       // takes none: the last one's children are tested
+  // To trav
+  output logic             rsp_valid_o,
+  input  logic             rsp_ready_i,
+  output rc_pkg::box_rsp_t rsp_o
+);
+  localparam int unsigned W  = rc_pkg::NodeWidth;
+  localparam int unsigned K  = rc_pkg::BoxInterval;   // beats of a node
+  localparam int unsigned S  = W / K;                 // lanes: children of a beat
+  localparam int unsigned N  = rc_pkg::CoordBits;
+  localparam int unsigned OW = rc_pkg::OriginWidth;
+  localparam int unsigned B  = rc_pkg::BoxBits;
+  localparam int unsigned R1 = rc_pkg::RecipBits + 1;
+  localparam int unsigned E  = rc_pkg::ExpBits;
+  localparam int unsigned T  = rc_pkg::TBits;
+  localparam int unsigned TW = (T + 31) / 32 * 32;   // as rc_slab gives them
+  localparam int unsigned L  = rc_pkg::BoxLatency;
+  // Stages: a node comes in, intervals of a beat's children are there, their intersections are.
+  // Those of the last beat are there when the node itself is K - 1 stages further.
+  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned Meet = In + rc_pkg::SlabStages;
+  localparam int unsigned Met  = L - rc_pkg::RankStages - K;
+
+  logic admit, is_open;
+  assign req_ready_o = is_open && !rests_o;
+  assign admit       = req_valid_i && req_ready_o;
+  rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
+    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(is_open));
+
+  // valid[i]: stage i holds a node.
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+  assign valid = {valid_q, admit};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= '0;
+    else         valid_q <= valid[L-1:0];
+  end
+  // A stage takes over what comes to it if that is a node. In a fast chip it always does: an
+  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+  logic [L:0] moves;
+  assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
+  // Likewise of beats, up to Met: a node's first beat is where the node is, the last K - 1 behind.
+  logic [Met:0] beats, beat_moves;
+  for (genvar i = 0; i <= Met; i++) begin : gen_beats
+    assign beats[i] = |valid[i+K-1:i];
+  end
+  assign beat_moves = beats | {(Met+1){rc_pkg::Cut != 0}};
+
+  // The node, its planes from this beat's on; if there is one beat, just what comes. What does not
+  // go to slabs is taken with the first beat.
+  rc_pkg::box_req_t           held, next, in;
+  logic [rc_pkg::BoxReqW-1:0] next_flat, in_flat;
+  if (K == 1) begin : gen_at_once
+    assign rests_o = 1'b0;
+    assign held    = '0;
+  end else begin : gen_hold
+    assign rests_o = |valid_q[K-2:0];
+    if (rc_pkg::Cut != 0) begin : gen_front
+      assign held = in_flat;
+    end else begin : gen_behind
+      logic [rc_pkg::BoxReqW-1:0] held_q;
+      always_ff @(posedge clk_i) if (beats[In]) held_q <= next_flat;
+      assign held = held_q;
+    end
+  end
+  always_comb begin
+    next = req_i;
+    if (rests_o) begin
+      next.o     = held.o;
+      next.neg   = held.neg;
+      next.recip = held.recip;
+      next.len   = held.len;
+      next.org   = held.org;
+      next.exp   = held.exp;
+      next.lo    = held.lo >> 3 * S * B;
+      next.hi    = held.hi >> 3 * S * B;
+    end
+  end
+  assign next_flat = next;
+  rc_path_register #(.Width(rc_pkg::BoxReqW)) u_in (.clk_i, .data_i(next_flat), .data_o(in_flat));
+  assign in = in_flat;
+
+  logic [3*OW-1:0]  in_o;
+  logic [3*N-1:0]   in_org;
+  logic [2:0]       in_neg;
+  logic [3*R1-1:0]  in_recip;
+  logic [3*E-1:0]   in_len, in_exp;
+  logic [3*W*B-1:0] in_lo, in_hi;
+  logic [3*S*B-1:0] plane_lo, plane_hi, axis_lo, axis_hi;
+  assign in_o     = in.o;
+  assign in_org   = in.org;
+  assign in_neg   = in.neg;
+  assign in_recip = in.recip;
+  assign in_len   = in.len;
+  assign in_exp   = in.exp;
+  assign in_lo    = in.lo;
+  assign in_hi    = in.hi;
+
+  // Planes wait until the ray and the node's corner have met. Memory holds them child by child; a
+  // slab wants those of its axis.
+  rc_shift_register #(.Width(6 * S * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
+    .clk_i, .valid_i(beat_moves[In+rc_pkg::SlabPlanes-1:In]),
+    .data_i({in_lo[3*S*B-1:0], in_hi[3*S*B-1:0]}),
+    .data_o({plane_lo, plane_hi}));
+  for (genvar i = 0; i < S; i++) begin : gen_child_planes
+    for (genvar k = 0; k < 3; k++) begin : gen_plane
+      assign axis_lo[(k*S+i)*B +: B] = plane_lo[(3*i+k)*B +: B];
+      assign axis_hi[(k*S+i)*B +: B] = plane_hi[(3*i+k)*B +: B];
+    end
+  end
+
+  // Of each axis and child: interval on that axis.
+  logic [3*S*TW-1:0] near, far;
+  logic [3*S-1:0]    miss;
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    rc_slab u_slab (
+      .clk_i, .valid_i(beat_moves[Meet:In]),
+      .s0_o_i($signed(in_o[k*OW +: OW])), .s0_org_i($signed(in_org[k*N +: N])),
+      .s0_neg_i(in_neg[k]),
+      .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*E +: E]), .s0_exp_i(in_exp[k*E +: E]),
+      .plane_lo_i(axis_lo[k*S*B +: S*B]), .plane_hi_i(axis_hi[k*S*B +: S*B]),
+      .near_o(near[k*S*TW +: S*TW]), .far_o(far[k*S*TW +: S*TW]), .miss_o(miss[k*S +: S]));
+  end
+
+  // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
+  logic [S-1:0]   met;
+  logic [S*T-1:0] near_t;
+  for (genvar i = 0; i < S; i++) begin : gen_child
+    logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
+    logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
+    logic         there, there_q, may_hit;
+    assign nx    = near[i*TW +: T];
+    assign ny    = near[(S+i)*TW +: T];
+    assign nz    = near[(2*S+i)*TW +: T];
+    assign fx    = far[i*TW +: T];
+    assign fy    = far[(S+i)*TW +: T];
+    assign fz    = far[(2*S+i)*TW +: T];
+    assign nxy   = nx > ny ? nx : ny;
+    assign fxy   = fx < fy ? fx : fy;
+    assign there = !miss[i] && !miss[S+i] && !miss[2*S+i];
+    rc_path_register #(.Width(T)) u_nxy (.clk_i, .data_i(nxy), .data_o(nxy_q));
+    rc_path_register #(.Width(T)) u_fxy (.clk_i, .data_i(fxy), .data_o(fxy_q));
+    rc_path_register #(.Width(T)) u_nz (.clk_i, .data_i(nz), .data_o(nz_q));
+    rc_path_register #(.Width(T)) u_fz (.clk_i, .data_i(fz), .data_o(fz_q));
+    rc_path_register u_there (.clk_i, .data_i(there), .data_o(there_q));
+    assign first = nxy_q > nz_q ? nxy_q : nz_q;
+    assign last  = fxy_q < fz_q ? fxy_q : fz_q;
+    rc_path_register #(.Width(T)) u_enter (.clk_i, .data_i(first), .data_o(enter));
+    rc_path_register #(.Width(T)) u_leave (.clk_i, .data_i(last), .data_o(leave));
+    rc_path_register u_may_hit (.clk_i, .data_i(there_q), .data_o(may_hit));
+    assign met[i]           = enter <= leave && may_hit;
+    assign near_t[i*T +: T] = enter;
+  end
+
+  // All children of the node, when its last beat is there.
+  logic [W-1:0]   all_met;
+  logic [W*T-1:0] all_near;
+  if (K == 1) begin : gen_all
+    assign all_met  = met;
+    assign all_near = near_t;
+  end else begin : gen_gather
+    logic [W-S-1:0]     met_q;
+    logic [(W-S)*T-1:0] near_q;
+    assign all_met  = {met, met_q};
+    assign all_near = {near_t, near_q};
+    always_ff @(posedge clk_i) begin
+      if (beat_moves[Met]) begin
+        met_q  <= all_met[W-1:S];
+        near_q <= all_near[W*T-1:S*T];
+      end
+    end
+  end
+
+  logic [rc_pkg::BoxRspW-1:0] rsp;
+  rc_node_answer #(.Latency(L)) u_answer (
+    .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
+    .met_i(all_met), .near_i(all_near), .end_valid_i(valid_q[L-1]),
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+  assign rsp_o = rsp;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!rests_o)
+    else $error("a node came before the children of the last were tested");
+`endif
+
+  logic unused;
+  assign unused = ^{near, far, valid[L], moves[L], beats, beat_moves, held, in_lo, in_hi};
+endmodule
+`default_nettype wire

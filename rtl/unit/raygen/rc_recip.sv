@@ -1,0 +1,107 @@
+// Reciprocal of one direction component, rounded down.
+//
+// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m), an
+// R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1. M is the width of
+// a ray's direction; len of one that has only DirBits counts as if it were as long.
+// Latency rc_pkg::RecipStages. A component may come every Every cycles; if that is more than one,
+// so many steps of the division share a stage, and valid_i must be true of what comes. Model:
+// model/unit/raygen/raygen.hpp (reciprocal).
+`default_nettype none
+module rc_recip #(
+  parameter int unsigned Every = 1
+) (
+  input  logic                                 clk_i,
+  input  logic                                 rst_ni,
+  input  logic                                 valid_i,
+  input  logic                                 short_i,  // of DirBits only
+  input  logic signed [rc_pkg::RayDirBits-1:0] d_i,
+  output logic [rc_pkg::RecipBits:0]           recip_o,
+  output logic [rc_pkg::ExpBits-1:0]           len_o
+);
+  localparam int unsigned M      = rc_pkg::RayDirBits;
+  localparam int unsigned R      = rc_pkg::RecipBits;
+  localparam int unsigned E      = rc_pkg::ExpBits;
+  localparam int unsigned L      = rc_pkg::RecipStages;
+  localparam int unsigned Bits   = rc_pkg::QuotientBits;
+  localparam int unsigned Moved  = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
+  localparam int unsigned Stages = L - Moved;             // of the division
+
+  // valid[i]: stage i holds a component.
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+  assign valid = {valid_q, valid_i};
+  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+
+  // Magnitude.
+  logic [M-1:0] s0_mag, mag;
+  logic         mag_short;
+  assign s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
+  rc_path_register #(.Width(M + 1)) u_mag (
+    .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
+
+  // Its bit length; and by how much to move it up until its top bit is set.
+  logic [E-1:0] mag_len, mag_up, len, len_told, len_up;
+  logic [M-1:0] len_mag;
+  logic         mag_power, len_power;   // of two, or zero
+  logic         len_short;
+  always_comb begin
+    mag_len = '0;
+    mag_up  = E'(M);
+    if (valid[rc_pkg::Cut]) begin
+      for (int i = 0; i < M; i++) begin
+        if (mag[i]) begin
+          mag_len = E'(i + 1);
+          mag_up  = E'(M - 1 - i);
+        end
+      end
+    end
+  end
+  assign mag_power = (mag & (mag - 1'b1)) == '0;
+  rc_path_register #(.Width(M + 2 * E + 2)) u_len (
+    .clk_i, .data_i({mag, mag_short, mag_len, mag_up, mag_power}),
+    .data_o({len_mag, len_short, len, len_up, len_power}));
+  assign len_told = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
+
+  // Moved by fours and more, then by less.
+  logic [M-1:0] coarse_mag, coarse, fine_m;
+  logic [E-1:0] coarse_told;
+  logic [1:0]   coarse_up;
+  logic         coarse_power;
+  assign coarse_mag = len_mag << {len_up[E-1:2], 2'b00};
+  rc_path_register #(.Width(M + E + 3)) u_coarse (
+    .clk_i, .data_i({coarse_mag, len_told, len_up[1:0], len_power}),
+    .data_o({coarse, coarse_told, coarse_up, coarse_power}));
+  assign fine_m = coarse << coarse_up;
+
+  // The quotient's top bit is one only for a power of two, which divides exactly.
+  logic         top_q;
+  logic [M-1:0] m_q, rem_q;
+  logic [E-1:0] len_q;
+  always_ff @(posedge clk_i) begin
+    if (valid[Moved-1]) begin
+      m_q   <= fine_m;
+      len_q <= coarse_told;
+      top_q <= coarse_power;
+      rem_q <= coarse_power ? '0 : {1'b1, {(M-1){1'b0}}};
+    end
+  end
+
+  // The other R bits; if two are made in a stage, for an odd R one bit too many, dropped below.
+  logic [Bits*Stages-1:0] quo;
+  logic                   inexact;
+  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
+    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*Stages)'(0)),
+    .den_i(m_q), .quo_o(quo), .inexact_o(inexact));
+
+  // Bit length and top bit wait beside the divider.
+  logic top;
+  rc_interval_delay #(.Width(E + 1), .Stages(Stages), .Every(Every)) u_wait (
+    .clk_i, .rst_ni, .valid_i(valid[L-1:Moved]), .there_i(valid[L-1:Moved]),
+    .data_i({top_q, len_q}), .data_o({top, len_o}));
+
+  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*Stages-1 -: R]};
+
+  logic unused;
+  assign unused = ^{inexact, quo[0], valid[L]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,102 @@
+// The beginning of a pass: what it is for, and the context's state as far as it is known
+// then. Part of rc_pass; no registers. Model: pass() in model/unit/shade/pass.cpp.
+`default_nettype none
+module rc_pass_begin #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned PB = rc_pkg::PrimBits,
+  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned U  = rc_pkg::UvBits,
+  localparam int unsigned HitW = 2 + PB + TB + 2 * U
+) (
+  input  logic                 valid_i,
+  input  rc_pkg::shade_state_t state_i,
+  input  logic [HitW-1:0]      hit_i,
+  input  rc_pkg::surface_t     surface_i,
+  output logic                 surf_o,     // a camera ray or bounce has hit a surface
+  output logic                 light_o,
+  output logic                 bounce_o,
+  output logic                 refract_o,  // which: refracted, or reflected
+  output logic                 turn_o,     // what was found in a mesh's space is turned
+  output logic                 end_o,      // a ray that waits, or the sample's end
+  output logic [3*VB-1:0]      colour_o,   // with what was pending
+  output logic                 looks_o,    // a surface has been hit, whatever valid_i is:
+  output logic [rc_pkg::LookW-1:0] look_o, // its material, as shade_state_t has it
+  output rc_pkg::shade_state_t known_o
+);
+  logic          arrives, found, back;   // arrives: a camera ray or bounce is done
+  logic [PB-1:0] prim;
+  logic [TB-1:0] t;
+  logic [U-1:0]  u, v;
+  assign {found, back, prim, t, u, v} = hit_i;
+  assign arrives   = state_i.purpose == rc_pkg::EventArrive;
+  assign looks_o   = arrives && found;
+  assign surf_o    = valid_i && looks_o;
+  assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
+  assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
+  assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign turn_o    = valid_i && rc_pkg::Homes == 1 && state_i.purpose == rc_pkg::EventTurn;
+  assign end_o     = valid_i && state_i.purpose == rc_pkg::EventPop;
+
+  // A light's share counts if nothing was in its way.
+  logic        adds;
+  logic [3*VB-1:0] old_colour, old_share;
+  assign adds       = state_i.pending == rc_pkg::PendingSure
+                   || (state_i.pending == rc_pkg::PendingAnswer && !found);
+  assign old_colour = state_i.colour;
+  assign old_share  = state_i.share;
+  for (genvar k = 0; k < 3; k++) begin : gen_channel
+    logic [17:0] sum;
+    assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
+    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+  end
+
+  rc_pkg::shade_state_t known;
+  always_comb begin
+    known         = state_i;
+    known.colour  = colour_o;
+    known.pending = rc_pkg::PendingNone;
+    if (arrives && state_i.depth == '0 && state_i.sample == '0) begin
+      known.found = found;
+      known.prim  = prim;
+      known.t     = t;
+      known.u     = u;
+      known.v     = v;
+    end
+    if (looks_o) begin
+      known.diffuse   = surface_i.diffuse;
+      known.highlight = surface_i.highlight;
+      known.mirror    = surface_i.mirror;
+      known.shine     = surface_i.shine;
+      known.transmit  = surface_i.transmit;
+      known.ratio     = back ? surface_i.leave : surface_i.enter;
+      known.schlick   = surface_i.schlick;
+      known.r0        = surface_i.r0;
+      known.self      = prim;
+      known.is_inside = back;
+    end
+  end
+
+  if (rc_pkg::Panes != 0) begin : gen_panes   // a pane's far side is another cell
+    logic [rc_pkg::Panes-1:0] pane;
+    logic [9*rc_pkg::CornerBits-1:0] normal;
+    assign normal = surface_i.normal;
+    assign pane   = surface_i.kind == rc_pkg::PrimPlane
+                  ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
+    always_comb begin
+      known_o = known;
+      if (looks_o) known_o.across = state_i.in_cell ^ pane;
+    end
+    logic unused_normal;
+    assign unused_normal = ^normal;
+  end else begin : gen_no_panes
+    assign known_o = known;
+  end
+
+  assign look_o = {known.diffuse, known.highlight, known.mirror, known.shine,
+                   known.transmit, known.ratio, known.schlick, known.r0, known.self,
+                   known.is_inside};
+
+  logic unused;
+  assign unused = ^surface_i;
+endmodule
+`default_nettype wire

@@ -1,0 +1,390 @@
+// The end of a pass: the context's new state, and what leaves. Part of rc_pass. No registers,
+// unless a pass stays long in a stage (rc_pkg::ShadeCut): then all comes early in the last stage,
+// stays until its end, is decided in several cycles, and taken over with take_i. What waits beside
+// in parts comes two cycles before that (rc_stage_delay): no more than two registers may lie in a row.
+// Model: pass() and its parts in model/unit/shade/pass.cpp.
+`default_nettype none
+module rc_pass_end #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned N  = rc_pkg::CoordBits,
+  localparam int unsigned M  = rc_pkg::DirBits,
+  localparam int unsigned B  = rc_pkg::OriginBits,
+  localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned PW = rc_pkg::PointWidth,
+  localparam int unsigned D  = rc_pkg::RayDirBits,
+  localparam int unsigned NB = rc_pkg::NormalBits
+) (
+  input  logic                 clk_i,
+  input  logic                 take_i,
+  input  rc_pkg::shade_frame_t frame_i,
+  // What the context was, and is as far as that is known when a pass begins; of its surface only
+  // where it was hit, and whether it has a mirror and lets light through
+  input  logic [I-1:0]         ray_i,
+  input  rc_pkg::shade_state_t was_i,
+  input  logic                 mirrors_i,
+  input  logic                 transmits_i,
+  input  rc_pkg::waiting_t     top_i,
+  // From rc_surf, rc_angles and the background
+  input  logic            surf_i,  // a surface has arrived
+  input  logic [3*PW-1:0] surf_o_i,
+  input  logic [3*NB-1:0] surf_n_i,
+  input  logic [3*AB-1:0] surf_normal_i,
+  input  logic [3*AB-1:0] surf_view_i,
+  input  logic [VB-1:0]   surf_cosine_i,
+  input  logic            surf_far_i,
+  input  logic            surf_lost_i,
+  input  logic [38:0]     surf_albedo_i,
+  input  logic [3*VB-1:0] surf_ambient_i,
+  input  logic [3*VB-1:0] background_i,
+  // With two levels, from rc_homes: a surface was turned; the ray in the mesh's space
+  input  logic            turn_i,
+  input  logic [3*P-1:0]  turn_o_i,
+  input  logic [rc_pkg::AddrBits-1:0] home_i,
+  input  logic [3*P-1:0]  home_o_i,
+  input  logic [3*D-1:0]  home_d_i,
+  // From rc_light
+  input  logic            light_near_i,
+  input  logic            light_clear_i,
+  input  logic [3*N-1:0]  light_place_i,
+  input  logic [3*VB-1:0] light_share_i,
+  // Of a shadow ray or bounce, from rc_side, rc_angles and rc_approach
+  input  logic           above_i,     // the new ray is on that side of the surface
+  input  logic           below_i,
+  input  logic           positive_i,  // the light's cosine
+  input  logic [3*D-1:0] d_i,
+  input  logic           enters_i,    // from beyond the lattice: where it begins
+  input  logic [3*P-1:0] entry_i,
+  input  logic [2:0]     up_i,        // if it does not: how it begins beyond the lattice
+  // From rc_bounce
+  input  logic [VB-1:0] weight_i,
+  input  logic          total_i,
+  // From rc_finish
+  input  logic            more_i,  // another sample follows
+  input  logic [68:0]     sum_i,
+  input  logic [3*VB-1:0] least_i,
+  input  logic [3*VB-1:0] most_i,
+  input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several
+  // What the context becomes, and what leaves
+  output logic [I-1:0]                ray_o,
+  output rc_pkg::shade_state_t        state_o,
+  output logic [3:0]                  changes_o,   // of it, as rc_contexts has them
+  output logic                        push_o,
+  output logic [rc_pkg::WaitingW-1:0] pushed_o,
+  output logic [1:0]                  leave_o,  // rc_pkg::leave_e
+  output logic [rc_pkg::SpawnW-1:0]   spawn_o,
+  output logic [rc_pkg::PixelW-1:0]   pixel_o
+);
+  localparam int unsigned Cut = rc_pkg::ShadeCut;
+  logic [2:0] event_now;
+  logic       waits;   // a refracted ray does
+  logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
+  assign event_now = was_i.purpose;
+  assign waits     = rc_pkg::Refraction == 1 && was_i.waiting != '0;
+  rc_path_register #(.Width(7), .Stages(Cut)) u_event (
+    .clk_i,
+    .data_i({event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
+             rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
+             event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
+             event_now == rc_pkg::EventPop && !waits,
+             event_now == rc_pkg::EventPop && !waits && more_i}),
+    .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
+
+  // What is added.
+  logic [3*VB-1:0] was_colour, added, colour;
+  assign was_colour = was_i.colour;
+  rc_path_register #(.Width(3 * VB), .Stages(Cut)) u_added (
+    .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
+  for (genvar k = 0; k < 3; k++) begin : gen_channel
+    logic [17:0] sum;
+    assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
+    assign colour[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+  end
+
+  // Where it goes on after a surface or a light.
+  logic       far, starts;   // from the surface a ray can be sent
+  logic       beyond;        // a bounce too, that passes by the lattice and asks planes alone
+  logic       lit;           // another light follows
+  logic [6:0] next_light, light;
+  logic [2:0] follows, after;
+  assign far        = was_i.is_far;
+  assign starts     = !far || (!was_i.is_lost && enters_i);
+  assign beyond     = rc_pkg::Horizon == 1 && far && !was_i.is_lost && !enters_i;
+  assign next_light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
+  assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
+                    : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
+                    : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
+  logic [2:0] unlit;
+  rc_path_register #(.Width(11), .Stages(Cut)) u_after (
+    .clk_i, .data_i({next_light, next_light < frame_i.lights, follows}),
+    .data_o({light, lit, unlit}));
+  assign after = lit ? rc_pkg::EventLight : unlit;
+
+  // With two levels boxes hold a direction of which a component is a quarter of a unit vector.
+  logic held;
+  if (rc_pkg::Homes == 1) begin : gen_held
+    localparam logic signed [D-1:0] Quarter = D'(1) <<< (M - 4);
+    logic [2:0] holds;
+    for (genvar k = 0; k < 3; k++) begin : gen_component
+      logic signed [D-1:0] d;
+      assign d        = d_i[k*D +: D];
+      assign holds[k] = d >= Quarter || d <= -Quarter;
+    end
+    assign held = holds != '0;
+  end else begin : gen_all_held
+    assign held = 1'b1;
+  end
+
+  // Whether a light counts, and which rays are sent.
+  logic [5:0] slack;   // what rounding takes from a weight at most, in units of 2^-17
+  logic lights, sends, heavy, refracted, reflected;
+  logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
+  assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
+  assign sends     = light_near_i ? !was_i.is_lost : starts;
+  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
+    slack = '0;
+    for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
+      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+  end
+  rc_path_register #(.Width(1), .Stages(Cut)) u_heavy (
+    .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
+    .data_o(heavy));
+  assign refracted = is_refract && heavy && !total_i && below_i && held;
+  assign reflected = is_reflect && heavy && above_i;
+  rc_path_register #(.Width(7), .Stages(Cut)) u_decided (
+    .clk_i,
+    .data_i({lights, sends, light_near_i && !far, is_light && lights && sends,
+             refracted && (starts || beyond), reflected && (starts || beyond),
+             (refracted || reflected) && !starts && !beyond}),
+    .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
+
+  // A point that was turned lies in the lattice. What was found in the mesh's space is kept.
+  logic [3*PW-1:0] turned_o, found_o;
+  logic [3*P-1:0]  inner;
+  assign found_o = was_i.o;
+  for (genvar k = 0; k < 3; k++) begin : gen_turned
+    assign turned_o[k*PW +: PW] = PW'($signed(turn_o_i[k*P +: P]));
+    assign inner[k*P +: P]      = found_o[k*PW +: P];
+  end
+  // What has not changed is not written, and may be anything.
+  logic       turned;
+  logic [3:0] changes;   // point, inner, face, share
+  assign turned  = turn_i && home_i != '0;   // otherwise what was found in the scene's space stays
+  assign changes = {surf_i || turned, turn_i, surf_i, is_light};
+  rc_pkg::shade_state_t next;
+  always_comb begin
+    next         = was_i;
+    next.o       = turn_i ? turned_o : surf_o_i;
+    next.normal  = surf_normal_i;
+    next.view    = surf_view_i;
+    next.cosine  = surf_cosine_i;
+    next.n       = surf_n_i;
+    next.is_far  = surf_far_i;
+    next.is_lost = surf_lost_i;
+    next.albedo  = surf_albedo_i;
+    next.share   = light_share_i;
+    if (surf_i || turn_i) next.light = '0;
+    if (is_arrive) begin
+      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
+    end
+    if (turn_i) next.purpose = after;
+    if (is_arrive || escapes) next.colour = colour;
+    if (is_light) begin
+      next.light   = light;
+      next.purpose = after;
+      next.pending = !counts ? rc_pkg::PendingNone
+                      : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
+    end
+    if (is_refract) begin
+      next.total = total_i;
+      next.purpose = rc_pkg::EventReflect;
+      if (pushes) next.waiting = was_i.waiting + 4'd1;
+    end
+    if (is_reflect) begin
+      next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
+      if (reflects) begin
+        next.weight = weight_i;
+        next.depth  = was_i.depth + 4'd1;
+      end
+    end
+    if (is_pop) begin
+      next.waiting = was_i.waiting - 4'd1;
+      next.weight  = top_i.weight;
+      next.depth   = top_i.depth;
+      next.purpose = rc_pkg::EventArrive;
+    end
+    if (is_end) begin
+      next.sum   = sum_i;
+      next.least = least_i;
+      next.most  = most_i;
+    end
+    if (is_next) begin
+      next.sample = was_i.sample + 6'd1;
+      next.colour = '0;
+      next.weight = 17'h10000;
+      next.depth  = '0;
+      next.purpose = rc_pkg::EventArrive;
+    end
+  end
+  rc_pkg::shade_state_t sided, now;
+  logic [1:0]           leave;
+  if (rc_pkg::Panes != 0) begin : gen_cell
+    always_comb begin
+      sided = next;
+      if (is_pop) sided.in_cell = top_i.in_cell;
+      if (is_next) sided.in_cell = '0;
+    end
+  end else begin : gen_no_cell
+    assign sided = next;
+  end
+  if (rc_pkg::Homes == 1) begin : gen_inner
+    always_comb begin
+      now = sided;
+      now.inner = inner;
+    end
+  end else begin : gen_no_inner
+    assign now = sided;
+  end
+  assign leave   = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
+                 : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
+
+  // The ray that waits.
+  logic [3*M-1:0] short_d, top_d;
+  logic [3*PW-1:0] was_o;
+  logic [3*P-1:0] start, top_o, spawn_place;
+  logic [3*D-1:0] spawn_way;
+  logic [3*P-1:0] place;
+  assign was_o = was_i.o;
+  assign top_o = top_i.o;
+  assign top_d = top_i.d;
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    assign short_d[k*M +: M]   = d_i[k*D +: M];
+    logic [P-1:0] rough;
+    assign rough = P'($signed(was_o[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
+    assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : was_o[k*PW +: P];
+    assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
+    assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
+                                                       : d_i[k*D +: D];
+  end
+  localparam int unsigned TailW   = rc_pkg::Panes + rc_pkg::Horizon;   // its cell; it asks planes
+  localparam int unsigned RestW   = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
+  localparam int unsigned PushedW = RestW + TailW;
+  logic [RestW-1:0]            rest;
+  logic [PushedW-1:0]          pushed;
+  logic [rc_pkg::WaitingW-1:0] waiting;
+  if (rc_pkg::Panes != 0 && rc_pkg::Horizon == 1) begin : gen_both
+    assign pushed = {rest, was_i.across, beyond};
+  end else if (rc_pkg::Panes != 0) begin : gen_cell_alone
+    assign pushed = {rest, was_i.across};
+  end else if (rc_pkg::Horizon == 1) begin : gen_beyond
+    assign pushed = {rest, beyond};
+  end else begin : gen_rest
+    assign pushed = rest;
+  end
+  assign rest = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+
+  // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
+  logic [1:0]                 kind;
+  logic [rc_pkg::PrimBits:0]  self;
+  logic [rc_pkg::PixelBits-1:0] x, y;
+  logic [5:0]                 sample;
+  assign kind   = is_next ? rc_pkg::RayCamera : !is_light ? rc_pkg::RayBounce
+                : to_point ? rc_pkg::RayShadow : rc_pkg::RayAway;
+  assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
+                                        : {was_i.self, was_i.is_inside};
+  assign x      = was_i.x;
+  assign y      = was_i.y;
+  assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
+  assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
+  logic top_partial, partial;   // it asks no planes; a bounce nothing else
+  if (rc_pkg::Horizon == 1) begin : gen_top_partial
+    assign top_partial = top_i.is_partial;
+  end else begin : gen_top_whole
+    assign top_partial = 1'b0;
+  end
+  assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial
+                 : is_reflect && beyond;
+  localparam int unsigned GivenW = 3 * P + 3 * D;
+  localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
+  localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
+  localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  logic [rc_pkg::SpawnW-1:0] spawn;
+  logic [FromW-1:0]       from;
+  logic [FromW+SelfW-1:0] given;
+  if (rc_pkg::Homes == 1) begin : gen_home
+    logic [3*M-1:0] short_home_d, top_home_d;
+    logic [3*D-1:0] top_way, home_d;
+    assign top_home_d = top_i.home_d;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign short_home_d[k*M +: M] = home_d_i[k*D +: M];
+      assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
+    end
+    assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
+    assign waiting  = {pushed, home_i, home_o_i, short_home_d};
+    assign from     = {is_next ? '0 : is_pop ? top_i.home : home_i,
+                       is_next ? '0 : is_pop ? top_i.home_o : home_o_i, home_d,
+                       spawn_place, spawn_way};
+  end else begin : gen_no_home
+    assign waiting  = pushed;
+    assign from     = {spawn_place, spawn_way};
+    logic unused;
+    assign unused = ^{home_i, home_o_i, home_d_i};
+  end
+  if (rc_pkg::Spheres == 1) begin : gen_self
+    assign given = {self, from};
+  end else begin : gen_no_self
+    assign given = from;
+    logic unused;
+    assign unused = ^self;
+  end
+  if (rc_pkg::Planes == 1) begin : gen_partial
+    assign spawn   = {ray_i, kind, x, y, sample, partial, given};
+  end else begin : gen_no_planes
+    assign spawn   = {ray_i, kind, x, y, sample, given};
+    logic unused;
+    assign unused = partial;
+  end
+  logic [3*VB-1:0]           end_colour;
+  logic [rc_pkg::PixelW-1:0] pixel;
+  assign end_colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+  if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
+    assign pixel   = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
+                      was_i.u, was_i.v, end_colour};
+  end else begin : gen_pixel
+    assign pixel   = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, end_colour};
+  end
+
+  // In three parts: Verilator 5.006 makes no code of a thousand bits at once.
+  localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 4 + 1;
+  localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
+  localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
+  logic [ContextW-1:0] made_context, kept_context;
+  logic [RaysW-1:0]    made_rays, kept_rays;
+  logic [EndW-1:0]     made_end, kept_end;
+  assign made_context = {ray_i, now, changes, pushes};
+  assign made_rays    = {waiting, spawn};
+  assign made_end     = {leave, pixel};
+  if (Cut == 0) begin : gen_now
+    assign kept_context = made_context;
+    assign kept_rays    = made_rays;
+    assign kept_end     = made_end;
+    logic unused;
+    assign unused = ^{clk_i, take_i};
+  end else begin : gen_kept
+    always_ff @(posedge clk_i) begin
+      if (take_i) begin
+        kept_context <= made_context;
+        kept_rays    <= made_rays;
+        kept_end     <= made_end;
+      end
+    end
+  end
+  assign {ray_o, state_o, changes_o, push_o} = kept_context;
+  assign {pushed_o, spawn_o}      = kept_rays;
+  assign {leave_o, pixel_o}       = kept_end;
+
+  logic unused;
+  assign unused = ^{frame_i, top_i, was_o, turned_o, inner, found_o, home_i};
+endmodule
+`default_nettype wire

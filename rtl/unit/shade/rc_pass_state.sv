@@ -1,0 +1,65 @@
+// A context's state as far as it is known when a pass begins waits for the pass's end: but for what
+// a pass leaves as it is or makes anew. Of the surface that was hit the end asks where that was,
+// and whether it has a mirror and lets light through. Part of rc_pass; all else of was_o is 0.
+`default_nettype none
+module rc_pass_state #(
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned PB = rc_pkg::PrimBits,
+  localparam int unsigned DB = rc_pkg::DepthBits
+) (
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  input  logic                 come_i,        // as of rc_stage_delay
+  input  logic                 leave_i,
+  input  logic [I-1:0]         ray_i,
+  input  rc_pkg::shade_state_t known_i,
+  output logic [I-1:0]         ray_o,
+  output rc_pkg::shade_state_t was_o,
+  output logic                 mirrors_o,
+  output logic                 transmits_o
+);
+  localparam int unsigned L      = rc_pkg::ShadeStages;
+  localparam int unsigned StateW = rc_pkg::ShadeStateW;
+  localparam int unsigned FrontW = 2 * rc_pkg::PixelBits + 6 + PB + rc_pkg::TBits
+                                 + 2 * rc_pkg::UvBits + 4 * VB + DB + 7 + 2 * rc_pkg::Panes
+                                 + 3 * rc_pkg::PointWidth;   // from x to o
+  localparam int unsigned ManyW  = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
+  logic [StateW-1:0] known;
+  logic [FrontW-1:0] front;
+  logic [ManyW-1:0]  many;
+  logic              is_far, is_lost, total, is_inside;
+  logic [DB-1:0]     waiting;
+  logic [PB-1:0]     self;
+  assign known = known_i;
+  rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_all (
+    .clk_i, .rst_ni, .come_i, .leave_i,
+    .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,
+             known_i.mirror != '0, known_i.transmit != '0, known_i.total, known_i.is_inside,
+             known_i.waiting, known_i.self}),
+    .data_o({ray_o, front, is_far, is_lost, mirrors_o, transmits_o, total, is_inside, waiting,
+             self}));
+  if (rc_pkg::Supersampling == 1) begin : gen_many
+    rc_stage_delay #(.Width(ManyW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_many (
+      .clk_i, .rst_ni, .come_i, .leave_i,
+      .data_i({known_i.sample, known_i.sum, known_i.least, known_i.most}), .data_o(many));
+  end else begin : gen_one
+    assign many = '0;
+  end
+  always_comb begin
+    was_o           = {front, {(StateW-FrontW){1'b0}}};
+    was_o.is_far    = is_far;
+    was_o.is_lost   = is_lost;
+    was_o.total     = total;
+    was_o.is_inside = is_inside;
+    was_o.waiting   = waiting;
+    was_o.self      = self;
+    was_o.sample    = many[ManyW-1 -: rc_pkg::SampleBits];
+    was_o.sum       = many[6*VB +: 69];
+    was_o.least     = many[3*VB +: 3*VB];
+    was_o.most      = many[0 +: 3*VB];
+  end
+  logic unused;
+  assign unused = ^known;
+endmodule
+`default_nettype wire

@@ -1,0 +1,89 @@
+// Where the children of a node lie in its block, from their kinds alone: inner children first, two
+// lines each, then the triangles of leaves. Part of rc_node_answer.
+//
+// Two stages, while a node waits for its planes: the first adds the inner children's lines and
+// the triangles of the first four, the second what lies before each child. Model: place_child()
+// in model/engine/bvh/box.cpp.
+`default_nettype none
+module rc_child_offsets #(
+  parameter  bit          Exits = 1'b0,   // of treelets and slants: lines of those there, in order
+  localparam int unsigned W     = rc_pkg::NodeWidth,
+  localparam int unsigned C     = rc_pkg::CountBits,
+  localparam int unsigned O     = rc_pkg::OffsetBits
+) (
+  input  logic           clk_i,
+  input  logic [1:0]     moves_i,    // moves_i[i]: stage i takes over a node
+  input  logic [W*C-1:0] kind_i,     // 0: no child, 1: an inner one, else a leaf of kind - 1
+  // A stage later
+  output logic [W-1:0]   there_o,
+  // Two stages later
+  output logic [W-1:0]   leaf_o,
+  output logic [W*O-1:0] offset_o,   // lines of inner children, triangles after them
+  output logic [W*C-1:0] count_o     // triangles of a leaf
+);
+  // Relaxed: what is of no node costs a simulation nothing. A chip does not ask.
+  logic [1:0] asks;
+`ifdef SYNTHESIS
+  assign asks = '1;
+`else
+  assign asks = moves_i;
+`endif
+
+  logic [W-1:0]   is_inner, is_leaf, inner_q, leaf_q;
+  logic [W*C-1:0] count, count_q;
+  logic [O-1:0]   lines, lines_q;   // of all inner children
+  logic [O-1:0]   half, half_q;     // triangles of the first four children
+  always_comb begin
+    is_inner = '0;
+    is_leaf  = '0;
+    count    = '0;
+    lines    = '0;
+    half     = '0;
+    if (asks[0]) begin
+      for (int i = 0; i < W; i++) begin
+        is_inner[i] = kind_i[i*C +: C] == C'(1);
+        is_leaf[i]  = kind_i[i*C +: C] > C'(1);
+        if (is_leaf[i]) count[i*C +: C] = kind_i[i*C +: C] - C'(1);
+        lines = lines + {{(O-2){1'b0}}, is_inner[i], 1'b0};
+        if (i < 4) half = half + {{(O-C){1'b0}}, count[i*C +: C]};
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (moves_i[0]) begin
+      inner_q <= is_inner;
+      leaf_q  <= is_leaf;
+      count_q <= count;
+      lines_q <= lines;
+      half_q  <= half;
+    end
+  end
+  assign there_o = inner_q | leaf_q;
+
+  // Triangles before a child are those of the first four, and of up to three beside it.
+  logic [W*O-1:0] offset;
+  logic [O-1:0]   start, beside, exits;
+  always_comb begin
+    offset = '0;
+    start  = '0;
+    beside = '0;
+    exits  = '0;
+    if (asks[1]) begin
+      for (int i = 0; i < W; i++) begin
+        if (i % 4 == 0) beside = '0;
+        start = i < 4 ? lines_q : lines_q + half_q;
+        offset[i*O +: O] = leaf_q[i] ? start + beside : Exits ? exits : O'(2 * i);
+        beside = beside + {{(O-C){1'b0}}, count_q[i*C +: C]};
+        exits  = exits + {{(O-2){1'b0}}, inner_q[i], 1'b0};
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (moves_i[1]) begin
+      leaf_o   <= leaf_q;
+      count_o  <= count_q;
+      offset_o <= offset;
+    end
+  end
+endmodule
+`default_nettype wire

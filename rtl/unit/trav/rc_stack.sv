@@ -1,0 +1,226 @@
+// The rays' stacks of sibling groups, and the decision where a ray goes next. Part of
+// rc_trav. s0 reads the top group of a ray; in s1 the group is there, and either the
+// nearest inner child of the node is visited and the others pushed, or the stack is popped.
+// A stop empties the stack: the ray is done. One ray is never in two stages.
+// A fast chip has rc_pkg::StackStages more between s1 and the decision (`end`): the address, the
+// memory, its output register and the comparisons have a cycle each.
+// Model: model/unit/trav/stack.cpp.
+`default_nettype none
+module rc_stack (
+  input  logic                        clk_i,
+  input  logic                        rst_ni,
+  input  logic                        s0_valid_i,
+  input  logic [rc_pkg::RayBits-1:0]  s0_ray_i,
+  input  logic                        s1_valid_i,
+  input  rc_pkg::tested_t             s1_tested_i,
+  input  rc_pkg::children_t           s1_children_i,
+  // At the end
+  output logic                        visit_o,
+  output logic [rc_pkg::AddrBits-1:0] visit_base_o,
+  output logic [rc_pkg::SlotBits-1:0] visit_slot_o,
+  output logic                        done_o,
+  output logic                        again_o
+);
+  localparam int unsigned I  = rc_pkg::RayBits;
+  localparam int unsigned A  = rc_pkg::AddrBits;
+  localparam int unsigned T  = rc_pkg::TBits;
+  localparam int unsigned S  = rc_pkg::SlotBits;
+  localparam int unsigned G  = rc_pkg::GroupBits;
+  localparam int unsigned W  = rc_pkg::NodeWidth;
+  localparam int unsigned H  = rc_pkg::StackBits;
+  localparam int unsigned D  = rc_pkg::StackDepth;
+  localparam int unsigned DB = D < 2 ? 1 : $clog2(D);
+  // {below, base, count, t_near of W - 1 siblings, their slots}
+  localparam int unsigned GroupW = T + A + G + (W - 1) * (T + S);
+
+  localparam int unsigned Late = rc_pkg::StackStages;
+  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
+
+  // Height of every ray's stack; each is empty again when its ray is done, and before the
+  // first one: used says whether the memory holds a context's. Where the top group lies does
+  // not ask that, since the group of an empty stack does not matter.
+  logic [rc_pkg::Contexts-1:0] used;
+  logic         end_valid;
+  logic [I-1:0] end_ray;
+  logic [H-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
+  logic         is_used;   // of s1, or in a fast chip of a cycle later, as kept and kept_height
+  rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
+    .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
+    .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
+  rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
+    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(I'(0)), .set_i(end_valid),
+    .set_at_i(end_ray), .flags_o(used));
+  rc_bit_select #(.Flags(rc_pkg::Contexts)) u_is_used (
+    .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
+  rc_path_register #(.Width(H)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
+  assign kept_height = is_used ? kept : '0;
+
+  logic              write, read;
+  logic [I-1:0]      read_ray;
+  logic [H-1:0]      read_height;
+  logic [GroupW-1:0] group_d, read_group, group;
+  if (Cut == 0) begin : gen_read_now
+    assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_kept};
+  end else begin : gen_read_late
+    assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_kept_q};
+  end
+  function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
+    address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
+  endfunction
+
+  // What is kept is written a cycle late in a fast chip. The ray reads it much later.
+  logic              write_late;
+  logic [AddrW-1:0]  write_addr, late_addr;
+  logic [GroupW-1:0] late_group;
+  assign write_addr = address(end_ray, level);
+  rc_path_register #(.Width(AddrW + GroupW)) u_late (
+    .clk_i, .data_i({write_addr, group_d}), .data_o({late_addr, late_group}));
+  if (Cut == 0) begin : gen_write_now
+    assign write_late = write;
+  end else begin : gen_write_late
+    logic write_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) write_q <= 1'b0;
+      else         write_q <= write;
+    end
+    assign write_late = write_q;
+  end
+  rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * D)) u_groups (
+    .clk_i, .write_i(write_late), .write_addr_i(late_addr), .write_data_i(late_group),
+    .read_i(read), .read_addr_i(address(read_ray, read_height - H'(1))),
+    .read_data_o(read_group));
+  rc_path_register #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group));
+
+
+  // What is compared: the ray's step, its new children and its top group.
+  logic [rc_pkg::TestedW-1:0]   tested_flat;
+  logic [rc_pkg::ChildrenW-1:0] children_flat, end_children_flat;
+  logic [H-1:0]                 height;
+  rc_pkg::tested_t              tested;
+  rc_pkg::children_t            children, end_children;
+  rc_path_register #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW), .Stages(Late - Cut)) u_step (
+    .clk_i, .data_i({s1_tested_i, s1_children_i}), .data_o({tested_flat, children_flat}));
+  rc_path_register #(.Width(H), .Stages(Late - 2 * Cut)) u_now_height (
+    .clk_i, .data_i(kept_height), .data_o(height));
+  assign tested   = tested_flat;
+  assign children = children_flat;
+
+  logic [T-1:0]       top_below, below;
+  logic [A-1:0]       top_base;
+  logic [G-1:0]       top_count;
+  logic [(W-1)*T-1:0] top_near;
+  logic [(W-1)*S-1:0] top_slot;
+  logic [W*T-1:0]     near;
+  logic               stop, forward, top_matters, below_matters;
+  assign {top_below, top_base, top_count, top_near, top_slot} = group;
+  assign near = children.t_near;
+  if (rc_pkg::Shading != 0) begin : gen_stop
+    assign stop = tested.stop;
+  end else begin : gen_go_on
+    assign stop = 1'b0;
+  end
+  assign forward       = !stop && children.inner != '0 && near[T-1:0] <= tested.t_best;
+  assign top_matters   = top_near[T-1:0] <= tested.t_best;
+  assign below_matters = top_below <= tested.t_best;
+  always_comb begin
+    below = '1;
+    if (height != '0) below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;
+  end
+
+  // The end: what was found, and what is to be kept.
+  logic               end_stop, end_forward, end_top_matters, end_below_matters;
+  logic [T-1:0]       end_top_below, end_below;
+  logic [A-1:0]       end_top_base;
+  logic [G-1:0]       end_top_count;
+  logic [(W-1)*T-1:0] end_top_near;
+  logic [(W-1)*S-1:0] end_top_slot;
+  rc_path_register #(.Width(4 + T + GroupW + rc_pkg::ChildrenW + H + I)) u_end (
+    .clk_i,
+    .data_i({stop, forward, top_matters, below_matters, below, group, children_flat, height,
+             tested.ray}),
+    .data_o({end_stop, end_forward, end_top_matters, end_below_matters, end_below,
+             end_top_below, end_top_base, end_top_count, end_top_near, end_top_slot,
+             end_children_flat, end_height, end_ray}));
+  assign end_children = end_children_flat;
+  if (Late == 0) begin : gen_end_now
+    assign end_valid = s1_valid_i;
+  end else begin : gen_end_late
+    logic [Late-1:0] valid_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) valid_q <= '0;
+      else         valid_q <= {valid_q[Late-2:0], s1_valid_i};
+    end
+    assign end_valid = valid_q[Late-1];
+  end
+
+  logic [W*T-1:0] end_near;
+  logic [W*S-1:0] end_slot;
+  logic           last_sibling;
+  assign end_near     = end_children.t_near;
+  assign end_slot     = end_children.slot;
+  assign last_sibling = end_top_count == G'(1);
+
+  always_comb begin
+    visit_o      = 1'b0;
+    done_o       = 1'b0;
+    again_o      = 1'b0;
+    write        = 1'b0;
+    level        = end_height;
+    height_d     = end_height;
+    visit_base_o = end_forward ? end_children.base : end_top_base;
+    visit_slot_o = end_forward ? end_slot[S-1:0] : end_top_slot[S-1:0];
+    group_d      = {end_below, end_children.base, end_children.inner - G'(1), end_near[W*T-1:T],
+                    end_slot[W*S-1:S]};
+    if (end_valid && end_forward) begin
+      visit_o = 1'b1;
+      if (end_children.inner != G'(1)) begin
+        write    = 1'b1;
+        height_d = end_height + H'(1);
+      end
+    end else if (end_valid && (end_stop || end_height == '0)) begin
+      done_o   = 1'b1;
+      height_d = '0;
+    end else if (end_valid && end_top_matters) begin
+      visit_o  = 1'b1;
+      level    = end_height - H'(1);
+      write    = !last_sibling;
+      group_d  = {end_top_below, end_top_base, end_top_count - G'(1), end_top_near >> T,
+                  end_top_slot >> S};
+      if (last_sibling) height_d = end_height - H'(1);
+    end else if (end_valid && (end_height == H'(1) || !end_below_matters)) begin
+      done_o   = 1'b1;
+      height_d = '0;
+    end else if (end_valid) begin
+      again_o  = 1'b1;
+      height_d = end_height - H'(1);
+    end
+  end
+
+  always_ff @(posedge clk_i) if (s0_valid_i) s1_kept_q <= s0_kept;
+
+  logic unused;   // what is only compared in part
+  assign unused = ^{children, near, top_base, top_count, top_near, top_slot, end_near};
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni && end_valid && end_forward && end_children.inner != G'(1))
+      a_room: assert (end_height != H'(D))
+      else $error("the scene needs a deeper stack than its compilation said");
+  logic [rc_pkg::Contexts-1:0] inside_q;   // rays between s0 and the end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) inside_q <= '0;
+    else begin
+      if (end_valid)  inside_q[end_ray] <= 1'b0;
+      if (s0_valid_i) inside_q[s0_ray_i] <= 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) if (rst_ni && s0_valid_i)
+    a_one_stage: assert (!inside_q[s0_ray_i])
+    else $error("a ray is in two stages of trav");
+  always_ff @(posedge clk_i) if (rst_ni && write_late && read)
+    a_apart: assert (late_addr[AddrW-1 -: I] != read_ray)
+    else $error("a ray's group is written while it is read");
+`endif
+endmodule
+`default_nettype wire

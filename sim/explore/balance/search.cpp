@@ -1,0 +1,196 @@
+#include "sim/explore/balance/search.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace rayclock::balance {
+
+const std::vector<Ladder>& ladders() {
+    // Not among them: what formats and scene decide (stack_depth), and what costs no hardware (tile_bits).
+    static const std::vector<Ladder> all{{"node_width", &Config::node_width, {2, 4, 8}},
+                                         {"contexts", &Config::contexts, {16, 32, 64, 128}},
+                                         {"box_queue", &Config::box_queue, {16, 32, 64}},
+                                         {"tri_queue", &Config::tri_queue, {16, 32, 64, 128}},
+                                         {"tri_interval", &Config::tri_interval, {4, 2, 1}},
+                                         {"node_sets", &Config::node_sets, {32, 64, 128, 256, 512}},
+                                         {"node_mshrs", &Config::node_mshrs, {4, 8, 16}},
+                                         {"prim_sets", &Config::prim_sets, {32, 64, 128, 256, 512}},
+                                         {"prim_mshrs", &Config::prim_mshrs, {4, 8, 16}}};
+    return all;
+}
+
+bool fits(const chip::Use& use, const chip::Use& room) {
+    return std::all_of(
+        chip::resources().begin(), chip::resources().end(),
+        [&](const chip::Resource& resource) { return use.*resource.member <= room.*resource.member; });
+}
+
+namespace {
+
+using Members = std::vector<int>;
+
+/// The values on all ladders, by which machines are told apart.
+Members members(const Config& config) {
+    Members all;
+    for (const Ladder& ladder : ladders()) all.push_back(config.*ladder.member);
+    return all;
+}
+
+/// A step from a machine's place on a ladder; nothing at its end.
+std::optional<Step> step_of(const Config& config, const Ladder& ladder, int rungs) {
+    const auto at = std::find(ladder.rungs.begin(), ladder.rungs.end(), config.*ladder.member);
+    const std::ptrdiff_t to = at - ladder.rungs.begin() + rungs;
+    if (at == ladder.rungs.end() || to < 0 || to >= std::ptrdiff_t(ladder.rungs.size())) return std::nullopt;
+    return Step{&ladder, *at, ladder.rungs[std::size_t(to)]};
+}
+
+class Search {
+public:
+    Search(const chip::Use& room, const Doors& doors) : room_(room), doors_(doors) {}
+
+    std::optional<Found> run(const Config& base) {
+        Machine first{{}, base, {}, {}};
+        for (const Ladder& ladder : ladders()) first.config.*ladder.member = ladder.rungs.front();
+        std::vector<Machine> one{first};
+        if (!ask(one) || !doors_.use(one)) return std::nullopt;
+        at_ = found_.first = one[0];
+        if (!at_.fps || !at_.use || !fits(*at_.use, room_)) return found_;
+        do climb();
+        while (!stopped_ && trim());   // what became free may let something else go up
+        if (stopped_ || !look_ahead()) return std::nullopt;
+        return found_;
+    }
+
+private:
+    void climb() {
+        while (!stopped_ && (take_first(ups()) || (!stopped_ && take_first(pairs())) ||
+                             (!stopped_ && take_first(exchanges())))) {}
+    }
+    Machine moved(std::vector<Step> steps) const {
+        Machine machine{std::move(steps), at_.config, {}, {}};
+        for (const Step& step : machine.steps) machine.config.*step.ladder->member = step.to;
+        return machine;
+    }
+    std::vector<Step> steps(int rungs) const {
+        std::vector<Step> all;
+        for (const Ladder& ladder : ladders())
+            if (const auto step = step_of(at_.config, ladder, rungs)) all.push_back(*step);
+        return all;
+    }
+    std::vector<Machine> ups() const {
+        std::vector<Machine> all;
+        for (const Step& step : steps(1)) all.push_back(moved({step}));
+        return all;
+    }
+    std::vector<Machine> pairs() const {
+        std::vector<Machine> all;
+        const std::vector<Step> up = steps(1);
+        for (std::size_t a = 0; a < up.size(); ++a)
+            for (std::size_t b = a + 1; b < up.size(); ++b) all.push_back(moved({up[a], up[b]}));
+        return all;
+    }
+    std::vector<Machine> exchanges() const {
+        std::vector<Machine> all;
+        for (const Step& down : steps(-1))
+            for (const Step& up : steps(1))
+                if (up.ladder != down.ladder) all.push_back(moved({down, up}));
+        return all;
+    }
+
+    bool ask(std::vector<Machine>& machines) {
+        found_.machines += machines.size();
+        return doors_.fps(machines);
+    }
+    double gain(const Machine& machine) const { return machine.fps ? *machine.fps / *at_.fps - 1 : -1; }
+
+    /// Of those that gain, the one with the most gain per step that fits; whether there was one. A machine
+    /// that was found not to fit is not asked for again.
+    bool take_first(std::vector<Machine> machines) {
+        if (!ask(machines)) return stop();
+        std::erase_if(machines, [&](const Machine& m) {
+            return gain(m) < least_gain || too_large_.contains(members(m.config));
+        });
+        std::stable_sort(machines.begin(), machines.end(), [&](const Machine& a, const Machine& b) {
+            return gain(a) * double(b.steps.size()) > gain(b) * double(a.steps.size());
+        });
+        for (const Machine& machine : machines) {
+            std::vector<Machine> one{machine};
+            if (!doors_.use(one)) return stop();
+            if (!one[0].use || !fits(*one[0].use, room_)) {
+                too_large_.insert(members(machine.config));
+                continue;
+            }
+            at_ = one[0];
+            found_.path.push_back(at_);
+            return true;
+        }
+        return false;
+    }
+    bool stop() {
+        stopped_ = true;
+        return false;
+    }
+
+    /// Goes down where nothing is lost; whether it could anywhere.
+    bool trim() {
+        bool trimmed = false;
+        while (true) {
+            std::vector<Machine> machines;
+            for (const Step& step : steps(-1)) machines.push_back(moved({step}));
+            if (!ask(machines)) return stop();
+            std::erase_if(machines, [&](const Machine& m) { return gain(m) < 0; });
+            if (machines.empty()) return trimmed;
+            machines.resize(1);
+            if (!doors_.use(machines)) return stop();
+            if (!machines[0].use || !fits(*machines[0].use, room_)) return trimmed;
+            at_ = machines[0];
+            found_.path.push_back(at_);
+            trimmed = true;
+        }
+    }
+
+    /// What one step more would bring and cost. False if interrupted.
+    bool look_ahead() {
+        found_.next = ups();
+        if (!ask(found_.next)) return false;
+        std::erase_if(found_.next, [&](const Machine& m) { return gain(m) < least_gain; });
+        return doors_.use(found_.next);
+    }
+
+    const chip::Use& room_;
+    const Doors& doors_;
+    Machine at_;
+    Found found_;
+    std::set<Members> too_large_;
+    bool stopped_ = false;
+};
+
+/// Whether a machine is one that fits, and faster than the other.
+bool better(const Machine& a, const Machine& b, const chip::Use& room) {
+    const auto value = [&](const Machine& m) { return m.fps && m.use && fits(*m.use, room) ? *m.fps : -1; };
+    return value(a) > value(b);
+}
+
+}   // namespace
+
+std::optional<Found> search(const Config& base, const chip::Use& room, const Doors& doors) {
+    std::optional<Found> best;
+    std::vector<Machine> others;
+    std::size_t machines = 0;
+    for (const int count : pipeline_counts) {
+        Config config = base;
+        config.pipelines = count;
+        std::optional<Found> found = Search(room, doors).run(config);
+        if (!found) return std::nullopt;
+        machines += found->machines;
+        const bool first_fits = found->first.use && fits(*found->first.use, room);
+        if (!best || better(found->best(), best->best(), room)) std::swap(best, found);
+        if (found) others.push_back(found->best());
+        if (!first_fits) break;   // and no larger number does
+    }
+    best->others = std::move(others);
+    best->machines = machines;
+    return best;
+}
+
+}   // namespace rayclock::balance

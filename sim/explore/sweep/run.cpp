@@ -1,0 +1,358 @@
+#include "sim/explore/sweep/run.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/memory/memory_file.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/explore/sweep/cracks.hpp"
+#include "sim/explore/sweep/key.hpp"
+#include "sim/explore/sweep/table.hpp"
+#include "sim/silicon/synth/netlist.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+#include "sim/files/process/threads.hpp"
+
+namespace rayclock::sweep {
+
+using nlohmann::ordered_json;
+
+ordered_json rays_json(const RayCounts& rays) {
+    return {{"primary", rays.primary},
+            {"shadow", rays.shadow},
+            {"reflection", rays.reflection},
+            {"refraction", rays.refraction}};
+}
+
+PictureFigures picture_of(const ordered_json& json) {
+    PictureFigures p;
+    p.error.pixels = json.at("pixels").get<std::uint64_t>();
+    p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
+    p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity()
+                                                   : json.at("psnr_db").get<double>();
+    p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
+    p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
+    p.error.max_relative_depth = json.at("max_relative_depth").get<double>();
+    if (!json.at("cracks").is_null()) p.cracks = json.at("cracks").get<std::uint64_t>();
+    p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
+    const ordered_json& rays = json.at("rays");
+    rays.at("primary").get_to(p.rays.primary);
+    rays.at("shadow").get_to(p.rays.shadow);
+    rays.at("reflection").get_to(p.rays.reflection);
+    rays.at("refraction").get_to(p.rays.refraction);
+    return p;
+}
+
+std::uint64_t Result::film_cycles() const {
+    std::uint64_t sum = 0;
+    for (const ordered_json& frame : clock.at("frames"))
+        for (const char* part : {"cycles", "upload_cycles", "reset_cycles"})
+            sum += frame.at(part).get<std::uint64_t>();
+    return sum;
+}
+double Result::film_fps() const {
+    return double(frames()) * clock.at("mhz").get<double>() * 1e6 / double(film_cycles());
+}
+
+namespace {
+
+ordered_json picture_json(const PictureFigures& p) {
+    ordered_json json = error_json(p.error, std::nullopt);
+    json["cracks"] = p.cracks ? ordered_json(*p.cracks) : ordered_json(nullptr);
+    json["memory_bytes"] = p.memory_bytes;
+    json["rays"] = rays_json(p.rays);
+    return json;
+}
+
+synth::Netlist netlist_of(const ordered_json& json) {
+    return {json.at("multipliers").get<std::uint64_t>(), json.at("flip_flops").get<std::uint64_t>()};
+}
+
+/// A frame's figures, or why there are none.
+std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
+    if (json.contains("refused")) return json.at("refused").get<std::string>();
+    Result r;
+    r.clock = json;
+    r.picture.emplace();
+    cells(r, false, false);   // whatever a table reads can be read
+    return json;
+}
+
+std::string timing_of(const Config& config) {
+    std::string text;
+    for (const Parameter& p : parameters()) text += fmt::format("{}={} ", p.key, value_text(config, p));
+    return text + own_memory_text(config);
+}
+
+/// Points that share a trace.
+struct Group {
+    std::string key;
+    std::vector<Result*> results;
+    bool picture_known = false;
+};
+
+/// What decides the rays beside the scene, the size and the configuration.
+std::string picture_text(const Scene& scene, const PictureChoice& choice) {
+    const Whitted& w = choice.settings;
+    const FramesOptions& frames = choice.frames;
+    std::string text;
+    if (choice.finished)
+        text += fmt::format("finished {} {} {} {} {} {} ", w.depth, w.threshold, w.aa, w.jitter, w.contrast,
+                            w.seed);
+    if (frames.frames > 1) text += fmt::format("frames {} {} ", frames.frames, frames.pan);
+    if (!moves(scene)) return text;
+    return text + fmt::format("film {} {} {} {} {} ",
+                              film_digest(*scene.placed, frame_times(frames, true).times), frames.pan,
+                              frames.uploads, frames.rebuild, choice.view.is_asked());
+}
+
+class Runner {
+public:
+    Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress)
+        : plan_(plan), cache_(cache), progress_(progress) {
+        scene_key_ = fmt::format("program {} scene {} {}x{} {}", program_stamp(), scene_digest(plan.scene),
+                                 plan.size.width, plan.size.height, picture_text(plan.scene, plan.picture));
+        cores_ = jobs::threads_of(plan.threads);
+        for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
+    }
+
+    Outcome run() {
+        find_known();
+        const std::size_t open = std::size_t(std::count_if(
+            groups_.begin(), groups_.end(), [](const auto& g) { return needs_trace(g.second); }));
+        inner_threads_ = std::max(1, cores_ / std::clamp(int(open), 1, cores_));
+        if (plan_.netlists) plan_netlists();
+        for (auto& [format, group] : groups_)
+            if (needs_trace(group)) tasks_.push_back([this, &group = group] { trace(group); });
+        tell(0);
+        jobs::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
+        outcome_.traces = groups_.size();
+        return std::move(outcome_);
+    }
+
+private:
+    static bool needs_trace(const Group& group) {
+        return std::any_of(group.results.begin(), group.results.end(),
+                           [](const Result* r) { return !r->refused() && !r->complete(); });
+    }
+    std::string frame_key(const Result& r) const {
+        return fmt::format("{}khz {} {}", scene_key_, r.point.khz, timing_of(r.point.config));
+    }
+
+    /// Fills in what the cache has, and counts what is left.
+    void find_known() {
+        for (Result& r : outcome_.results) {
+            if (r.refused()) continue;
+            const std::string format = trace_format(r.point.config);
+            Group& group = groups_[format];
+            if (group.results.empty()) group.key = scene_key_ + format;
+            group.results.push_back(&r);
+            if (auto frame = cache_.find("frame", frame_key(r), frame_of)) {
+                if (const auto* refused = std::get_if<std::string>(&*frame))
+                    r.point.refused = *refused;
+                else
+                    r.clock = std::get<ordered_json>(*frame);
+            }
+        }
+        for (auto& [format, group] : groups_)
+            if (const auto picture = cache_.find("picture", group.key, picture_of)) {
+                group.picture_known = true;
+                for (Result* r : group.results) r->picture = *picture;
+            }
+        for (const auto& [format, group] : groups_)
+            for (const Result* r : group.results) ++(r->refused() || r->complete() ? outcome_.known : all_);
+    }
+
+    void plan_netlists() {
+        std::map<std::string, std::vector<Result*>> wanted;
+        for (Result& r : outcome_.results) {
+            if (r.refused() || !synth::exists_in_rtl(r.point.config)) continue;
+            if (synth::yosys_version().empty()) {
+                outcome_.netlist_note =
+                    "Yosys is not installed, so multipliers and flip-flops are not counted";
+                return;
+            }
+            wanted[synth::netlist_key(r.point.config)].push_back(&r);
+        }
+        for (auto& [key, results] : wanted) {
+            if (const auto known = cache_.find("netlist", key, netlist_of)) {
+                set_netlist(results, *known);
+                continue;
+            }
+            ++all_;
+            tasks_.push_back([this, key = key, results = results] { count(key, results); });
+        }
+    }
+    static void set_netlist(const std::vector<Result*>& results, const synth::Netlist& netlist) {
+        for (Result* r : results) {
+            r->multipliers = netlist.multipliers;
+            r->flip_flops = netlist.flip_flops;
+        }
+    }
+    void count(const std::string& key, const std::vector<Result*>& results) {
+        if (stopped()) return;
+        try {
+            const auto netlist = synth::count_netlist(results[0]->point.config, cache_.folder());
+            if (!netlist) {
+                stopped();
+                return;
+            }
+            cache_.keep("netlist", key,
+                        {{"multipliers", netlist->multipliers}, {"flip_flops", netlist->flip_flops}});
+            set_netlist(results, *netlist);
+        } catch (const std::runtime_error& e) {
+            const std::lock_guard lock(mutex_);
+            outcome_.netlist_note = e.what();
+        }
+        tell(1);
+    }
+
+    /// Whether to do no more, which makes the outcome partial.
+    bool stopped() {
+        if (!interrupted()) return false;
+        const std::lock_guard lock(mutex_);
+        outcome_.partial = true;
+        return true;
+    }
+
+    void refuse(Result& r, const std::string& sentence) {
+        r.point.refused = sentence;
+        cache_.keep("frame", frame_key(r), {{"refused", sentence}});
+        tell(1);
+    }
+
+    /// Compiles and records for a group's format, and times its frames.
+    void trace(Group& group) {
+        if (stopped()) return;
+        try {
+            trace_film(group);
+        } catch (const UserError& e) {
+            for (Result* r : group.results)
+                if (!r->refused() && r->clock.is_null()) refuse(*r, e.what());
+        } catch (const std::runtime_error&) {
+            if (!stopped()) throw;   // Progress `stop_` ends what is interrupted
+        }
+    }
+
+    void trace_film(Group& group) {
+        // As simulate draws them; whether the memory holds them is asked for each point.
+        Config config = group.results[0]->point.config;
+        config.own_dram.reset();
+        config.dram = 0;
+        config.scan_out = config.pixel_writes = 0;
+        Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
+        std::vector<FrameTrace> frames;
+        while (frames.size() < film.frames()) {
+            film.next();
+            for (Result* r : group.results) check_memory(*r, film.job().image);
+            frames.push_back(film.record(inner_threads_, stop_));
+        }
+        if (!group.picture_known) {
+            const PictureFigures picture = compare_picture(film, frames.back());
+            cache_.keep("picture", group.key, picture_json(picture));
+            for (Result* r : group.results) r->picture = picture;
+        }
+        jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
+            Result& r = *group.results[i];
+            if (r.refused()) return;
+            if (r.clock.is_null())
+                time(r, frames);
+            else
+                tell(1);
+        });
+    }
+
+    /// What the reference makes of the last frame, which is the same for every configuration.
+    struct Expected {
+        HitFrame hits;
+        Picture picture;   ///< of a finished picture
+    };
+    const Expected& expected(Film& film) {
+        std::call_once(reference_once_, [&] {
+            const Reference tracer(film.request().scene);
+            if (film.request().finished) {
+                WhittedFrame frame =
+                    tracer.whitted(film.camera(), plan_.size, plan_.picture.settings, cores_, stop_);
+                reference_.picture = rayclock::picture_of(frame);
+                reference_.hits = std::move(frame.hits);
+            } else {
+                reference_.hits = tracer.frame(film.camera(), plan_.size, cores_, stop_);
+            }
+        });
+        return reference_;
+    }
+
+    PictureFigures compare_picture(Film& film, const FrameTrace& last) {
+        const Expected& reference = expected(film);
+        const Request& request = film.request();
+        const HitFrame hits = hits_of(film.job(), last);
+        PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
+        if (request.finished) {
+            figures.error = frame_error(hits, rayclock::picture_of(plan_.size, last.trace.colours),
+                                        reference.hits, reference.picture);
+            return figures;
+        }
+        figures.error = frame_error(request.scene, hits, reference.hits);
+        if (!request.config.has_instances())
+            figures.cracks = count_cracks(request.scene, film.job(), last.trace.hits, inner_threads_);
+        return figures;
+    }
+
+    void check_memory(Result& r, const MemoryImage& image) {
+        if (r.refused() || !r.clock.is_null()) return;
+        try {
+            check_capacity(image, r.point.config);
+        } catch (const UserError& e) {
+            refuse(r, e.what());
+        }
+    }
+
+    void time(Result& r, const std::vector<FrameTrace>& frames) {
+        if (stopped()) return;
+        const std::vector<FrameTiming> timings = replay(r.point.config, r.point.khz, frames);
+        ClockRun run{r.point.khz, {}};
+        for (std::size_t f = 0; f < timings.size(); ++f)
+            run.frames.push_back(frame_run(frames[f], timings[f]));
+        if (run.partial()) {
+            stopped();
+            return;
+        }
+        r.clock = clock_json(r.point.config, run);
+        cache_.keep("frame", frame_key(r), r.clock);
+        tell(1);
+    }
+
+    void tell(std::size_t more) {
+        const std::lock_guard lock(mutex_);
+        done_ += more;
+        if (progress_ && all_ > 0) progress_("sweep", done_, all_);
+    }
+
+    const Plan& plan_;
+    jobs::Cache& cache_;
+    const Progress& progress_;
+    std::string scene_key_;
+    int cores_ = 1, inner_threads_ = 1;
+    Outcome outcome_;
+    std::map<std::string, Group> groups_;
+    std::vector<std::function<void()>> tasks_;   ///< netlists to be counted, then groups to be traced
+    const Progress stop_ = stopping({});
+    std::once_flag reference_once_;
+    Expected reference_;
+    std::mutex mutex_;
+    std::size_t done_ = 0, all_ = 0;
+};
+
+}   // namespace
+
+Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress) {
+    return Runner(plan, cache, progress).run();
+}
+
+}   // namespace rayclock::sweep

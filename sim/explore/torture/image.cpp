@@ -1,0 +1,261 @@
+#include "sim/explore/torture/image.hpp"
+
+#include <cmath>
+
+#include "model/compile/emit.hpp"
+#include "model/base/axes.hpp"
+#include "model/layout/encode.hpp"
+#include "model/core/payloads.hpp"
+#include "model/engine/none/page.hpp"
+#include "sim/explore/torture/frames.hpp"
+#include "sim/explore/torture/levels.hpp"
+
+namespace rayclock::torture {
+
+namespace {
+
+PrimData triangle(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
+    PrimData t;
+    t.a = a, t.b = b, t.c = c;
+    return t;
+}
+
+PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
+    const auto field = [bits](std::uint64_t part) {
+        return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits));
+    };
+    PrimData s;
+    s.kind = std::uint32_t(PrimKind::sphere);
+    s.a = centre;
+    s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // seen from inside or not
+    return s;
+}
+
+PrimData plane(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
+    PrimData p = triangle(a, b, c);
+    p.kind = std::uint32_t(PrimKind::plane);
+    return p;
+}
+
+PrimData random_triangle(Dice& dice, std::int32_t most) {
+    const Vec3i a = dice.point(most);
+    const std::int32_t reach = std::max(1, most >> (2 * dice.below(5)));
+    Vec3i b = dice.near(a, reach, most),
+          c = dice.percent(20) ? dice.near(b, 1, most) : dice.near(a, reach, most);
+    if (dice.percent(15)) b = dice.point(most), c = dice.point(most);
+    return triangle(a, b, c);
+}
+
+PrimData random_sphere(Dice& dice, const Config& config, std::int32_t most) {
+    const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> (3 * dice.below(3)))));
+    const std::uint64_t square =
+        dice.percent(50) ? radius * radius : radius * radius + std::uint64_t(dice.below(int(radius) + 1));
+    return sphere(dice.percent(50) ? dice.near({}, most / 2, most) : dice.point(most), square,
+                  config.coord_bits);
+}
+
+/// What the surface's type holds, with edges of whole 2^fine steps; see Surface::fine.
+std::uint32_t fine_of(const PrimData& t, const Config& config) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
+    const int least = bits == 0 ? most_fine : __builtin_ctz(bits);
+    return std::uint32_t(std::clamp(std::min(least, config.bary_bits - config.origin_bits), 0, most_fine));
+}
+
+/// So many of those that count.
+template <class Make> std::vector<PrimData> many(int count, const Config& config, const Make& make) {
+    std::vector<PrimData> all;
+    while (int(all.size()) < count)
+        if (const PrimData next = make(); counts(next, config)) all.push_back(next);
+    return all;
+}
+
+}   // namespace
+
+Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look) {
+    Surface s;
+    s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
+    const bool flat = s.kind == std::uint32_t(PrimKind::triangle);
+    if (flat) s.fine = fine_of(prim, config);
+    s.smooth = look != Look::clear && config.smooth && flat && dice.percent(40);
+    for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
+    if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them
+                                                    // apart
+        for (std::size_t side : {0u, 1u}) {
+            s.normal[side] = dice.number(most_of(corner_bits));
+            s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);
+        }
+    if (s.kind == std::uint32_t(PrimKind::plane) && config.panes > 0)
+        s.normal[4] = 1 << dice.below(config.panes);
+    s.checkered = dice.percent(50), s.schlick = dice.percent(30);
+    s.colour = dice.colour(share_bits), s.other = dice.colour(share_bits);
+    s.ambient = dice.share(share_bits), s.diffuse = dice.share(share_bits),
+    s.highlight = dice.share(share_bits);
+    s.mirror = dice.percent(60) ? dice.share(unit_bits) : 0;
+    s.transmit = config.refraction && dice.percent(50) ? dice.share(unit_bits) : 0;
+    const std::uint32_t one = 1u << share_bits;
+    if (look == Look::clear)
+        s.mirror = 1u << (unit_bits - 1), s.transmit = config.refraction ? s.mirror : 0, s.ambient = 100,
+        s.diffuse = s.highlight = s.schlick = 0;
+    if (look == Look::shiny)
+        s.mirror = s.transmit = 0, s.highlight = one,
+        s.shine = std::uint32_t(dice.below(1 << dice.between(6, shine_bits)));
+    if (look == Look::bright)
+        s.mirror = s.transmit = s.diffuse = s.highlight = 0, s.ambient = one,
+        s.colour = {one, one * (s.a[0] & 1), one}, s.other = {};
+    s.r0 = dice.share(unit_bits);
+    s.shine = std::uint32_t(dice.below(1 << dice.between(1, shine_bits)));
+    s.enter = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
+    s.leave = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
+    return s;
+}
+
+std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    std::vector<PrimData> all = many(count, config, [&] {
+        const PrimData flat = random_triangle(dice, most);
+        return config.spheres && dice.percent(25) ? random_sphere(dice, config, most) : flat;
+    });
+    if (config.planes) {
+        const std::int32_t low = -most / 3, square = std::max(4, most / 64);
+        all.push_back(plane({0, low, 0}, {square, low, 0}, {0, low, -square}));
+        all.push_back(plane({-most, -most, -most}, {most, -most, -most + 1}, {-most, -most / 2, most}));
+    }
+    return all;
+}
+
+std::vector<PrimData> walls(const Config& config) {
+    const std::int32_t most = most_of(config.coord_bits), step = std::max(4, most / 256);
+    return {plane({0, -most / 2, 0}, {step, -most / 2, 0}, {0, 1 - most / 2, -step}),
+            plane({0, most / 2, 0}, {step, most / 2 - 1, 0}, {0, most / 2, step}),
+            plane({most - 1, 0, 0}, {most, step, 0}, {most - 1, 0, step})};
+}
+
+std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    const auto end = [&] { return dice.percent(50) ? most : -most; };
+    return many(count, config, [&] {
+        return triangle({end(), end(), end()}, {end(), end(), end()}, {end(), end(), end()});
+    });
+}
+
+PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
+    const std::int32_t side = most_of(config.coord_bits) / 64;
+    const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side},
+                two{0, normal[2] * side, -normal[1] * side};
+    const auto corner = [&](std::int32_t x, std::int32_t y) {
+        return by_axis([&](std::size_t k) { return place[k] + x * one[k] + y * two[k]; });
+    };
+    return triangle(corner(-1, -1), corner(2, -1), corner(-1, 2));
+}
+
+std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    return many(count, config, [&] {
+        const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> dice.between(2, 5))));
+        return sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)),
+                      config.coord_bits);
+    });
+}
+
+PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius) {
+    return sphere(centre, std::uint64_t(radius) * std::uint64_t(radius), config.coord_bits);
+}
+
+std::vector<PrimData> beads(const Config& config, Dice& dice, int count) {
+    return many(count, config, [&] {
+        return sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits);
+    });
+}
+
+std::vector<PrimData> specks(const Config& config, Dice& dice, int count) {
+    const auto place = [&] { return dice.near({}, 3, 3); };
+    return many(count, config, [&] {
+        const Vec3i a = place(), b = place(), c = place();
+        PrimData next = triangle(a, b, c);
+        if (dice.percent(40)) next.b[2] = next.c[2] = next.a[2];
+        if (config.spheres && dice.percent(25))
+            next = sphere(a, std::uint64_t(dice.between(1, 16)), config.coord_bits);
+        return next;
+    });
+}
+
+std::vector<PrimData> mesh(std::int32_t step, int side) {
+    std::vector<PrimData> all;
+    for (const bool again : {false, true})
+        for (int i = 0; i < side * side; ++i) {
+            const int at = again ? side * side - 1 - i : i;
+            const std::int32_t x = (at % side - side / 2) * step, y = (at / side - side / 2) * step;
+            const Vec3i a{x, y, 0}, b{x + step, y, 0}, c{x + step, y + step, 0}, d{x, y + step, 0};
+            if (again)
+                all.push_back(triangle(a, b, d)), all.push_back(triangle(c, d, b));
+            else
+                all.push_back(triangle(a, b, c)), all.push_back(triangle(d, a, c));
+        }
+    return all;
+}
+
+std::vector<PrimData> panes(const Config& config, int count) {
+    const std::int32_t most = most_of(config.coord_bits), side = most / 2;
+    std::vector<PrimData> all;
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t z = most / 4 - i * (most / (2 * count)), tilt = i % 3 == 0   ? 0
+                                                                           : i % 3 == 1 ? most / 32
+                                                                                        : most / 700;
+        const Vec3i a{-side, -side, z}, b{side, -side, z + tilt}, c{side, side, z + tilt}, d{-side, side, z};
+        all.push_back(triangle(a, b, c)), all.push_back(triangle(a, c, d));
+    }
+    return all;
+}
+
+MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
+                     Look look) {
+    if (config.has_instances()) return placed_image(prims, config, dice, name, look);
+    std::vector<PrimData> numbered = prims;
+    for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
+    MemoryImage image = compile_triangles(numbered, config, name);
+    image.lattice.coord_bits = config.coord_bits;
+    if (!config.shading) return image;
+    const std::size_t first = image.lines();
+    check_lines(first + numbered.size(), config, name);
+    image.surfaces = std::uint32_t(first);
+    image.words.resize((first + numbered.size()) * words_per_line, 0);
+    Words scratch;
+    for (std::size_t i = 0; i < numbered.size(); ++i)
+        write_payload(random_surface(numbered[i], config, dice, look), config,
+                      &image.words[(first + i) * words_per_line], scratch);
+    return image;
+}
+
+MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
+                             const char* name, std::uint32_t& root) {
+    const MemoryImage made = image_of(prims, config, dice, name);
+    const std::uint32_t listed = made.listed, all = 1u << config.addr_bits, lines = (listed + 1) / 2;
+    const std::uint32_t page = page_lines(config.node_width);
+    root = (all - lines) / page * page;
+    MemoryImage image = made;
+    image.surfaces = 0;
+    image.words.assign(std::size_t(all) * words_per_line, 0);
+    std::copy(made.words.begin() + std::ptrdiff_t(made.surfaces * words_per_line), made.words.end(),
+              image.words.begin());
+    std::copy_n(made.words.begin(), lines * words_per_line,
+                image.words.begin() + std::ptrdiff_t(root * words_per_line));
+    image.listed = 2 * root + listed;
+    check_lines(made.lines() - made.surfaces + all - root, config, name);
+    return image;
+}
+
+std::vector<PrimData> coarse(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    return many(count, config, [&] {
+        PrimData t = random_triangle(dice, most);
+        const int step = dice.below(7);
+        for (Vec3i* corner : {&t.b, &t.c})
+            for (std::size_t k = 0; k < 3; ++k)
+                (*corner)[k] = t.a[k] + ((*corner)[k] - t.a[k]) / (1 << step) * (1 << step);
+        return t;
+    });
+}
+
+}   // namespace rayclock::torture

@@ -1,0 +1,147 @@
+#include "sim/explore/torture/torture.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "model/base/error.hpp"
+#include "sim/explore/torture/cases.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// The value of Config::mesh_structure.
+int meshes_of(Structure structure) {
+    const auto& names = mesh_structure_names();
+    const auto it = std::find(names.begin(), names.end(), structure_names()[std::size_t(structure)]);
+    return int(it - names.begin());
+}
+
+Config shading_chip() {
+    Config c;
+    c.coord_bits = 14, c.dir_bits = 16, c.t_frac_bits = 3, c.recip_bits = 12, c.box_bits = 5,
+    c.bary_bits = 12, c.origin_bits = far_drop;   // as few as a bounce beyond the lattice may have
+    c.node_width = 4, c.leaf_size = 2, c.contexts = 8, c.stack_depth = 16, c.pipelines = 2, c.tile_bits = 1;
+    c.raygen_queue = 2, c.box_queue = 2, c.tri_queue = 4, c.shade_queue = 4, c.cache_queue = 2;
+    c.node_sets = 2, c.node_ways = 2, c.node_line = 128, c.node_mshrs = 2;
+    c.prim_sets = 2, c.prim_ways = 4, c.prim_line = 64, c.prim_mshrs = 4;
+    c.surf_sets = 2, c.surf_ways = 2, c.surf_line = 256, c.surf_mshrs = 2;
+    c.l2_sets = 4, c.l2_ways = 4, c.l2_line = 128, c.l2_mshrs = 4;
+    c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.horizon = c.supersampling = 1;
+    c.panes = 2;
+    c.lights = 5, c.bounces = 5, c.addr_bits = 9, c.prim_bits = 10, c.pixel_bits = 7;
+    return c;
+}
+
+Config wide_chip() {
+    Config c;
+    c.coord_bits = 18, c.dir_bits = 24, c.t_frac_bits = 6, c.recip_bits = 23, c.box_bits = 8,
+    c.bary_bits = 24, c.origin_bits = 11;
+    c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 2, c.tile_bits = 5;
+    c.timing = int(Timing::fast), c.box_lanes = 2, c.shade_interval = 2;
+    c.tri_queue = 32, c.node_sets = 4, c.node_ways = 4, c.node_mshrs = 8, c.prim_sets = 8, c.prim_ways = 2,
+    c.prim_line = 128, c.prim_mshrs = 4;
+    c.shading = 1, c.surf_sets = 8, c.surf_ways = 1, c.surf_mshrs = 4, c.lights = 3, c.bounces = 1;
+    return c;
+}
+
+Config sheared_chip() {
+    Config c;
+    c.primitive_test = int(PrimitiveTest::sheared);
+    // Short reciprocals of long directions: the slabs' shifts go as far as they can.
+    c.coord_bits = 16, c.dir_bits = 24, c.recip_bits = 8, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 6;
+    c.node_width = 2, c.leaf_size = 3, c.contexts = 4, c.stack_depth = 32, c.tile_bits = 0;
+    // One set: reset is as short as it may be.
+    c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 1, c.prim_ways = 4,
+    c.prim_mshrs = 2;
+    c.box_lanes = 1, c.tri_interval = 2, c.raygen_interval = 4;
+    c.addr_bits = 8;
+    return c;
+}
+
+/// Two levels that shade: rays start at home in an instance. All that rests, rests long.
+Config homes_chip() {
+    Config c = shading_chip();
+    c.structure = int(Structure::kd), c.levels = 2, c.mesh_structure = meshes_of(Structure::bvh);
+    c.coord_bits = 16, c.dir_bits = 18, c.bary_bits = 14, c.origin_bits = 10, c.t_frac_bits = 2;
+    c.xform_interval = 4, c.shade_interval = 4, c.tri_interval = 4, c.raygen_interval = 8, c.box_lanes = 2;
+    c.stack_depth = 32, c.tile_bits = 2, c.addr_bits = 10, c.lights = 3, c.bounces = 3;
+    c.surf_ways = 4;
+    return c;
+}
+
+/// Two levels that do not: planes in any direction above globes, without a rest.
+Config slants_chip() {
+    Config c;
+    c.timing = int(Timing::fast);
+    c.structure = int(Structure::bsp), c.levels = 2, c.mesh_structure = meshes_of(Structure::spheres);
+    c.coord_bits = 15, c.dir_bits = 17, c.recip_bits = 14, c.t_frac_bits = 5, c.bary_bits = 10;
+    c.node_width = 4, c.leaf_size = 2, c.contexts = 16, c.stack_depth = 32, c.xform_interval = 1;
+    c.raygen_queue = 32, c.box_queue = 32, c.tri_queue = 64;
+    c.node_sets = 4, c.node_ways = 2, c.node_line = 128, c.node_mshrs = 2, c.prim_sets = 2, c.prim_ways = 2;
+    c.prim_mshrs = 2, c.addr_bits = 10;
+    return c;
+}
+
+/// No tree, every unit that shades, in the longest stages; addresses as short as they may be.
+Config listed_chip() {
+    Config c = shading_chip();
+    c.structure = int(Structure::none), c.timing = int(Timing::fast), c.shade_interval = 8;
+    c.raygen_interval = 2, c.tri_interval = 1, c.node_width = 2, c.pipelines = 1, c.tile_bits = 3;
+    c.tri_queue = c.shade_queue = 64;   // its pipelines are long
+    c.contexts = 32, c.l2_sets = 0, c.surf_line = 64, c.prim_line = 128, c.prim_sets = 8, c.addr_bits = 8,
+    c.lights = 4, c.bounces = 4;
+    return c;
+}
+
+}   // namespace
+
+namespace {
+struct Chip {
+    const char* name;
+    Config (*make)();
+};
+constexpr Chip chips[] = {{"shading", shading_chip}, {"wide", wide_chip},     {"sheared", sheared_chip},
+                          {"homes", homes_chip},     {"slants", slants_chip}, {"listed", listed_chip}};
+}   // namespace
+
+const std::vector<std::string>& torture_chips() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Chip& chip : chips) all.emplace_back(chip.name);
+        return all;
+    }();
+    return names;
+}
+
+Config torture_chip(const std::string& name) {
+    const auto it =
+        std::find_if(std::begin(chips), std::end(chips), [&](const Chip& c) { return c.name == name; });
+    if (it == std::end(chips)) throw std::logic_error("there is no tortured chip " + name);
+    Config config = it->make();
+    config.name = name;
+    check_config(config, name);
+    return config;
+}
+
+std::vector<TortureCase> torture_cases(const std::string& chip) {
+    return torture::cases_of(torture_chip(chip));
+}
+
+std::vector<FrameTrace> record_torture(const TortureCase& torture) {
+    Job job = torture.job;
+    std::vector<FrameTrace> frames;
+    for (std::size_t f = 0; f < torture.frames.size(); ++f) {
+        Upload upload = f < torture.uploads.size() ? torture.uploads[f] : Upload{};
+        apply(upload, job.image);
+        frames.push_back(record_frame(job, torture.frames[f], 1));
+        frames.back().upload = std::move(upload);
+    }
+    return frames;
+}
+
+LockstepResult run_torture(const TortureCase& torture, const Progress& progress) {
+    return run_lockstep(torture.job, record_torture(torture), torture.traffic, progress, torture.seed);
+}
+
+}   // namespace rayclock

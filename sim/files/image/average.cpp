@@ -1,0 +1,9 @@
+#include "sim/files/image/average.hpp"
+
+#include "sim/files/image/codec.hpp"
+
+namespace rayclock {
+
+glm::vec4 average_colour(const std::string& bytes) { return picture_codec().average(bytes); }
+
+}   // namespace rayclock

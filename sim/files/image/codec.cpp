@@ -1,0 +1,215 @@
+// What knows OpenImageIO: a library of its own, see codec.hpp. It throws nothing that only the program knows.
+#include "sim/files/image/codec.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "sim/files/image/srgb.hpp"
+
+namespace rayclock {
+namespace {
+
+/// A format: the file's header, and how one pixel lies in its own types, packed channel by channel.
+struct Encoding {
+    OIIO::ImageSpec spec;
+    std::function<void(std::size_t pixel, std::byte* to)> put;
+
+    std::size_t pixel_bytes() const { return spec.pixel_bytes(true); }
+    std::size_t row_bytes() const { return pixel_bytes() * std::size_t(spec.width); }
+};
+
+Encoding png(const Picture& picture) {
+    OIIO::ImageSpec spec(picture.size.width, picture.size.height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return {spec,
+            [&](std::size_t i, std::byte* to) { std::memcpy(to, srgb_bytes(picture.pixels[i]).data(), 3); }};
+}
+
+Encoding exr(const Picture& picture, const HitFrame& hits) {
+    OIIO::ImageSpec spec(picture.size.width, picture.size.height, 5, OIIO::TypeHalf);
+    spec.channelnames = {"R", "G", "B", "Z", "id"};
+    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32};
+    spec.z_channel = 3;
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("compression", "zip");
+    constexpr std::size_t z_at = 6, id_at = 10;
+    return {spec, [&](std::size_t i, std::byte* to) {
+                OIIO::convert_pixel_values(OIIO::TypeFloat, &picture.pixels[i], OIIO::TypeHalf, to, 3);
+                std::memcpy(to + z_at, &hits.hits[i].depth, sizeof(float));
+                std::memcpy(to + id_at, &hits.hits[i].primitive, sizeof(std::uint32_t));
+            }};
+}
+
+Encoding encoding_of(const char* plugin, const Picture& picture, const HitFrame& hits) {
+    return std::string_view(plugin) == "png" ? png(picture) : exr(picture, hits);
+}
+
+/// Calls band(first row, row behind the last, their pixels in the file's types) for a few rows at a time,
+/// until one returns false or `stop` is true. False if one did.
+template <class Band>
+bool for_each_band(const Encoding& encoding, const std::function<bool()>& stop, Band&& band) {
+    constexpr int rows = 64;
+    const auto width = std::size_t(encoding.spec.width);
+    std::vector<std::byte> data(encoding.row_bytes() * rows);
+    for (int y = 0; y < encoding.spec.height && (y == 0 || !stop()); y += rows) {
+        const int end = std::min(y + rows, encoding.spec.height);
+        for (std::size_t i = 0; i < std::size_t(end - y) * width; ++i)
+            encoding.put(std::size_t(y) * width + i, &data[i * encoding.pixel_bytes()]);
+        if (!band(y, end, data)) return false;
+    }
+    return true;
+}
+
+// OIIO::TypeUnknown: the data is in the file's own types, so nothing is converted. The strides are always
+// given: with TypeUnknown and default strides, OpenImageIO 2.5.18 writes wrong pixels and reports success.
+
+/// The bytes of a file. Into memory, because the library does not see an error of the last bytes, nor of
+/// closing the file.
+std::string encode(const char* plugin, const Picture& picture, const HitFrame& hits,
+                   const std::function<bool()>& stop) {
+    const Encoding encoding = encoding_of(plugin, picture, hits);
+    const auto output = OIIO::ImageOutput::create(plugin);
+    if (!output) throw std::runtime_error(OIIO::geterror());
+    OIIO::Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
+    const bool good = output->open(std::string("picture.") + plugin, encoding.spec) &&
+                      for_each_band(encoding, stop, [&](int y, int end, const std::vector<std::byte>& data) {
+                          return output->write_scanlines(y, end, 0, OIIO::TypeUnknown, data.data(),
+                                                         OIIO::stride_t(encoding.pixel_bytes()),
+                                                         OIIO::stride_t(encoding.row_bytes()));
+                      });
+    if (!good || (!stop() && !output->close())) throw std::runtime_error(output->geterror());
+    const auto& bytes = memory.buffer();
+    return {bytes.begin(), bytes.end()};
+}
+
+[[noreturn]] void encoded_wrongly(const std::string& where) {
+    throw std::runtime_error("OpenImageIO " OIIO_VERSION_STRING " encoded it wrongly: read back, " + where);
+}
+
+/// Whether both have pixels of the same channels and types, and as many.
+bool have_the_same_pixels(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
+    if (a.width != b.width || a.height != b.height || a.channelnames != b.channelnames) return false;
+    for (int c = 0; c < a.nchannels; ++c)
+        if (a.channelformat(c) != b.channelformat(c)) return false;
+    return true;
+}
+
+void check(const char* plugin, const std::string& bytes, const Picture& picture, const HitFrame& hits,
+           const std::function<bool()>& stop) {
+    const Encoding encoding = encoding_of(plugin, picture, hits);
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::create(plugin);
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec;
+    if (!input->open(std::string("picture.") + plugin, spec)) encoded_wrongly(input->geterror());
+    if (!have_the_same_pixels(spec, encoding.spec)) encoded_wrongly("its header differs");
+    std::vector<std::byte> read;
+    const std::size_t pixel = encoding.pixel_bytes(), row = encoding.row_bytes();
+    for_each_band(encoding, stop, [&](int y, int end, const std::vector<std::byte>& data) {
+        read.resize(data.size());
+        if (!input->read_scanlines(0, 0, y, end, 0, 0, spec.nchannels, OIIO::TypeUnknown, read.data(),
+                                   OIIO::stride_t(pixel), OIIO::stride_t(row)))
+            encoded_wrongly(input->geterror());
+        const auto differ = std::size_t(
+            std::mismatch(read.begin(), read.begin() + std::ptrdiff_t(row) * (end - y), data.begin()).first -
+            read.begin());
+        if (differ < row * std::size_t(end - y))
+            encoded_wrongly("pixel " + std::to_string(differ % row / pixel) + "," +
+                            std::to_string(std::size_t(y) + differ / row) + " differs");
+        return true;
+    });
+}
+
+bool is_floating(OIIO::TypeDesc type) {
+    return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT ||
+           type.basetype == OIIO::TypeDesc::DOUBLE;
+}
+
+/// Integer formats hold sRGB, floating ones linear light: true of what write_picture() writes and of common
+/// use. One or two channels are grey (and alpha); channels beyond the third are not read.
+Picture decode(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > max_frame_side ||
+        spec.height > max_frame_side)
+        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                                 " pixels; at most " + std::to_string(max_frame_side) +
+                                 " a side can be read");
+    const int channels = spec.nchannels >= 3 ? 3 : 1;
+    const bool linear = is_floating(spec.format);
+    Picture picture{{spec.width, spec.height}, {}};
+    picture.pixels.resize(static_cast<std::size_t>(spec.width) * spec.height);
+    std::vector<float> values(picture.pixels.size() * channels);
+    const auto pixel_bytes = OIIO::stride_t(sizeof(float)) * channels;
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeFloat, values.data(), pixel_bytes,
+                           pixel_bytes * spec.width))
+        throw std::runtime_error(input->geterror());
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const float value = values[i * channels + (channels == 3 ? c : 0)];
+            picture.pixels[i][c] = linear ? value : static_cast<float>(linear_from_srgb(value));
+        }
+    return picture;
+}
+
+Texels texels(const std::string& png) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(png.data()), png.size());
+    const auto input = OIIO::ImageInput::create("png");
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open("picture.png", spec, wish)) throw std::runtime_error(input->geterror());
+    if (spec.width > max_frame_side || spec.height > max_frame_side || spec.nchannels < 3)
+        throw std::runtime_error("its size or its channels are no frame's");
+    Texels all{{spec.width, spec.height}, {}};
+    all.rgba.assign(std::size_t(spec.width) * std::size_t(spec.height), {0, 0, 0, 255});
+    if (!input->read_image(0, 0, 0, std::min(spec.nchannels, 4), OIIO::TypeUInt8, all.rgba.data(), 4,
+                           OIIO::stride_t(4) * spec.width))
+        throw std::runtime_error(input->geterror());
+    return all;
+}
+
+/// Row by row, so that a large picture takes little memory; sums in the order of the rows.
+glm::vec4 average(const std::string& bytes) {
+    const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8");
+    if (!is_png && !is_jpeg) throw std::runtime_error("it is neither PNG nor JPEG");
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::create(is_png ? "png" : "jpeg");
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(is_png ? "texture.png" : "texture.jpg", spec, wish))
+        throw std::runtime_error(input->geterror());
+    constexpr std::int64_t most_texels = std::int64_t{1} << 26;
+    if (std::int64_t{spec.width} * spec.height > most_texels)
+        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                                 " texels are too many");
+    const int channels = spec.nchannels;
+    std::vector<float> row(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels));
+    double sum[4] = {};
+    for (int y = 0; y < spec.height; ++y) {
+        if (!input->read_scanline(y, 0, OIIO::TypeFloat, row.data()))
+            throw std::runtime_error(input->geterror());
+        for (int x = 0; x < spec.width; ++x) {
+            const float* texel = &row[static_cast<std::size_t>(x * channels)];
+            for (int c = 0; c < 3; ++c) sum[c] += linear_from_srgb(texel[channels >= 3 ? c : 0]);
+            sum[3] += channels == 4 ? texel[3] : channels == 2 ? texel[1] : 1;
+        }
+    }
+    const double texels = double(spec.width) * spec.height;
+    return {float(sum[0] / texels), float(sum[1] / texels), float(sum[2] / texels), float(sum[3] / texels)};
+}
+
+}   // namespace
+}   // namespace rayclock
+
+extern "C" const rayclock::PictureCodec rayclock_picture_codec{
+    rayclock::encode, rayclock::check, rayclock::decode, rayclock::texels, rayclock::average};

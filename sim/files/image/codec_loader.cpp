@@ -1,0 +1,58 @@
+#include "sim/files/image/codec.hpp"
+
+#include <filesystem>
+#include <new>
+#include <vector>
+
+#include <dlfcn.h>
+
+#include "model/base/error.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* file_name = "rayclock_pictures.so";
+
+/// Beside the program, where an installed one has its libraries, and where it was built.
+std::vector<fs::path> places() {
+    std::error_code error;
+    const fs::path own = fs::read_symlink("/proc/self/exe", error).parent_path();
+    return {own / file_name, own.parent_path() / RAYCLOCK_LIBRARY_DIR / "rayclock" / file_name,
+            fs::path(RAYCLOCK_CODEC_DIR) / file_name};
+}
+
+const PictureCodec& load() {
+    std::string complaint = "it is missing";
+    for (const fs::path& place : places()) {
+        std::error_code error;
+        if (!fs::exists(place, error)) continue;
+        if (void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL))
+            if (const void* codec = dlsym(library, "rayclock_picture_codec"))
+                return *static_cast<const PictureCodec*>(codec);
+        complaint = dlerror();
+        // The loader's words for a lack of address space.
+        for (const char* words : {"failed to map segment", "annot allocate memory", "annot create"})
+            if (complaint.find(words) != complaint.npos) throw std::bad_alloc();
+        break;
+    }
+    throw UserError(std::string("pictures cannot be read or written without the program's library ") +
+                    file_name + ": " + complaint);
+}
+
+const PictureCodec* stand_in = nullptr;
+
+}   // namespace
+
+const PictureCodec& picture_codec() {
+    if (stand_in) return *stand_in;
+    static const PictureCodec& codec = load();
+    return codec;
+}
+
+StandInCodec::StandInCodec(const PictureCodec& codec) { stand_in = &codec; }
+StandInCodec::~StandInCodec() { stand_in = nullptr; }
+
+}   // namespace rayclock

@@ -1,9 +1,0 @@
-#include "sim/image/average.hpp"
-
-#include "sim/image/codec.hpp"
-
-namespace rayclock {
-
-glm::vec4 average_colour(const std::string& bytes) { return picture_codec().average(bytes); }
-
-}   // namespace rayclock

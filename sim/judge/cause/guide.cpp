@@ -1,0 +1,616 @@
+#include "sim/judge/cause/guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "model/compile/levels/maps.hpp"
+#include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/cause/camera_ray.hpp"
+#include "sim/judge/cause/tie.hpp"
+#include "sim/judge/paths/steps.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
+/// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
+constexpr double most_turned = (8.5 + 0.75) * most_stretch;
+
+constexpr const char* shaded_by_double = "a sphere is shaded by a second one at the same place";
+
+glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
+    return lattice.centre + lattice.pitch * steps;
+}
+
+std::string name_of(std::uint32_t primitive) {
+    return primitive == no_primitive ? "nothing" : "primitive " + std::to_string(primitive);
+}
+
+double chord(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b); }
+
+}   // namespace
+
+void Guide::fail(std::string what) {
+    if (finding_.fault.empty()) finding_.fault = std::move(what);
+}
+
+glm::dvec3 Guide::point(const Vec3l& p, int frac) const {
+    const glm::dvec3 steps(std::ldexp(double(p[0]), -frac), std::ldexp(double(p[1]), -frac),
+                           std::ldexp(double(p[2]), -frac));
+    return rules_.reference.geometry().space()(units_of(rules_.asked.lattice, steps));
+}
+
+glm::dvec3 Guide::direction(const Vec3i& d) const {
+    return glm::normalize(glm::dvec3(d[0], d[1], d[2]) * rules_.asked.lattice.pitch);
+}
+
+double Guide::step() const {
+    return rules_.asked.lattice.coarsest() * rules_.reference.geometry().space().scale;
+}
+
+bool Guide::is_turned(const MachineVisit& at) const {
+    if (!rules_.placed || !at.hit.found) return false;
+    const std::uint32_t place = rules_.placed->place_of(at.hit.prim);
+    return place != oracle::PlacedRay::nowhere && !rules_.placed->is_same(place);
+}
+
+/// How far the machine's unit normal may lie from the true one: unit_vector()'s bound, and where an instance
+/// turns it that bound as the map stretches it, and once more.
+double Guide::normal_error(const MachineVisit& at) const {
+    if (!is_turned(at)) return vector_error;
+    const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
+    glm::dmat3 map(1);
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) map[k][i] = double(a[std::size_t(3 * i + k)]);
+    const glm::dmat3 back = glm::inverse(map);
+    double size = 0, other = 0;
+    for (int i = 0; i < 3; ++i) size += glm::dot(map[i], map[i]), other += glm::dot(back[i], back[i]);
+    return std::min(2.0, 2 * std::sqrt(size * other) * vector_error + vector_error);
+}
+
+// ---- Rays.
+
+void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
+    at_.assign(1, sample < path_.samples.size() ? path_.samples[sample] : MachineVisit::none);
+    const MachineVisit* at = visit();
+    if (!at) return fail("the machine took fewer samples than the pixel has");
+    ++visited_;
+    if (!goes_through(rules_.asked, rules_.rays, path.direction, at->ray.d))
+        fail("the camera ray does not go through its sample");
+    path.direction = direction(at->ray.d);
+}
+
+/// The machine compares its own colours, each of which lies within sample_width_ of the reference's, and the
+/// register for the contrast is rounded up.
+bool Guide::ends(std::uint32_t samples, double difference, bool own) {
+    const bool machine = path_.samples.size() <= samples;
+    if (machine == own) return machine;
+    if (std::abs(difference - rules_.contrast) <= 2 * sample_width_ + unit_step)
+        tie();
+    else
+        fail(machine ? "the pixel ends though its first samples differ"
+                     : "the pixel goes on though its first samples are alike");
+    return machine;
+}
+
+std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest& own,
+                                          std::uint32_t wanted) const {
+    const RefGeometry& geometry = rules_.reference.geometry();
+    std::optional<RefClosest> found;
+    const auto is_as_deep = [&](const RefClosest& hit) {
+        return std::abs(hit.depth - own.depth) <= 4 * tie_size * (1 + own.depth);
+    };
+    const auto look = [&](const RefPath& moved) {
+        const RefClosest hit = geometry.closest(moved);
+        if (hit.primitive != wanted) return false;
+        found = hit;
+        return true;
+    };
+    if (any_moved(path, look)) return found;
+    if (wanted == no_primitive) return std::nullopt;
+    const auto look_deep = [&](const RefPath& moved) {
+        const RefClosest hit = geometry.only(moved, wanted);
+        if (hit.primitive != wanted || !is_as_deep(hit)) return false;
+        found = hit;
+        return true;
+    };
+    if (look_deep(path) || any_moved(path, look_deep)) return found;
+    return std::nullopt;
+}
+
+/// The machine's point is rounded: it lies slightly off its sphere, or near a crease beyond the other
+/// surface. The path from where the reference has it, to the same end.
+RefPath Guide::from_own(const RefPath& path, double distance) const {
+    const std::size_t depth = std::isfinite(distance) ? at_.size() : at_.size() - 1;   // a bounce left the
+                                                                                       // one before
+    RefPath moved = path;
+    if (depth == 0 || depth > moved_.size()) return moved;
+    moved.from -= moved_[depth - 1];
+    if (std::isfinite(distance))
+        moved.direction = glm::normalize(path.from + distance * path.direction - moved.from);
+    return moved;
+}
+
+/// Where a ray meets a sphere the machine rounds a root (model/unit/isect/any.hpp): what is closer by less may
+/// win.
+double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
+    const Scene& scene = rules_.scene;
+    const Config& config = rules_.asked.config;
+    if (primitive < scene.triangles.size() || primitive >= scene.triangles.size() + scene.spheres.size())
+        return 0;
+    const Vec3i& d = at.ray.d;
+    const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
+                 radius = scene.spheres[primitive - scene.triangles.size()].radius /
+                          rules_.asked.lattice.coarsest();
+    return 9 * std::exp2(1 - config.dir_bits - config.t_frac_bits) * length +
+           2 * radius * std::exp2(1 - root_bits) + 3 * std::exp2(-config.origin_frac());
+}
+
+/// Two spheres with one centre and one radius. By the reference's rules a ray that leaves the first does not
+/// meet the second there; the machine knows the sphere that is left by its number alone, and its rounded
+/// point may lie on either side of the other.
+bool Guide::are_doubles(std::uint32_t a, std::uint32_t b) const {
+    const std::size_t first = rules_.scene.triangles.size();
+    const auto is_sphere = [&](std::uint32_t p) {
+        return p >= first && p < first + rules_.first_alike.size();
+    };
+    return a != b && is_sphere(a) && is_sphere(b) &&
+           rules_.first_alike[a - first] == rules_.first_alike[b - first];
+}
+
+bool Guide::has_double(std::uint32_t primitive) const {
+    const std::size_t first = rules_.scene.triangles.size();
+    if (primitive < first || primitive >= first + rules_.first_alike.size()) return false;
+    const std::uint32_t group = rules_.first_alike[primitive - first];
+    return std::count(rules_.first_alike.begin(), rules_.first_alike.end(), group) > 1;
+}
+
+bool Guide::is_shaded_by_double(const RefPath& path, double distance) const {
+    if (!has_double(path.left)) return false;
+    const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
+    return !blockers.empty() && std::all_of(blockers.begin(), blockers.end(),
+                                            [&](std::uint32_t b) { return are_doubles(path.left, b); });
+}
+
+bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
+    if (!at.hit.found || own.primitive == no_primitive) return false;
+    const double most = (sphere_error(at, own.primitive) + sphere_error(at, at.hit.prim)) * step();
+    const RefClosest other = rules_.reference.geometry().only(path, at.hit.prim);
+    return most > 0 && other.primitive != no_primitive && other.depth - own.depth <= most;
+}
+
+/// From beyond the lattice the machine's ray begins where it comes into the lattice; what it passes before is
+/// not looked for.
+bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
+    if (at.parent < 0) return false;
+    const MachineVisit& from = path_.visits[std::size_t(at.parent)];
+    if (!from.state.far || at.ray.partial) return false;
+    const Scene& scene = rules_.scene;
+    if (own.primitive == no_primitive || own.primitive < scene.triangles.size() + scene.spheres.size())
+        return false;
+    const double entry = glm::length(
+        point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, rules_.asked.config.origin_frac()) - path.from);
+    return own.depth <= entry + step();
+}
+
+/// The machine's hit, from which the path goes on.
+RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
+    is_substituted_ = true;
+    if (!at.hit.found) return {};
+    RefClosest hit = rules_.reference.geometry().only(path, at.hit.prim);
+    if (hit.primitive != no_primitive) return hit;
+    hit.primitive = at.hit.prim;
+    if (at.hit.prim < rules_.scene.triangles.size()) {
+        const std::array<double, 2> w = weights(at);
+        hit.u = w[0], hit.v = w[1];
+    }
+    hit.depth = glm::length(point(at.state.o, rules_.asked.config.origin_frac()) - path.from);
+    return hit;
+}
+
+/// A ray that passes by the lattice as the machine sends it: its origin has lost its last far_drop bits.
+RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
+    const int frac = rules_.asked.config.origin_frac() - far_drop;
+    RefPath moved = path;
+    moved.from = point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, frac);
+    if (chord(moved.from, path.from) > 1.7320509 * std::exp2(-frac) * step() * (1 + tie_size))
+        fail("a ray that passes by the lattice begins at another point");
+    return moved;
+}
+
+RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
+    const MachineVisit* at = visit();
+    const Scene& scene = rules_.scene;
+    const bool is_far = at && at->ray.partial;
+    const RefPath path = is_far ? from_far(sent, *at) : sent;
+    const RefClosest own = is_far ? rules_.reference.geometry().closest(path) : closest;
+    if (!at) {   // the machine sent no ray: it passes by the lattice, and takes the background
+        const bool is_plane = own.primitive >= scene.triangles.size() + scene.spheres.size();
+        if (own.primitive == no_primitive) return own;
+        if (is_plane)
+            finding_.has_horizon = true;
+        else
+            fail("the machine sends no ray, and one would meet " + name_of(own.primitive));
+        return {};
+    }
+    const std::uint32_t wanted = at->hit.found ? at->hit.prim : no_primitive;
+    is_substituted_ = false;
+    if (are_doubles(path.left, wanted)) {   // the reference may have left it out: then it is never met
+        const RefClosest met = rules_.reference.geometry().only(path, wanted);
+        if (met.primitive != wanted || met.depth <= 2 * sphere_error(*at, wanted) * step() + tie_size)
+            fail("a ray that leaves a sphere meets a second one at the same place");
+    }
+    if (own.primitive == wanted) return own;
+    for (const RefPath& from : {path, from_own(path, HUGE_VAL)})
+        if (const std::optional<RefClosest> hit = find_tie(from, own, wanted)) {
+            tie();
+            is_substituted_ = true;
+            return *hit;
+        }
+    if (is_within_root(path, own, *at)) {
+        tie();
+        return rules_.reference.geometry().only(path, wanted);
+    }
+    if (is_beyond_horizon(path, own, *at)) {
+        finding_.has_horizon = true;
+        return as_machine(path, *at);
+    }
+    if (rules_.seams && rules_.seams->look(at->ray, at->hit) != RayFinding::none) {
+        finding_.has_seam = true;
+        return as_machine(path, *at);
+    }
+    fail("a ray meets " + name_of(wanted) + ", and by the reference's rules " + name_of(own.primitive));
+    return as_machine(path, *at);
+}
+
+// ---- Surfaces.
+
+/// Corner normals have corner_bits bits, of the space in which memory has the triangle; the longest of the
+/// three fills them.
+void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const {
+    glm::dmat3 map(1);   // x in the mesh = map x in the scene, in steps
+    if (is_turned(at)) {
+        const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                map[k][i] = std::ldexp(double(a[std::size_t(3 * i + k)]), -rules_.asked.config.map_frac());
+    }
+    const glm::dmat3 forth = glm::transpose(map), back = glm::inverse(forth);
+    double longest = 0;
+    for (glm::dvec3& n : normals) n = back * n, longest = std::max(longest, glm::length(n));
+    if (!(longest > 0)) return;
+    const double most = std::exp2(corner_bits - 1) - 1;
+    for (glm::dvec3& n : normals) n = forth * (glm::round(n * (most / longest)) * (longest / most));
+}
+
+std::array<double, 2> Guide::weights(const MachineVisit& at) const {
+    const bool has_inner = rules_.placed != nullptr;
+    const int frac = rules_.asked.config.origin_frac();
+    const Vec3l& p = has_inner ? at.state.inner : at.state.o;
+    const auto of = [](const Vec3i& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    const glm::dvec3 a = of(at.surface.a), e1 = of(at.surface.b) - a, e2 = of(at.surface.c) - a,
+                     way = glm::dvec3(std::ldexp(double(p[0]), -frac), std::ldexp(double(p[1]), -frac),
+                                      std::ldexp(double(p[2]), -frac)) -
+                           a,
+                     n = glm::cross(e1, e2);
+    const double square = glm::dot(n, n);
+    std::array<double, 2> w{glm::dot(glm::cross(way, e2), n) / square,
+                            glm::dot(glm::cross(e1, way), n) / square};
+    if (rules_.placed && rules_.placed->is_mirrored(rules_.placed->place_of(at.hit.prim)))
+        std::swap(w[0], w[1]);
+    return w;
+}
+
+/// u and v are rounded down, then to origin_bits (and `fine`), and moved off the border by two units at most.
+void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
+    const MachineVisit* at = visit();
+    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
+    const Config& config = rules_.asked.config;
+    const std::array<double, 2> w = weights(*at);
+    const double unit = std::exp2(-config.origin_bits - int(at->surface.fine)),
+                 most = std::exp2(-config.bary_bits) + 2.5 * unit + tie_size;
+    if (!is_turned(*at) && (std::abs(w[0] - hit.u) > most || std::abs(w[1] - hit.v) > most))
+        fail("rays leave from another point of the triangle than the one that was hit");
+    hit.u = w[0], hit.v = w[1];
+    round_normals(*at, normals);
+}
+
+glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const glm::dvec3& own) {
+    const MachineVisit* at = visit();
+    if (!at || !at->hit.found || at->hit.prim != hit.primitive || !material.checkered) return own;
+    glm::dvec3 seen(0);
+    for (int k = 0; k < 3; ++k) seen[k] = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits);
+    const double unit = std::exp2(-share_bits);
+    const auto is = [&](const glm::dvec3& colour) {
+        return glm::all(glm::lessThanEqual(glm::abs(seen - colour), glm::dvec3(unit)));
+    };
+    if (is(own)) return own;
+    // Squares: the machine counts sides, each half or twice a square's as often as it takes (plane.hpp), to
+    // bary_bits; where sides end, or squares are finer than that, it takes the average.
+    const Scene& scene = rules_.scene;
+    const Plane& plane = scene.planes[hit.primitive - scene.triangles.size() - scene.spheres.size()];
+    const auto of = [](const Vec3i& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    const glm::dvec3 pitch = rules_.asked.lattice.pitch;
+    const double side_u = glm::length((of(at->surface.b) - of(at->surface.a)) * pitch) / glm::length(plane.u),
+                 side_v = glm::length((of(at->surface.c) - of(at->surface.a)) * pitch) / glm::length(plane.v),
+                 fine = std::exp2(-rules_.asked.config.bary_bits);
+    const auto is_near = [&](double x, double side) {
+        return std::abs(x - std::round(x)) <= fine * side + 0x1p-36 * (1 + std::abs(x));
+    };
+    const bool is_average = is(0.5 * (material.colour + material.other)),
+               is_either = is(material.colour) || is(material.other);
+    const bool is_fine = std::max(side_u, side_v) * fine > 0.25;
+    if ((is_average && (at->state.lost || is_fine)) ||
+        (is_either && (is_near(hit.u, side_u) || is_near(hit.v, side_v)))) {
+        tie();
+        return seen;
+    }
+    fail("a plane has another square's colour");
+    return own;
+}
+
+void Guide::place(RefSurface& surface) {
+    const MachineVisit* at = visit();
+    if (!at || !at->hit.found || at->hit.prim != surface.primitive) return;
+    if (at->state.lost) {
+        finding_.has_lost = true;
+        return;
+    }
+    const Config& config = rules_.asked.config;
+    const glm::dvec3 machine = point(at->state.o, config.origin_frac());
+    moved_.resize(at_.size());
+    moved_.back() = machine - surface.position;
+    if (is_substituted_) {
+        surface.position = machine;
+        return;
+    }
+    const double grain = std::exp2(-config.origin_frac()),
+                 double_slack = 4 * tie_size * (1 + glm::length(machine));
+    double most = 0;
+    const auto kind = PrimKind(at->surface.kind);
+    const auto edge = [&](const Vec3i& from, const Vec3i& to) {
+        const double x = double(to[0]) - from[0], y = double(to[1]) - from[1], z = double(to[2]) - from[2];
+        return std::sqrt(x * x + y * y + z * z);
+    };
+    const Vec3i& d = at->ray.d;
+    const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
+                 tick = std::exp2(1 - config.dir_bits - config.t_frac_bits) * length;
+    if (is_turned(*at)) {
+        // The point lies on the scene's ray, and the triangle where its instance's ray meets it.
+        const glm::dvec3 off = (machine - surface.position) / step(), way = direction(d);
+        if (glm::length(off - glm::dot(off, way) * way) > 2 * grain + tick + double_slack / step() ||
+            std::abs(glm::dot(off, surface.flat)) > most_turned)
+            fail("rays leave from another point than the one that was hit");
+        surface.position = machine;
+        return;
+    } else if (kind == PrimKind::sphere) {
+        most = sphere_error(*at, surface.primitive);
+    } else {
+        const double unit =
+            std::exp2(-config.bary_bits) +
+            (kind == PrimKind::plane ? 0.5 : 2.5) * std::exp2(-config.origin_bits - int(at->surface.fine));
+        most = unit * (edge(at->surface.a, at->surface.b) + edge(at->surface.a, at->surface.c)) + grain;
+    }
+    if (chord(machine, surface.position) > most * step() + double_slack)
+        fail("rays leave from another point than the one that was hit");
+    surface.position = machine;
+    if (kind == PrimKind::sphere) {
+        const Sphere& s = rules_.scene.spheres[surface.primitive - rules_.scene.triangles.size()];
+        const glm::dvec3 out = glm::normalize(machine - rules_.reference.geometry().space()(s.centre));
+        surface.flat = surface.normal = surface.is_inside ? -out : out;
+    }
+}
+
+// ---- Lights.
+
+bool Guide::counts(std::size_t light, double side, double lambert) {
+    const MachineVisit* at = visit();
+    const bool own = side > 0 && lambert > 0;
+    if (!at) return own;
+    if (light >= at->lights.size()) {
+        fail("a light is left out");
+        return own;
+    }
+    const MachineLight& seen = at->lights[light];
+    const bool machine = seen.is_asked || seen.is_lit;
+    if (machine == own) return own;
+    const bool is_exact = !is_turned(*at) && !at->state.far && !(rules_.placed && at->state.far) &&
+                          rules_.asked.frame.shade.near[light] != 0;
+    const double side_error =
+        is_exact ? 4 * tie_size : 2 * vector_error + std::exp2(2 - rules_.asked.config.dir_bits);
+    const double error = normal_error(*at) + vector_error + unit_step;
+    const bool is_close = std::abs(side) <= side_error || std::abs(lambert) <= error;
+    if (is_close) {
+        tie();
+        return machine;
+    }
+    if (machine) {
+        fail("a light counts that lies behind the surface");
+        return true;
+    }
+    if (at->state.far) return true;   // the machine takes it for hidden: is_blocked() looks
+    fail("a light that the surface faces does not count");
+    return own;
+}
+
+bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) const {
+    const RefGeometry& geometry = rules_.reference.geometry();
+    const auto look = [&](const RefPath& moved) {
+        for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size})
+            if (geometry.is_blocked(moved, distance * scale) == wanted) return true;
+        return false;
+    };
+    return look(path) || any_moved(path, look);
+}
+
+/// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies, and of a
+/// pane the path: what is seen through another plane that transmits may have another light (docs/origins.md,
+/// Points of a plane beyond the lattice).
+bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
+                                     const MachineVisit& at) const {
+    const Scene& scene = rules_.scene;
+    const auto transmitting =
+        std::count_if(scene.planes.begin(), scene.planes.end(),
+                      [&](const Plane& plane) { return scene.materials[plane.material].transmit > 0; });
+    const bool is_beyond = rules_.asked.frame.shade.near[light] == 0;
+    if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
+    if (at.state.far && is_beyond && !at.lights[light].is_lit) {
+        const RefClosest behind = rules_.reference.geometry().closest(path);
+        if (behind.primitive != no_primitive && behind.depth > distance) return true;
+    }
+    const Vec3i& eye = rules_.asked.frame.eye;
+    const glm::dvec3 from = units_of(rules_.asked.lattice, {eye[0], eye[1], eye[2]});
+    const bool holds_eye = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
+        return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
+    });
+    if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
+    if (transmitting <= rules_.asked.config.panes || (!at.state.far && !is_beyond)) return false;
+    const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
+    return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
+        return primitive >= scene.triangles.size() + scene.spheres.size();
+    });
+}
+
+bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, bool own) {
+    const MachineVisit* at = visit();
+    if (!at || light >= at->lights.size()) return own;
+    const MachineLight& seen = at->lights[light];
+    const bool machine = !seen.is_lit;
+    if (machine && is_shaded_by_double(path, distance)) fail(shaded_by_double);
+    if (machine == own) return own;
+    if (is_blocking_tied(path, distance, machine) ||
+        is_blocking_tied(from_own(path, distance), distance, machine)) {
+        tie();
+        return machine;
+    }
+    if (seen.is_asked && RayKind(seen.ray.kind) == RayKind::away) {
+        // Its direction is that of a unit vector, rounded; it begins at the light or at the surface.
+        const bool from_light = rules_.asked.frame.shade.near[light] != 0;
+        const glm::dvec3 turned = (from_light ? -1.0 : 1.0) * direction(seen.ray.d);
+        if (chord(turned, path.direction) > 2 * vector_error + std::exp2(3 - rules_.asked.config.dir_bits)) {
+            fail("a shadow ray does not lead to its light");
+            return machine;
+        }
+        RefPath moved = path;
+        if (from_light) moved.from = path.from + distance * path.direction - distance * turned;
+        moved.direction = turned;
+        if (is_blocking_tied(moved, distance, machine)) return machine;
+    }
+    if (seen.is_asked && rules_.seams) {
+        Closest answer;
+        answer.found = machine;
+        if (rules_.seams->look(seen.ray, answer) != RayFinding::none) {
+            finding_.has_seam = true;
+            return machine;
+        }
+    }
+    if (is_hidden_beyond_horizon(light, path, distance, *at)) {
+        finding_.has_horizon = true;
+        return machine;
+    }
+    fail(machine && has_double(path.left) ? shaded_by_double
+         : machine                        ? "a light is hidden that nothing hides by the reference's rules"
+                   : "a light is seen through something that hides it by the reference's rules");
+    return machine;
+}
+
+// ---- Bounces.
+
+bool Guide::is_total(const RefSurface&, double ratio, double cosine, bool own) {
+    const MachineVisit* at = visit();
+    if (!at) return own;
+    const bool machine = at->state.total != 0;
+    if (machine == own) return own;
+    const double error = normal_error(*at) + vector_error + unit_step, index = 0.5 * std::exp2(-index_frac);
+    const auto rest = [](double r, double c) { return 1 - r * r * (1 - c * c); };
+    const double least = rest(ratio + index, std::max(0.0, cosine - error)),
+                 most = rest(std::max(0.0, ratio - index), std::min(1.0, cosine + error));
+    if (least <= 0 && most >= 0)
+        tie();
+    else
+        fail("total reflection was decided otherwise");
+    return machine;
+}
+
+/// R = 2 (N . V) N - V: the normal's error counts four times, the view's once. A refracted ray's comes from
+/// both cosines, which near the critical angle are wide open.
+double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) const {
+    const double n = normal_error(at), full = std::exp2(rules_.asked.config.dir_bits - 2);
+    const double grain = 1.7320509 * (1.5 * unit_step + 1 / full);
+    if (bounce.kind == RefBounce::Kind::reflected) return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
+    const double error = n + vector_error + unit_step, index = 0.5 * std::exp2(-index_frac) + unit_step;
+    const auto bent = [&](double r, double c) {
+        return r * c - std::sqrt(std::max(0.0, 1 - r * r * (1 - c * c)));
+    };
+    const double r = bounce.ratio, c = bounce.cosine, middle = bent(r, c);
+    double wide = 0;
+    for (const double dr : {-index, index})
+        for (const double dc : {-error, error})
+            wide =
+                std::max(wide, std::abs(bent(std::max(0.0, r + dr), std::clamp(c + dc, 0.0, 1.0)) - middle));
+    const double root = std::sqrt(4 * r * r * error + 4 * r * index);   // where the middle is far from flat
+    const double rest = 1 - r * r * (1 - c * c);
+    if (rest < 16 * r * r * error) wide = std::max(wide, root);
+    return 2 * (wide + (1 + std::abs(middle)) * n + r * vector_error + index + grain);
+}
+
+bool Guide::goes(RefBounce& bounce) {
+    const bool is_reflected = bounce.kind == RefBounce::Kind::reflected;
+    const double side = (is_reflected ? 1 : -1) * glm::dot(bounce.direction, bounce.surface.flat);
+    const bool own = bounce.weighs_enough && side > 0;
+    const MachineVisit* at = visit();
+    if (!at) return own;
+    const int child = is_reflected ? at->reflected : at->refracted;
+    const double error = direction_error(bounce, *at);
+    const bool is_weight_close =   // docs/shading.md, Weights and threshold
+        std::abs(bounce.weight - rules_.asked.frame.shade.threshold * std::exp2(-unit_bits - 1)) <=
+        (4 * double(at_.size()) + 1) * unit_step;
+    const bool is_side_close = std::abs(side) <= error;
+    if (child == MachineVisit::none) {
+        if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // by the lattice: met() looks
+            if (rules_.asked.config.horizon && !at->state.lost)
+                fail("a bounce beyond the lattice is not sent");
+            if (!own) tie();
+            return true;
+        }
+        if (!own) return false;
+        if (is_weight_close || is_side_close) {
+            tie();
+            return false;
+        }
+        fail(is_reflected ? "a reflected ray is missing" : "a refracted ray is missing");
+        return false;
+    }
+    if (!own && !is_side_close && !(bounce.weighs_enough || is_weight_close)) {
+        fail("a bounce of too little weight is sent");
+    } else if (!own && !is_side_close && side <= 0) {
+        fail("a bounce leaves on the wrong side");
+    } else if (!own) {
+        tie();
+    }
+    const glm::dvec3 machine = direction(path_.visits[std::size_t(child)].ray.d);
+    if (chord(machine, bounce.direction) > error)
+        fail(is_reflected ? "a reflected ray goes elsewhere" : "a refracted ray goes elsewhere");
+    bounce.direction = machine;
+    return true;
+}
+
+void Guide::enter(RefBounce::Kind kind) {
+    const MachineVisit* at = visit();
+    at_.push_back(!at                                  ? MachineVisit::none
+                  : kind == RefBounce::Kind::reflected ? at->reflected
+                                                       : at->refracted);
+    if (at_.back() != MachineVisit::none) ++visited_;
+}
+
+void Guide::finish() {
+    if (visited_ != path_.visits.size()) fail("the machine follows a ray that the reference does not send");
+}
+
+}   // namespace rayclock

@@ -1,0 +1,42 @@
+#pragma once
+// What doubles cannot tell: a ray and the same ray, moved by next to nothing.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "sim/judge/reference/ray.hpp"
+
+namespace rayclock {
+
+/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far
+/// below a step of any lattice.
+constexpr double tie_size = 0x1p-34;
+
+inline glm::dvec3 across(const glm::dvec3& d) {
+    const glm::dvec3 size = glm::abs(d);
+    const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+                            : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
+                                                                 : glm::dvec3(0, 0, 1);
+    return glm::normalize(glm::cross(d, axis));
+}
+
+/// The path, turned and moved by next to nothing in sixteen manners: try_path(path) until one is taken.
+template <class Try> bool any_moved(const RefPath& path, const Try& try_path) {
+    const glm::dvec3 right = across(path.direction), up = glm::cross(path.direction, right);
+    const double size =
+        tie_size * (1 + std::max({std::abs(path.from.x), std::abs(path.from.y), std::abs(path.from.z)}));
+    for (int i = 0; i < 16; ++i) {
+        const double angle = (0.5 + i) * 0.39269908169872414;   // an eighth of a turn, twice round
+        const glm::dvec3 off = std::cos(angle) * right + std::sin(angle) * up;
+        RefPath moved = path;
+        if (i < 8)
+            moved.direction = glm::normalize(path.direction + tie_size * off);
+        else
+            moved.from += size * off + (i % 2 ? size : -size) * path.direction;
+        if (try_path(moved)) return true;
+    }
+    return false;
+}
+
+}   // namespace rayclock

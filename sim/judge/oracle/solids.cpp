@@ -1,0 +1,252 @@
+#include "sim/judge/oracle/solids.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "model/base/axes.hpp"
+
+namespace rayclock::oracle {
+
+namespace {
+
+using Short = std::int64_t;
+
+int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+/// From the origin to a lattice point, in units of 2^-frac.
+Triple<Short> from_origin(const SolidRay& ray, const Vec3i& p) {
+    return by_axis([&](std::size_t k) { return Short(p[k]) * (Short(1) << ray.frac) - ray.origin[k]; });
+}
+
+/// The plane through three points, as the ray meets it: num / den directions away, times 2^frac; den < 0:
+/// from the side to which the normal does not point.
+struct Height {
+    Int128 num, den;
+};
+Height height(const SolidRay& ray, const Corners& t) {
+    const Triple<Short> n = normal<Short>(t);
+    return {volume<Int128>(from_origin(ray, t.a), n), volume<Int128>(triple<Short>(ray.direction), n)};
+}
+
+/// The direction, the corners from the origin, and the volumes of the direction over pairs of them.
+struct Seen {
+    Triple<Short> d, a, b, c;
+    Int128 bc, ca, ab;
+    Seen(const SolidRay& ray, const Corners& t)
+        : d(triple<Short>(ray.direction)),
+          a(from_origin(ray, t.a)),
+          b(from_origin(ray, t.b)),
+          c(from_origin(ray, t.c)),
+          bc(volume<Int128>(d, area(b, c))),
+          ca(volume<Int128>(d, area(c, a))),
+          ab(volume<Int128>(d, area(a, b))) {}
+    /// The moved ray's line passes between the edges.
+    bool within_edges() const {
+        if ((bc > 0 && ca < 0) || (bc < 0 && ca > 0)) return false;   // most end here
+        const int first = side(bc, d, b, c);
+        return first != 0 && side(ca, d, c, a) == first && side(ab, d, a, b) == first;
+    }
+};
+
+/// The crossing at t > 0.
+std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::uint32_t number) {
+    const Seen v(ray, solid.corners);
+    if (solid.kind == Solid::Kind::triangle && !v.within_edges()) return std::nullopt;
+    const Height h = height(ray, solid.corners);
+    if (h.den == 0 || h.num == 0 || (h.num > 0) != (h.den > 0)) return std::nullopt;
+    const int turn = sign(h.den);
+    const Int128 total = (v.bc + v.ca + v.ab) * turn;
+    return FlatHit{number, h.num * turn, h.den * turn * (Int128(1) << ray.frac), v.ca * turn, v.ab * turn,
+                   total,  h.den > 0};
+}
+
+/// A flat hit goes before another one.
+bool before(const FlatHit& one, const FlatHit& other) {
+    if (other.primitive == no_primitive) return true;
+    const int order = compare_fractions(one.num, one.den, other.num, other.den);
+    return order < 0 || (order == 0 && one.primitive < other.primitive);
+}
+
+bool is_self(const SolidRay& ray, std::uint32_t number) { return ray.self == number; }
+
+/// The sphere stands between the light, from which the ray comes, and its end at t = 1.
+/// A ray that ends on this very sphere: seen from outside it is not in its own way, since the light is on the
+/// same side; from inside it is if the light is outside. A wall is a sphere that rays meet from outside only,
+/// and the point is where they start: one that holds the point is open to it.
+bool sphere_blocks(const SolidRay& ray, const Solid& sphere, bool own, int frac_end) {
+    const Ball b = ball_of(ray, sphere);
+    if (own) return sphere.is_glass && ray.inside && b.start > 0;
+    // The way's end, its middle (where it is nearest to the centre) and its beginning tell all.
+    const Int128 unit = Int128(1) << frac_end;
+    const Int128 last = b.start * unit * unit + 2 * b.along * unit + b.square;
+    if (!sphere.is_glass && last <= 0) return false;
+    if ((b.start < 0 && last > 0) || (b.start > 0 && last < 0)) return true;
+    const Int128 middle = -b.along * unit;   // in units of square / 2^frac_end
+    if (b.start > 0) return middle > 0 && middle < b.square && b.disc() >= 0;
+    return b.start == 0 && middle > 0 && 2 * middle < b.square;
+}
+
+std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::uint32_t>& planes,
+                             std::vector<std::uint32_t>& bounded) {
+    std::vector<Extent> boxes;
+    for (std::uint32_t i = 0; i < solids.size(); ++i) {
+        const Solid& s = solids[i];
+        if (s.kind == Solid::Kind::plane) {
+            planes.push_back(i);
+            continue;
+        }
+        Extent box = extent(s.corners);
+        if (s.kind == Solid::Kind::sphere) {
+            const auto radius =
+                std::int32_t(std::min(std::sqrt(double(s.radius_squared)) + 1, double(1 << 21)));
+            for (std::size_t k = 0; k < 3; ++k)
+                box.lo[k] = s.centre[k] - radius, box.hi[k] = s.centre[k] + radius;
+        }
+        bounded.push_back(i);
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+}   // namespace
+
+int compare_fractions(Int128 num1, Int128 den1, Int128 num2, Int128 den2) {
+    // Most pairs are far apart: a quotient of two 128-bit numbers, each to 2^-63, tells.
+    const long double one = (long double)num1 / (long double)den1,
+                      other = (long double)num2 / (long double)den2;
+    constexpr long double slack = 0x1p-58L;
+    if (one < other * (1 - slack)) return -1;
+    if (one > other * (1 + slack)) return 1;
+    for (int turn = 1;; turn = -turn) {
+        const Int128 whole1 = num1 / den1, whole2 = num2 / den2;
+        if (whole1 != whole2) return whole1 < whole2 ? -turn : turn;
+        num1 %= den1, num2 %= den2;
+        if (num1 == 0 || num2 == 0) return num1 == num2 ? 0 : num1 == 0 ? -turn : turn;
+        std::swap(num1, den1), std::swap(num2, den2);   // of the reciprocals the order is the other way round
+    }
+}
+
+Ball ball_of(const SolidRay& ray, const Solid& sphere) {
+    Ball b{-(Int128(sphere.radius_squared) << (2 * ray.frac)), 0, 0};
+    const Triple<Short> to_centre = from_origin(ray, sphere.centre);
+    for (std::size_t k = 0; k < 3; ++k) {
+        b.start += Int128(to_centre[k]) * to_centre[k];
+        b.along -= Int128(to_centre[k]) * ray.direction[k];
+        b.square += Int128(ray.direction[k]) * ray.direction[k];
+    }
+    return b;
+}
+
+Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
+    const Ball b = ball_of(ray, sphere);
+    if (b.square == 0 || sphere.radius_squared == 0 || (is_self && !ray.inside)) return Meets::no;
+    const bool ahead = b.along < 0;   // the place nearest to the centre
+    if (!sphere.is_glass)             // goes in from outside, or passes
+        return !is_self && b.start > 0 && ahead && b.disc() >= 0 ? Meets::near : Meets::no;
+    Meets found = Meets::far;
+    if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
+    if (b.start == 0) found = ahead ? Meets::far : Meets::no;
+    return is_self && found != Meets::no ? Meets::far : found;   // it starts on it as well as its numbers can
+                                                                 // say
+}
+
+double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
+    // The roots' product is start / square: the one whose terms do not cancel is taken, and the other from
+    // it.
+    const Ball b = ball_of(ray, sphere);
+    const long double root = std::sqrt((long double)b.disc()), along = (long double)b.along,
+                      square = (long double)b.square;
+    const bool far = which == Meets::far;
+    const long double sum = far ? root - along : -root - along;   // times square
+    const long double scaled = (far ? along <= 0 : along >= 0)
+                                   ? sum / square
+                                   : (long double)b.start / (far ? -root - along : root - along);
+    return double(std::ldexp(scaled, -ray.frac));
+}
+
+bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::int64_t ticks,
+                    int tick_bits) {
+    const Triple<Short> to_centre = from_origin(ray, sphere.centre);
+    Int128 outside = -(Int128(sphere.radius_squared) << (2 * tick_bits)), along = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Int128 at = Int128(ticks) * ray.direction[k] - (Int128(to_centre[k]) << (tick_bits - ray.frac));
+        outside += at * at;
+        along += at * ray.direction[k];   // at least 0: past the place nearest to the centre
+    }
+    return which == Meets::near ? along >= 0 || outside <= 0 : along >= 0 && outside >= 0;
+}
+
+Solids::Solids(std::vector<Solid> solids)
+    : solids_(std::move(solids)), tree_(boxes_of(solids_, planes_, bounded_), 1) {}
+
+std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t number) const {
+    return cross_flat(ray, solids_[number], number);
+}
+
+Nearest Solids::nearest(const SolidRay& ray) const {
+    Nearest found;
+    double limit = std::numeric_limits<double>::infinity();   // directions, not less than those of the best
+                                                              // hit
+    const auto flat = [&](std::uint32_t number) {
+        const auto hit = cross_flat(ray, solids_[number], number);
+        if (!hit || !before(*hit, found.flat)) return;
+        found.flat = *hit;
+        limit = std::min(limit, double(hit->num) / double(hit->den) * (1 + 0x1p-40));
+    };
+    for (const std::uint32_t number : planes_) flat(number);
+    if (ray.asks == SolidRay::Asks::planes) return found;
+    const tree::Ray search(ray.origin, ray.direction, ray.frac);
+    const auto after = [&](double near) { return near > 2 * limit * search.main_size() * (1 + 0x1p-40); };
+    tree_.nearest_first(search, after, [&](std::uint32_t place) {
+        const std::uint32_t number = bounded_[tree_.order()[place]];
+        if (solids_[number].kind == Solid::Kind::triangle) return flat(number);
+        const Meets which = meets_sphere(ray, solids_[number], is_self(ray, number));
+        if (which == Meets::no) return;
+        const double distance = sphere_distance(ray, solids_[number], which);
+        if (found.sphere.primitive != no_primitive &&
+            (distance > found.sphere.distance ||
+             (distance == found.sphere.distance && number > found.sphere.primitive)))
+            return;
+        found.sphere = {number, which, distance};
+        limit = std::min(limit, distance * (1 + 0x1p-40));
+    });
+    return found;
+}
+
+bool Solids::meets_any(const SolidRay& ray) const {
+    bool met = false;
+    const auto look = [&](std::uint32_t number) {
+        const Solid& s = solids_[number];
+        met = met || (s.kind == Solid::Kind::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
+                                                    : cross_flat(ray, s, number).has_value());
+    };
+    if (ray.asks != SolidRay::Asks::bounded)
+        for (const std::uint32_t number : planes_) look(number);
+    tree_.nearest_first(
+        tree::Ray(ray.origin, ray.direction, ray.frac), [&](double) { return met; },
+        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+    return met;
+}
+
+bool Solids::blocks(const SolidRay& ray, int frac_end) const {
+    bool met = false;
+    const auto look = [&](std::uint32_t number) {
+        if (met) return;
+        const Solid& s = solids_[number];
+        if (s.kind == Solid::Kind::sphere) {
+            met = s.radius_squared > 0 && sphere_blocks(ray, s, is_self(ray, number), frac_end);
+            return;
+        }
+        const auto hit = cross_flat(ray, s, number);
+        met = hit && hit->num * (Int128(1) << frac_end) < hit->den;
+    };
+    for (const std::uint32_t number : planes_) look(number);
+    const tree::Ray search(ray.origin, ray.direction, ray.frac);
+    const double end = 2 * std::ldexp(search.main_size(), -frac_end) * (1 + 0x1p-40);
+    tree_.nearest_first(
+        search, [&](double near) { return met || near > end; },
+        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+    return met;
+}
+
+}   // namespace rayclock::oracle

@@ -1,0 +1,210 @@
+#include "sim/judge/paths/path.hpp"
+
+#include "model/core/payloads.hpp"
+#include "sim/judge/paths/answer.hpp"
+#include "sim/judge/paths/camera.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint32_t one = 1u << unit_bits;
+
+}   // namespace
+
+void PathJudge::fail(const char* what) {
+    if (!is_wrong()) fault_ = {what, ray_number_};
+}
+
+void PathJudge::start(std::uint32_t x, std::uint32_t y) {
+    fault_ = {};
+    x_ = x, y_ = y;
+    ray_number_ = 0;
+    fresh_ = true;
+    expected_ = {};
+    branch_ = {{}, one, 0, 0, {1, 1}};
+    waiting_.clear();
+    lit_if_free_ = lit_ = false;
+    colour_ = sum_ = most_ = {};
+    least_ = {one, one, one};
+    exact_ = exact_sum_ = {};
+    sample_ = 0;
+}
+
+// ---- Rays.
+
+void PathJudge::judge_camera(const Ray& ray) {
+    demand(ray.d == exact_direction(frame_, config_, rules_.settings, int(x_), int(y_), int(sample_)),
+           "the camera ray's direction is not the pixel's, rounded");
+    for (std::size_t k = 0; k < 3; ++k)
+        demand(ray.o[k] == frame_.eye[k] * (1 << config_.origin_frac()),
+               "the camera ray does not begin at the eye");
+}
+
+void PathJudge::sent(const Ray& ray) {
+    const auto kind = RayKind(ray.kind);
+    demand(kind == expected_.kind, "the ray is of another kind than was asked for");
+    if (kind == RayKind::camera) {
+        judge_camera(ray);
+        ++rays_.primary;
+    } else {
+        demand(ray.o == expected_.o && ray.d == expected_.d, "the ray is not the one that was asked for");
+        demand((ray.partial != 0) == expected_.is_partial,
+               "the ray asks planes where it must not, or the other way round");
+        demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
+               "the ray leaves another surface than was asked for");
+        demand(ray.home == expected_.home, "the ray leaves its instance elsewhere than was asked for");
+        if (ends_at_any(ray.kind))
+            ++rays_.shadow;
+        else
+            ++(expected_.is_refracted ? rays_.refraction : rays_.reflection);
+    }
+    ray_ = ray;
+    if (!ends_at_any(ray.kind)) bounce_ray_ = ray;
+}
+
+void PathJudge::answered(const Closest& hit) {
+    const char* wrong = rules_.placed ? judge_answer(*rules_.placed, config_, ray_, hit)
+                                      : judge_answer(rules_.solids, config_, ray_, hit);
+    if (wrong) fail(wrong);
+    answer_ = hit;
+    if (rules_.placed && !ends_at_any(ray_.kind)) {
+        visit_ = {hit.found ? rules_.placed->place_of(hit.prim) : oracle::PlacedRay::nowhere, {}};
+        if (visit_.place != oracle::PlacedRay::nowhere)
+            visit_.ray = rules_.placed->solids().seen_by(visit_.place, rules_.placed->ray(ray_));
+    }
+    ++ray_number_;
+}
+
+// ---- Passes.
+
+void PathJudge::add(const Colour& colour, const Light& exact) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        colour_[k] = std::min(colour_[k] + colour[k], one);
+        exact_[k] = exact_[k] + exact[k];
+    }
+}
+
+void PathJudge::passed(const PassIn& in, const PassOut& out) {
+    const ShadeState& s = in.state;
+    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive && s.weight == one &&
+                        s.depth == 0
+                  : s == last_,
+           "the context's state is not what the last pass left");
+    demand(in.hit.found == answer_.found && same_answer(in.hit, answer_) && in.hit.back == answer_.back,
+           "a pass was given another answer");
+    if (lit_ || (lit_if_free_ && !answer_.found)) add(s.share, share_);
+    lit_ = lit_if_free_ = false;
+    switch (ShadeEvent(s.event)) {
+        case ShadeEvent::arrive: arrive(in, out); break;
+        case ShadeEvent::light: light(in, out); break;
+        case ShadeEvent::refract: refract(in, out); break;
+        case ShadeEvent::reflect: reflect(in, out); break;
+        case ShadeEvent::pop: pop(in, out); break;
+        case ShadeEvent::turn: turn(in, out); break;
+    }
+    demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
+           "what was added is not what the surface, light or background gives");
+    demand(
+        out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight,
+        "a ray's weight or depth was lost");
+    demand(out.state.cell == branch_.cell, "a path is on the other side of a plane");
+    demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
+    last_ = out.state;
+    fresh_ = false;
+}
+
+void PathJudge::expect_spawn(const PassOut& out, const Expected& ray) {
+    demand(out.leave == PassOut::Leave::spawn, "no ray was sent where one is due");
+    expected_ = ray;
+}
+
+ShadeEvent PathJudge::after_lights(const ShadeState& s) const {
+    if (branch_.depth >= std::uint32_t(rules_.settings.depth)) return ShadeEvent::pop;
+    if (s.transmit > 0) return ShadeEvent::refract;
+    return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;
+}
+
+void PathJudge::background(std::uint32_t weight, const Range& exact) {
+    Colour colour{};
+    Light range;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double light = rules_.asked.scene.background[int(k)];
+        colour[k] = std::uint32_t(nearest_of_power(Int128(weight) * frame_.shade.background[k], unit_bits));
+        range[k] =
+            (exact * Range::around(std::clamp(light, 0.0, 1.0), 0.5 * unit_step)).wider(0.5 * unit_step);
+    }
+    add(colour, range);
+}
+
+// ---- The end of a ray's tree, of a sample, of the pixel.
+
+void PathJudge::pop(const PassIn& in, const PassOut& out) {
+    if (waiting_.empty()) return end_sample(out);
+    branch_ = waiting_.back();
+    waiting_.pop_back();
+    const Expected& ray = branch_.ray;
+    demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
+               in.top.depth == branch_.depth && in.top.home == ray.home,
+           "another ray waited");
+    demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
+           "another ray waited");
+    demand(in.top.cell == branch_.cell && (in.top.partial != 0) == ray.is_partial, "another ray waited");
+    expect_spawn(out, ray);
+    demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a bounce that was sent is not waited for");
+}
+
+void PathJudge::end_sample(const PassOut& out) {
+    bool same = rules_.settings.contrast > 0, alike = same;
+    const double contrast = std::clamp(rules_.settings.contrast, 0.0, 1.0) / unit_step;
+    for (std::size_t k = 0; k < 3; ++k) {
+        sum_[k] += colour_[k];
+        exact_sum_[k] = exact_sum_[k] + exact_[k].clamped(0, 1);
+        least_[k] = std::min(least_[k], colour_[k]);
+        most_[k] = std::max(most_[k], colour_[k]);
+        same = same && most_[k] - least_[k] <= contrast;
+        alike = alike && most_[k] - least_[k] < contrast + 1;   // the register is rounded up
+    }
+    const auto all = std::uint32_t(rules_.settings.aa * rules_.settings.aa), done = sample_ + 1;
+    const bool may_stop = done == std::min(first_samples, all);
+    const bool goes_on = out.leave == PassOut::Leave::spawn;
+    if (done >= all || !config_.supersampling)
+        demand(!goes_on, "there are more samples than asked for");
+    else if (!may_stop || !alike)
+        demand(goes_on, "a pixel ends before its last sample");
+    else if (same)
+        demand(!goes_on, "samples that do not differ do not end the pixel");
+    if (goes_on) {
+        sample_ = done;
+        colour_ = {};
+        exact_ = {};
+        branch_ = {{}, one, 0, 0, {1, 1}};
+        demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
+                   out.state.most == most_,
+               "the samples' sum is wrong");
+        demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a sample's ray is not waited for");
+        return expect_spawn(out, {});
+    }
+    demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Int128 share = nearest_of(one, done);
+        pixel_[k] = config_.supersampling
+                        ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), one))
+                        : colour_[k];
+        // The share is off by half a unit of a sum of `done` samples, and the product is rounded.
+        exact_pixel_[k] =
+            (1.0 / done * exact_sum_[k]).wider(config_.supersampling ? 0.5 * (done + 1) * unit_step : 0);
+    }
+    demand(out.pixel.colour == pixel_, "the pixel is not the mean of its samples");
+}
+
+void PathJudge::finish(const Colour& colour) {
+    demand(colour == pixel_, "the machine's pixel is not the one that its rays give");
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Range range = exact_pixel_[k].clamped(0, 1);
+        demand(range.wider(0.5 * unit_step).holds(colour[k] * unit_step), "the colour is out of its bounds");
+        widest_ = std::max(widest_, 0.5 * (range.hi - range.lo) / unit_step);
+    }
+}
+
+}   // namespace rayclock

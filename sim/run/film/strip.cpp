@@ -1,0 +1,71 @@
+#include "sim/run/film/strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/files/input.hpp"
+#include "sim/run/film/read_back.hpp"
+#include "sim/files/process/process.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+
+std::string frame_name(std::size_t f) { return fmt::format("frame_{:04}.png", f); }
+
+namespace {
+
+/// Lets the program make film.png in a folder of frames.
+void run_film_program(const fs::path& program, const fs::path& folder, long thousandths) {
+    // It numbers them by itself from the first name on.
+    const fs::path log = folder / "film.log";
+    Process process(
+        {{program.string(), "film.png", frame_name(0), std::to_string(thousandths), "1000", "-kc"},
+         folder,
+         log,
+         folder});
+    const int code = process.wait("interrupted: the film and its frames are not written");
+    const std::string said = read_if_there(log);
+    std::error_code ignored;
+    fs::remove(log, ignored);
+    if (code != 0)
+        throw UserError(fmt::format("film.png: {} has failed: {}", film_program, complaint_of(said)));
+}
+
+}   // namespace
+
+std::string make_film(StagedFiles& staged, const std::string& folder, std::size_t count, double fps) {
+    // The program takes all that are numbered on: those of an older, longer film go.
+    std::vector<std::string> outdated;
+    std::error_code error;
+    for (std::size_t f = count; fs::exists(fs::path(folder) / frame_name(f), error); ++f)
+        outdated.push_back(frame_name(f));
+    const fs::path program = find_program(film_program);
+    if (program.empty()) {
+        outdated.emplace_back("film.png");   // not of these frames
+        staged.publish(outdated);
+        return fmt::format(
+            "no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
+            film_program, film_program, printable(folder));
+    }
+    // A delay is a fraction of two numbers of 16 bits.
+    const long thousandths = std::min(long(std::lround(1000 / fps)), 65'535l);
+    run_film_program(program, staged.stage(), thousandths);
+    // The frames were read back when they were written; a film that does not show them is worth nothing. On a
+    // full disk the program says nothing.
+    const std::string fault =
+        film_fault(read_if_there(staged.stage() / "film.png"), count, thousandths,
+                   [&](std::size_t f) { return read_if_there(staged.stage() / frame_name(f)); });
+    if (!fault.empty())
+        throw UserError(fmt::format("{}/film.png: {} made it wrongly (is the disk full?): read back, {}",
+                                    printable(folder), film_program, fault));
+    staged.publish(outdated);
+    return fmt::format("film of {} frames, made by {}: {}/film.png", count, film_program, printable(folder));
+}
+
+}   // namespace rayclock

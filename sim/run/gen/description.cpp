@@ -1,0 +1,75 @@
+#include "sim/run/gen/description.hpp"
+
+#include <fmt/format.h>
+
+#include "model/core/links.hpp"
+#include "sim/files/table.hpp"
+
+namespace rayclock {
+
+namespace {
+
+const char* when_text(When when) {
+    switch (when) {
+        case When::shading: return "`shading`";
+        case When::shared_cache: return "`l2_sets` above 0";
+        case When::nodes: return "`structure` is not none";
+        case When::boxes: return "`structure` is bvh";
+        case When::treelets: return "`structure` is kd or octree";
+        case When::globes: return "`structure` is spheres";
+        case When::slants: return "`structure` is bsp";
+        case When::instances: return "`levels` is 2";
+        default: return "always";
+    }
+}
+
+const char* place_text(Place place) {
+    return place == Place::pipeline ? "a pipeline"
+           : place == Place::engine ? "a pipeline's engine"
+           : place == Place::shared ? "the chip"
+                                    : "(beside the chip)";
+}
+
+/// The causes of one kind, in the order of their codes.
+std::string causes_text(const UnitInfo& unit, Kind kind) {
+    std::string text;
+    for (const Cause& cause : unit.causes)
+        if (cause.kind == kind) text += (text.empty() ? "" : ", ") + std::string(cause.name);
+    return text;
+}
+
+template <std::size_t i = 0> void add_links(Table& table) {
+    if constexpr (i < link_count) {
+        const LinkInfo& link = link_infos[i];
+        table.add({fmt::format("`{}`", link.name), link.from, link.to,
+                   link.flow == Flow::fires ? "always taken" : "valid, ready", when_text(link.when),
+                   std::to_string(bits_of<std::tuple_element_t<i, LinkPayloads>>(named_config("default")))});
+        add_links<i + 1>(table);
+    }
+}
+
+}   // namespace
+
+std::string units_table() {
+    Table table({"unit", "one in", "exists", "busy with", "starved by", "stalled by"}, Table::words_only);
+    for (const UnitInfo& unit : unit_infos)
+        table.add({unit.name, place_text(unit.place), when_text(unit.when), causes_text(unit, Kind::busy),
+                   causes_text(unit, Kind::starved), causes_text(unit, Kind::stalled)});
+    return table.markdown();
+}
+
+std::string links_table() {
+    Table table({"link", "from", "to", "flow", "exists", "bits in `default`"}, 5);
+    add_links(table);
+    return table.markdown();
+}
+
+std::string links_diagram() {
+    std::string text = "```mermaid\nflowchart LR\n";
+    for (const LinkInfo& link : link_infos)
+        text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == When::always ? "-->" : "-.->",
+                            link.name, link.to);
+    return text + "```\n";
+}
+
+}   // namespace rayclock

@@ -1,0 +1,23 @@
+#include "sim/run/gen/ecp5.hpp"
+
+#include <fmt/format.h>
+
+namespace rayclock {
+
+namespace {
+constexpr int fewest_reset = 16;   // flip-flops of a unit with the same reset
+}
+
+std::string ecp5_steps(const std::string& until) {
+    // The types of flip-flops are those that synth_ecp5 asks for itself in the step after.
+    return fmt::format(
+        "synth_ecp5 -nowidelut -run :map_ffs\nopt_clean\n"
+        "dfflegalize -minsrst {} -cell $_DFF_?_ 01 -cell $_DFF_?P?_ r -cell $_SDFF_?P?_ r -cell $_DFFE_??_ "
+        "01 "
+        "-cell $_DFFE_?P??_ r -cell $_SDFFE_?P??_ r -cell $_DLATCH_?_ x\n"
+        "opt_merge\nopt_clean\n"
+        "synth_ecp5 -nowidelut -run map_ffs:{}\n",
+        fewest_reset, until);
+}
+
+}   // namespace rayclock

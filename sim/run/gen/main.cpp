@@ -1,0 +1,51 @@
+// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to
+// standard output; the configuration is one that ships with the program, or `default`, with parameters
+// changed. rc_pkg_gen --page FILE makes the tables of docs/chip.md or rtl/README.md anew.
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "model/base/error.hpp"
+#include "sim/run/gen/chip_page.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+
+namespace {
+
+int make_page(const char* name) {
+    std::ifstream old(name);
+    std::ostringstream text;
+    text << old.rdbuf();
+    if (!old) return 1;
+    const std::string made = rayclock::with_tables(text.str());
+    std::ofstream file(name);
+    file << made;
+    return file.flush() ? 0 : 1;
+}
+
+}   // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 3 && std::string(argv[1]) == "--page") return make_page(argv[2]);
+    std::string text;
+    try {
+        rayclock::Config config = rayclock::named_config(argc > 2 ? argv[2] : "default");
+        for (int i = 3; i < argc; ++i) {
+            const std::string setting = argv[i];
+            const std::size_t at = std::min(setting.find('='), setting.size() - 1);
+            rayclock::set_parameter(config, setting.substr(0, at), setting.substr(at + 1), setting);
+        }
+        rayclock::check_config(config, "rc_pkg_gen");
+        text = rayclock::rc_package(config);
+    } catch (const rayclock::UserError& e) {
+        std::cerr << "rc_pkg_gen: " << e.what() << "\n";
+        return 2;
+    }
+    if (argc < 2 || std::string(argv[1]) == "-") {
+        std::cout << text << std::flush;
+        return std::cout ? 0 : 1;
+    }
+    std::ofstream file(argv[1]);
+    file << text;
+    return file.flush() ? 0 : 1;
+}

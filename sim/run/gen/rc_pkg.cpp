@@ -1,0 +1,400 @@
+#include "sim/run/gen/rc_pkg.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "model/unit/trav/children.hpp"
+#include "model/core/links.hpp"
+#include "model/core/stages.hpp"
+#include "model/mem/cache.hpp"
+#include "model/unit/shade/state.hpp"
+#include "model/engine/globe/tables.hpp"
+#include "model/unit/shade/tables.hpp"
+#include "sim/run/gen/registers.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// Writes a payload's fields as members of a packed struct.
+class StructVisitor {
+public:
+    std::string text;
+    template <class T> void operator()(const char* name, const T&, int width) {
+        member(name, width, std::is_signed_v<T> || sizeof(T) > 8);
+    }
+    template <class T, std::size_t n>
+    void operator()(const char* name, const std::array<T, n>&, int width, int count) {
+        member(name, width * count, false);
+    }
+
+private:
+    void member(const char* name, int width, bool is_signed) {
+        text += width == 1
+                    ? fmt::format("    logic {};\n", name)
+                    : fmt::format("    logic {}[{}:0] {};\n", is_signed ? "signed " : "", width - 1, name);
+    }
+};
+
+/// Entries as one vector, entry 0 lowest.
+std::string list_text(const char* name, const std::vector<std::string>& entries, int width) {
+    std::string text =
+        fmt::format("  localparam logic [{}:0] {} = {{", int(entries.size()) * width - 1, name);
+    for (std::size_t i = entries.size(); i-- > 0;) {
+        if ((entries.size() - 1 - i) % 8 == 0) text += "\n   ";
+        text += fmt::format(" {}'{}{}", width, entries[i], i > 0 ? "," : "");
+    }
+    return text + "};\n";
+}
+
+/// The registers of the chip's face: their addresses, what they say of the chip, and where the words of a
+/// frame lie in frame_t.
+std::string host_constants(const Config& config) {
+    const auto constant = [](const std::string& name, std::uint32_t value) {
+        return fmt::format("  localparam int unsigned {} = {};\n", name, value);
+    };
+    const auto list = [](const char* name, const std::vector<std::uint32_t>& entries, int width) {
+        std::vector<std::string> texts;
+        for (const std::uint32_t entry : entries) texts.push_back(fmt::format("d{}", entry));
+        return list_text(name, texts, width);
+    };
+    std::string text = "\n  // The host's registers: sim/run/gen/registers.hpp, docs/chip.md.\n";
+    text += constant("Magic", host_magic) + constant("Version", host_version);
+    for (const HostRegister& r : host_registers())
+        if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
+    text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
+    text += constant("RegCounters", counter_base);
+    std::vector<std::uint32_t> values, at, bits;
+    for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
+    for (const FrameWord& word : frame_words(config)) {
+        at.push_back(std::uint32_t(word.at));
+        bits.push_back(std::uint32_t(word.bits));
+    }
+    text += constant("Parameters", std::uint32_t(values.size())) + list("ParameterValues", values, 32);
+    text += constant("FrameWords", std::uint32_t(at.size())) + list("FrameAt", at, 16);
+    text += list("FrameBits", bits, 16);
+    std::vector<std::uint32_t> pipeline, shared;
+    for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
+        (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
+    text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    text += constant("XformUnit", std::uint32_t(index(Unit::xform)));
+    text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
+    text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
+    text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
+    return text + list("SharedUnitsThere", shared, 1);
+}
+
+/// "node_miss" as Verilog's constants are written: "NodeMiss".
+std::string camel(std::string_view name) {
+    std::string text;
+    bool upper = true;
+    for (const char c : name) {
+        if (c != '_') text += upper ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+        upper = c == '_';
+    }
+    return text;
+}
+
+/// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
+bool is_for_rtl(std::string_view key) {
+    constexpr std::array others{"origin_bits",  "straddlers", "splits",        "references",
+                                "leaf_size",    "dram",       "dram_channels", "mem_latency",
+                                "mem_interval", "scan_out",   "pixel_writes"};
+    return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
+}
+
+class Package {
+public:
+    explicit Package(const Config& config) : config_(config) {}
+
+    void parameters() {
+        for (const Parameter& p : rayclock::parameters())
+            if (is_for_rtl(p.key))
+                constant(camel(p.key), p.member == &Config::structure        ? int(config_.engine())
+                                       : p.member == &Config::mesh_structure ? int(config_.lower_engine())
+                                                                             : config_.*p.member);
+        constant("NodeWords", config_.node_line / line_bytes);
+        constant("PrimWords", config_.prim_line / line_bytes);
+        constant("SurfWords", config_.surf_line / line_bytes);
+        constant("L2Words", config_.l2_line / line_bytes);
+    }
+    void constant(const std::string& name, int value) {
+        text_ += fmt::format("  localparam int unsigned {} = {};\n", name, value);
+    }
+    void say(const char* comment) { text_ += fmt::format("\n  // {}\n", comment); }
+
+    /// Names for values; the fields that hold them are plain vectors, since Yosys 0.23 has no casts to enums.
+    template <class Value> void enumeration(const std::string& type, const std::string& prefix, int bits,
+                                            const std::vector<std::pair<std::string, Value>>& values) {
+        text_ += fmt::format("  typedef enum logic [{}:0] {{", bits - 1);
+        for (const auto& [name, value] : values)
+            text_ += fmt::format("{}\n    {}{} = {}'d{}", name == values[0].first ? "" : ",", prefix, name,
+                                 bits, unsigned(value));
+        text_ += fmt::format("\n  }} {};\n", type);
+    }
+    /// The codes by which a unit says what it did.
+    void causes(const char* name, const UnitInfo& unit) {
+        constexpr std::array kinds{"", "Busy", "Starved", "Stalled"};
+        std::vector<std::pair<std::string, std::size_t>> names;
+        for (const Cause& cause : unit.causes)
+            if (cause.kind != Kind::none)
+                names.emplace_back(kinds[std::size_t(cause.kind)] + camel(cause.name), names.size());
+        enumeration(fmt::format("{}_cause_e", name), camel(name), cause_bits, names);
+    }
+    template <class Payload> void record(const char* name) {
+        StructVisitor v;
+        Payload{}.fields(v, config_);
+        text_ +=
+            fmt::format("\n  typedef struct packed {{\n{}  }} {}_t;\n  localparam int unsigned {}W = {};\n",
+                        v.text, name, camel(name), bits_of<Payload>(config_));
+    }
+    /// What the links carry, in their order.
+    template <std::size_t i = 0> void links() {
+        if constexpr (i < link_count) {
+            record<std::tuple_element_t<i, LinkPayloads>>(link_infos[i].name);
+            links<i + 1>();
+        }
+    }
+    template <std::size_t n>
+    void table(const char* name, const std::array<TableEntry, n>& entries, int value_bits, int step_bits) {
+        std::vector<std::string> texts;   // value above, step below
+        for (const TableEntry& entry : entries)
+            texts.push_back(fmt::format("h{:x}", std::uint64_t(entry.value) << step_bits | entry.step));
+        text_ += list_text(name, texts, value_bits + step_bits);
+    }
+    void text(const std::string& more) { text_ += more; }
+    std::string end() && { return std::move(text_) + "endpackage\n"; }
+
+private:
+    const Config& config_;
+    std::string text_ =
+        "// GENERATED by sim/run/gen/rc_pkg.cpp from a configuration and the tables of model/core: units.hpp,\n"
+        "// links.hpp, payloads.hpp. Do not edit.\n"
+        "// Regenerate: cmake --build --preset release --target regen\n"
+        "package rc_pkg;\n";
+};
+
+/// Widths and latencies that follow from the parameters.
+/// Of a link's payload.
+int bits_on(Link link, const Config& config) {
+    int bits = 0;
+    const auto look = [&]<std::size_t... i>(std::index_sequence<i...>) {
+        ((i == index(link) ? void(bits = bits_of<std::tuple_element_t<i, LinkPayloads>>(config)) : void()),
+         ...);
+    };
+    look(std::make_index_sequence<link_count>());
+    return bits;
+}
+
+void derived(Package& p, const Config& c) {
+    p.constant("TBits", c.t_bits());
+    p.constant("EdgeBits", c.edge_bits());
+    p.constant("NumBits", c.num_bits());
+    p.constant("TriRayBits", c.tri_ray_bits());
+    p.constant("OriginBits", c.origin_frac());
+    p.constant("Homes", int(c.has_homes()));   // rays start from instances
+    p.constant("OriginWidth", c.origin_width());
+    p.constant("PointWidth", c.point_width());
+    p.constant("ApproachShift", c.approach_shift());
+    p.constant("ApproachSteps", approach_steps);
+    p.constant("RayDirBits", c.ray_dir_bits());
+    p.constant("UvBits", c.uv_bits());
+    p.constant("LightBits", c.light_bits());
+    p.constant("NormalBits", c.normal_bits());
+    p.constant("UnitBits", unit_bits);
+    p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
+    p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
+    p.constant("ShareBits", share_bits);
+    p.constant("CornerBits", corner_bits);
+    p.constant("FarDrop", far_drop);
+    p.constant("ShineFrac", shine_frac);
+    p.constant("ShineBits", shine_bits);
+    p.constant("IndexFrac", index_frac);
+    p.constant("RatioBits", ratio_bits);
+    p.constant("StrengthBits", strength_bits);
+    p.constant("PlaneBits", plane_bits);
+    p.constant("RootBits", root_bits);
+    p.constant("MostFine", most_fine);
+    p.constant("SampleBits", sample_bits);
+    p.constant("DepthBits", depth_bits);
+    p.constant("LookW", ShadeState::look_bits(c));
+    p.constant("Clients", c.clients());
+    p.constant("GuardBits", guard_bits);
+    p.constant("GuardDirBits", c.guard_dir_bits());
+    p.constant("MostShift", most_shift);
+    p.constant("RayBits", c.ray_bits());
+    p.constant("GroupBits", c.group_bits());
+    p.constant("SlotBits", c.slot_bits());
+    p.constant("StackBits", c.stack_bits());
+    p.constant("ExpBits", exp_bits);
+    p.constant("OffsetBits", offset_bits);
+    p.constant("CountBits", count_bits);
+    p.constant("GlobeBits", globe_bits);
+    p.constant("TowardBits", toward_bits);
+    p.constant("NodeBits", node_bits(c, c.engine()));   // of the scene's tree, and of meshes'
+    p.constant("MeshNodeBits", node_bits(c, c.lower_engine()));
+    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line, in the node cache
+    p.constant("NodeReqBits", bits_on(node_unit(c.engine()).req, c));
+    p.constant("MeshReqBits", bits_on(node_unit(c.lower_engine()).req, c));
+    p.constant("LineKindBits", line_kind_bits);
+    p.constant("MapFrac", c.map_frac());
+    p.constant("MapBits", c.map_bits());
+    p.constant("NodePlanes", c.planes_of_node());
+    p.constant("NormalStepBits", normal_step_bits);
+    p.constant("PlaneOffsetBits", c.offset_of_plane_bits());
+    p.constant("CrossingBits", crossing_bits);
+    p.constant("LineBits", line_bits);
+    p.constant("TileCoordBits", c.tile_coord_bits());
+    p.constant("ClientBits", c.client_bits());
+    p.constant("ClientIdBits", c.client_id_bits());
+    p.constant("MemIdBits", c.mem_id_bits());
+    const Stages stages(c);
+    p.constant("Cut", stages.cut);
+    p.constant("FarCut", stages.far);
+    p.constant("MulStages", stages.multiply);
+    p.constant("SlabPlanes", stages.slab_planes);
+    p.constant("SlabStages", stages.slab);
+    p.constant("MeetStages", stages.meet);
+    p.constant("RankStages", stages.rank);
+    p.constant("PlaneStages", stages.plane);
+    p.constant("ExitStages", stages.exits);
+    p.constant("GlobeStages", stages.globe);
+    p.constant("CrossingStages", stages.crossing);
+    p.constant("QuotientBits", stages.quotient_bits);
+    p.constant("HitBits", stages.hit_bits);
+    p.constant("CrossShare", stages.cross_share);
+    p.constant("DotShare", stages.dot_share);
+    p.constant("PairShare", stages.pair_share);
+    p.constant("PairParts", stages.pair_parts);
+    p.constant("PairStages", stages.pair);
+    p.constant("EdgesStages", stages.edges);
+    p.constant("ShearStages", stages.shear);
+    p.constant("HitdivStages", stages.hit_divide);
+    p.constant("SphereLevels", stages.sphere_levels);
+    p.constant("SphereStages", stages.sphere);
+    p.constant("PixelStages", stages.pixel);
+    p.constant("DirectionStages", stages.direction);
+    p.constant("RecipStages", stages.recip);
+    p.constant("SlopeStages", stages.slope);
+    p.constant("MapShare", stages.map_share);
+    p.constant("RecipShare", stages.recip_share);
+    p.constant("MapStages", stages.map);
+    p.constant("StackStages", stages.stack);
+    p.constant("RaygenLatency", c.raygen_latency());
+    p.constant("BoxLatency", c.box_latency());
+    p.constant("BoxInterval", c.box_interval());
+    p.constant("TreeletLatency", c.treelet_latency());
+    p.constant("GlobeLatency", c.globe_latency());
+    p.constant("SlantLatency", c.slant_latency());
+    p.constant("NodePad", c.node_latency() - c.node_latency(c.engine()));   // of answers that wait
+    p.constant("MeshPad", c.node_latency() - c.node_latency(c.lower_engine()));
+    p.constant("XformLatency", c.xform_latency());
+    p.constant("TriLatency", c.tri_latency());
+    p.constant("ShadeStages", stages.pass);
+    p.constant("ShadeCut", stages.pass_cut);
+    p.constant("ShadeOut", stages.pass_out);
+    p.constant("ShadeParts", stages.pass_parts);
+    p.constant("ShadeRead", stages.pass_read);
+    p.constant("ShadeLatency", c.shade_latency());
+    p.constant("UnitStages", unit_stages);
+    p.constant("PowerStages", power_stages);
+}
+
+void enumerations(Package& p) {
+    p.say("What holds the scene.");
+    p.enumeration<Structure>("structure_e", "Structure", 32,
+                             {{"Bvh", Structure::bvh},
+                              {"Kd", Structure::kd},
+                              {"None", Structure::none},
+                              {"Spheres", Structure::spheres},
+                              {"Bsp", Structure::bsp}});
+    p.say("What a line of memory holds, if there are two levels.");
+    p.enumeration<LineKind>("line_kind_e", "Line", line_kind_bits,
+                            {{"SceneNode", LineKind::scene_node},
+                             {"MeshNode", LineKind::mesh_node},
+                             {"Placement", LineKind::placement}});
+    p.say("What a ray is for, what a primitive is, which test tri makes.");
+    p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
+                           {{"Camera", RayKind::camera},
+                            {"Bounce", RayKind::bounce},
+                            {"Shadow", RayKind::shadow},
+                            {"Away", RayKind::away}});
+    p.enumeration<PrimKind>(
+        "prim_kind_e", "Prim", 2,
+        {{"Triangle", PrimKind::triangle}, {"Plane", PrimKind::plane}, {"Sphere", PrimKind::sphere}});
+    p.enumeration<PrimitiveTest>("primitive_test_e", "Test", 32,
+                                 {{"Exact", PrimitiveTest::exact}, {"Sheared", PrimitiveTest::sheared}});
+    p.say("What a pass of shade is for, what it leaves to be added, and where the context goes after it.");
+    p.enumeration<ShadeEvent>("shade_event_e", "Event", 3,
+                              {{"Arrive", ShadeEvent::arrive},
+                               {"Light", ShadeEvent::light},
+                               {"Refract", ShadeEvent::refract},
+                               {"Reflect", ShadeEvent::reflect},
+                               {"Pop", ShadeEvent::pop},
+                               {"Turn", ShadeEvent::turn}});
+    p.enumeration<Pending>("pending_e", "Pending", 2,
+                           {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
+    using Leave = PassOut::Leave;
+    p.enumeration<Leave>("leave_e", "Leave", 2,
+                         {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}});
+    p.say("What a unit did in a cycle; first a cache's deeds.");
+    p.enumeration<CacheDeed>("deed_e", "Deed", cause_bits,
+                             {{"Hit", CacheDeed::hit},
+                              {"Miss", CacheDeed::miss},
+                              {"Merge", CacheDeed::merge},
+                              {"Drain", CacheDeed::drain},
+                              {"Starved", CacheDeed::starved},
+                              {"Mshrs", CacheDeed::mshrs},
+                              {"Conflict", CacheDeed::conflict},
+                              {"Answers", CacheDeed::answers}});
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        const UnitInfo& unit = unit_infos[u];
+        if (unit.place < Place::beside && !decides_nodes(Unit(u)) && unit.causes.back().kind == Kind::none)
+            p.causes(unit.name, unit);
+    }
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // of every unit that decides nodes
+}
+
+}   // namespace
+
+std::string rc_package(const Config& config) {
+    Package p(config);
+    p.parameters();
+    p.say("What follows from these: model/core/config.hpp.");
+    derived(p, config);
+    enumerations(p);
+    p.say("Tables of the shade unit's cells: model/unit/shade/tables.hpp.");
+    p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
+    p.table("Log", log_table(), log_value_bits, log_step_bits);
+    p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);
+    p.say("Tables of the unit globe: model/engine/globe/tables.hpp.");
+    p.table("NearInverse", near_inverse_table(), near_inverse_bits, near_inverse_step_bits);
+    p.table("RootUp", root_up_table(), root_up_bits, 0);
+    p.text(host_constants(config));
+    p.say("What the links carry: model/core/links.hpp.");
+    p.links();
+    p.say("What passes between units without a link of its own, or is kept.");
+    p.record<Frame>("frame");
+    p.record<ShadeFrame>("shade_frame");
+    p.record<NodeRsp>("node_rsp");
+    p.record<PrimRsp>("prim_rsp");
+    p.record<Start>("start");
+    p.record<Children>("children");
+    p.record<Done>("done");
+    p.record<Pixel>("pixel");
+    p.record<ShadeState>("shade_state");
+    p.record<Waiting>("waiting");
+    p.say("What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.");
+    p.record<Node>("node");
+    p.record<Treelet>("treelet");
+    p.record<GlobeNode>("globe_node");
+    p.record<Slant>("slant");
+    p.record<Placement>("placement");
+    p.record<PrimData>("primitive");
+    p.record<Surface>("surface");
+    return std::move(p).end();
+}
+
+}   // namespace rayclock

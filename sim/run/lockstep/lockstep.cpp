@@ -1,0 +1,454 @@
+#include "sim/run/lockstep/lockstep.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "model/base/stopwatch.hpp"
+#include "model/machine/machine.hpp"
+#include "model/machine/witness.hpp"
+#include "model/machine/where.hpp"
+#include "sim/run/lockstep/driver.hpp"
+#include "sim/run/lockstep/fields.hpp"
+#include "sim/run/rtl/rtl_machine.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// "the RTL makes it 1 cycle later"
+std::string later_text(const char* who, std::uint64_t cycles, bool same) {
+    const std::string when = fmt::format("{} cycle{} later", cycles, cycles == 1 ? "" : "s");
+    return same ? fmt::format("{} makes it {}", who, when)
+                : fmt::format("{} makes another transfer there, {}", who, when);
+}
+
+std::optional<CounterDifference> first_difference(const Accounts& model, const Accounts& rtl) {
+    std::optional<CounterDifference> first;
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::size_t c = 0; c < cause_count; ++c) {
+            const std::uint64_t m = model.units[u][c], r = rtl.units[u][c];
+            if (m == r) continue;
+            const Cause& cause = unit_infos[u].causes[c];
+            const char* kind = cause.kind == Kind::busy      ? "busy with"
+                               : cause.kind == Kind::starved ? "starved by"
+                                                             : "stalled by";
+            if (first)
+                ++first->others;
+            else
+                first = {unit_infos[u].name,
+                         cause.kind == Kind::none ? fmt::format("in the unused state {}", c)
+                                                  : fmt::format("{} {}", kind, cause.name),
+                         m, r, 0};
+        }
+    return first;
+}
+
+class Lockstep {
+public:
+    using OnFirst = std::function<void(const Divergence&)>;
+    Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+             const OnFirst& on_first)
+        : job_(job),
+          frames_(frames),
+          traffic_(traffic),
+          on_first_(on_first),
+          model_(job.config, job.khz, traffic),
+          rtl_(job.image, job.config, job.khz, traffic, seed),
+          image_(job.image),
+          witness_(std::in_place, image_, job.config) {}
+
+    LockstepResult run(const Progress& progress) {
+        const Stopwatch watch;
+        for (std::size_t f = 0; f < frames_.size(); ++f) {
+            frame_ = f;
+            bring_frame(f);
+            begins_ = model_.cycle();
+            run_frame(frames_[f], progress);
+            tell_first();
+            if (parted_ || interrupted()) break;
+        }
+        for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds() - told_seconds_;
+        return std::move(result_);
+    }
+
+private:
+    /// Once, with the frame in which it lies.
+    void tell_first() {
+        if (told_ || !result_.first) return;
+        told_ = true;
+        result_.first->frame = frame_, result_.first->frame_begins = begins_;
+        const Stopwatch watch;
+        if (on_first_) on_first_(*result_.first);
+        told_seconds_ = watch.seconds();
+    }
+
+    /// What the host writes before a frame, on both machines.
+    void bring_frame(std::size_t f) {
+        const Upload& upload = frames_[f].upload;
+        if (upload.image_lines > 0) {
+            apply(upload, image_);
+            witness_.emplace(image_, job_.config);
+            rtl_.change(upload);
+        }
+        upload_ = bring(model_, f, std::span(frames_));
+        const UploadTiming other = bring(rtl_, f, std::span(frames_));
+        if (upload_.cycles != other.cycles || upload_.reset != other.reset)
+            throw std::runtime_error("model and RTL do not take the same time for what the host writes");
+    }
+
+    void run_frame(const FrameTrace& frame, const Progress& progress) {
+        const std::uint64_t pixels = frame.trace.rays.size(),
+                            limit = patience(job_.config, job_.khz, traffic_);
+        const std::uint64_t first = model_.cycle();
+        const Accounts accounts = model_.accounts();
+        const MemoryStats memory = model_.memory().stats();
+        FrameCollector hits(frame.frame, job_.config.shading != 0);
+        model_.start(frame.frame, frame.trace);
+        rtl_.start(frame.frame);
+        witness_->start(frame.frame);
+        stopped_.reset();
+        while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
+            cycle(hits);
+            tell_first();
+            if (model_.quiet() > limit)
+                throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit,
+                                                     model_.cycle(), where_rays_are(model_)));
+            if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
+        }
+        if (parted_)
+            run_apart(limit, hits);
+        else if (!interrupted())
+            check_end();
+        tell_first();
+        if (progress) progress("model and rtl", pixels, pixels);
+        result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
+                               model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
+        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.hits(), parted_ ? Accounts{} : rtl_.accounts(),
+                             rtl_.memory().stats() - memory, hits.hits(), hits.colours());
+        result_.cycle_gap +=
+            model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
+        if (stopped_ && !parted_) result_.cycle_gap += std::max<std::uint64_t>(1, model_.cycle() - *stopped_);
+        if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
+        if (!result_.model.partial)
+            for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
+                result_.value_mismatches +=
+                    !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]) ||
+                    (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
+        result_.runs.push_back(frame_run(frame, result_.model));
+        compare_counters();
+        tell_nonsense();
+    }
+
+    void compare_counters() {
+        result_.counters_compared = !parted_ && !stopped_;
+        if (!result_.counters_compared) return;   // the RTL counts only while its frame runs
+        auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
+        if (!difference && rtl_.counted_cycles() != result_.model.cycles)
+            difference = {"host", "cycles", result_.model.cycles, rtl_.counted_cycles(), 0};
+        if (!difference) return;
+        ++result_.account_mismatches;
+        if (!result_.counter) result_.counter = difference;
+    }
+
+    /// Payloads on their way are compared, but not those of an RTL that runs alone.
+    void tell_nonsense() {
+        if (!rtl_.nonsense()) return;
+        ++result_.value_mismatches;
+        if (result_.first) return;
+        const RtlMachine::Nonsense& n = *rtl_.nonsense();
+        result_.first = at(n.cycle, n.pipeline, n.link, last_ray_[index(n.link)]);
+        result_.first->expected = "a value in range";
+        result_.first->got = n.what;
+    }
+
+    /// The RTL is not run on.
+    void tell_assertion(const RtlAssertion& assertion) {
+        parted_ = broken_ = true;
+        watched_.reset();
+        if (result_.first) return;
+        result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
+    }
+
+    /// What the chip tells its host of the frame: that it runs, and that it is done.
+    void check_face(std::uint64_t now, bool runs) {
+        const auto tell = [&](const char* signal, bool wanted, const char* yes, const char* no) {
+            if (result_.first) return;
+            result_.first = {now, "host", signal, 0, 0, 0, wanted ? yes : no, wanted ? no : yes, ""};
+        };
+        if (rtl_.says_running() != runs) {
+            tell("running", runs, "the frame runs", "the frame does not run");
+            if (!stopped_) stopped_ = now;
+        }
+        if (rtl_.says_done() == runs) tell("done", !runs, "the frame is done", "the frame is not done");
+    }
+
+    /// The cycle after the frame's last.
+    void check_end() {
+        rtl_.settle();
+        check_face(model_.cycle(), false);
+    }
+
+    void cycle(FrameCollector& hits) {
+        rtl_.settle();
+        unmatched_.clear();
+        const std::uint64_t now = model_.cycle();
+        check_face(now, true);
+        model_.step([&](const Move& move) {
+            last_ray_[index(move.link)] = move.id;
+            (*witness_)(
+                move, [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
+        });
+        for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
+            if (const LinkMask differ =
+                    (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
+                part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)},
+                     {rtl_.valid_mask(p), rtl_.fire_mask(p)});
+        if (const LinkMask differ =
+                (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire());
+            differ && !parted_)
+            part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()},
+                 {rtl_.shared_valid(), rtl_.shared_fire()});
+        try {
+            rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+        } catch (const RtlAssertion& assertion) {
+            tell_assertion(assertion);
+        }
+    }
+
+    bool rtl_fires(int pipeline, Link c) const {
+        return (index(c) < pipeline_links ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
+    }
+
+    template <class P> void compare(std::uint64_t now, int pipeline, Link c, const P& payload) {
+        if (!rtl_fires(pipeline, c)) {
+            unmatched_.push_back({pipeline, c, pack(payload, job_.config)});
+            return;
+        }
+        pack(payload, job_.config, words_);
+        ++result_.events_compared;
+        const RcPort& port = rtl_.link(pipeline, c);
+        if (std::memcmp(words_.data(), port.data, std::min<std::size_t>(words_.size() * 4, port.bytes)) == 0)
+            return;
+        ++result_.value_mismatches;
+        if (result_.first) return;
+        const P got = get_data<P>(port, job_.config);
+        Divergence d = at(now, pipeline, c, id_of(payload));
+        describe(payload, got, job_.config, d);
+        d.unit = unit_name(driver_of(c, d.field, job_.config, end_of(pipeline, payload)), pipeline, c);
+        result_.first = d;
+    }
+
+    /// Whether the RTL has the end of a ray, of which the payload is all that is left, where it should be.
+    template <class P> RayEnd end_of(int pipeline, const P& payload) const {
+        if constexpr (std::is_same_v<P, HitOut>) {
+            return {done_is(pipeline, payload.closest.ray),
+                    has(rtl_.pixel_port(pipeline), Pixel{payload.closest, payload.colour})};
+        } else if constexpr (std::is_same_v<P, Closest>) {
+            return {done_is(pipeline, payload.ray), true};
+        } else {
+            return {};
+        }
+    }
+    bool done_is(int pipeline, std::uint32_t ray) const {
+        const RcPort& port = rtl_.done_port(pipeline);
+        std::uint32_t got = 0;
+        std::memcpy(&got, port.data, std::min<std::size_t>(port.bytes, sizeof got));
+        return got == ray;
+    }
+    template <class P> bool has(const RcPort& port, P payload) const {
+        const Words words = pack(payload, job_.config);
+        return std::memcmp(words.data(), port.data, std::min<std::size_t>(words.size() * 4, port.bytes)) == 0;
+    }
+
+    struct Masks {
+        LinkMask valid, fire;
+    };
+    /// The machines no longer move in step: one of them offers or accepts what the other does not.
+    void part(std::uint64_t now, int pipeline, LinkMask differ, Masks model, Masks rtl) {
+        parted_ = true;
+        if (result_.first) return;
+        // An offer comes out of registers; whether it is accepted may hang on another offer of the same
+        // cycle.
+        const LinkMask offers = differ & (model.valid ^ rtl.valid);
+        const Link c = Link(std::countr_zero(offers ? offers : differ));
+        const auto tell = [&](const Masks& m) {
+            return m.fire & bit(c)    ? "a transfer"
+                   : m.valid & bit(c) ? "an offer that is not accepted"
+                                      : "no offer";
+        };
+        result_.first =
+            at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
+        const bool offered = model.valid & bit(c);   // as the model does; so the RTL does not, or the other
+                                                     // way round
+        const RayEnd end{bool(*rtl_.done_port(pipeline).valid) == offered,
+                         bool(*rtl_.pixel_port(pipeline).valid) == offered};
+        result_.first->unit =
+            unit_name(offers ? driver_of(c, {}, job_.config, end) : link_infos[index(c)].to, pipeline, c);
+        result_.first->expected = tell(model);
+        result_.first->got = tell(rtl);
+        watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
+    }
+
+    /// Looks out for the transfer that only one of them made.
+    void watch(std::uint64_t now, int pipeline, Link c, bool by_rtl, bool by_model) {
+        if (by_rtl == by_model) return;
+        watched_ = Watched{now, pipeline, c, by_rtl, {}};
+        if (by_rtl) {
+            const RcPort& port = rtl_.link(pipeline, c);
+            watched_->words.assign((port.bytes + 3) / 4, 0);
+            std::memcpy(watched_->words.data(), port.data, port.bytes);
+        } else {
+            for (const Unmatched& u : unmatched_)
+                if (u.pipeline == pipeline && u.link == c) watched_->words = u.words;
+        }
+    }
+
+    void seen(std::uint64_t now, const std::uint32_t* words, std::size_t bytes) {
+        const bool same =
+            std::memcmp(watched_->words.data(), words, std::min(bytes, watched_->words.size() * 4)) == 0;
+        result_.first->later =
+            later_text(watched_->by_rtl ? "the model" : "the RTL", now - watched_->cycle, same);
+        watched_.reset();
+    }
+
+    template <std::size_t i> std::uint32_t rtl_id(int pipeline, Link c) const {
+        if constexpr (i < link_count) {
+            if (index(c) == i)
+                return id_of(
+                    get_data<std::tuple_element_t<i, LinkPayloads>>(rtl_.link(pipeline, c), job_.config));
+            return rtl_id<i + 1>(pipeline, c);
+        } else {
+            return 0;
+        }
+    }
+
+    Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const {
+        const bool is_ray = link_infos[index(c)].carries_ray;
+        const Slot pixel =
+            is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
+        return {now,
+                unit_name(link_infos[index(c)].from, pipeline, c),
+                link_infos[index(c)].name,
+                id,
+                pixel.x,
+                pixel.y,
+                "",
+                "",
+                "",
+                pipeline,
+                c};
+    }
+
+    std::string unit_name(const char* unit, int pipeline, Link c) const {
+        return job_.config.pipelines > 1 && index(c) < pipeline_links ? fmt::format("{}[{}]", unit, pipeline)
+                                                                      : unit;
+    }
+
+    void run_apart(std::uint64_t limit, FrameCollector& hits) {
+        while (!model_.done() && model_.quiet() <= limit) step_model();
+        const std::uint64_t give_up = 4 * model_.cycle() + limit;
+        try {
+            for (std::uint64_t quiet = 0;
+                 !broken_ && !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up;
+                 quiet = rtl_.moved() ? 0 : quiet + 1)
+                step_rtl(hits);
+        } catch (const RtlAssertion& assertion) {
+            tell_assertion(assertion);
+        }
+        if (watched_)
+            result_.first->later =
+                fmt::format("{} makes none there any more", watched_->by_rtl ? "the model" : "the RTL");
+    }
+
+    void step_model() {
+        const std::uint64_t now = model_.cycle();
+        if (!watched_ || !watched_->by_rtl) return model_.step();
+        model_.step([&](const Move& move) {
+            (*witness_)(move, [&](int pipeline, Link c, const auto& payload) {
+                if (!watched_ || pipeline != watched_->pipeline || c != watched_->link) return;
+                pack(payload, job_.config, words_);
+                seen(now, words_.data(), words_.size() * 4);
+            });
+        });
+    }
+
+    void step_rtl(FrameCollector& hits) {
+        rtl_.settle();
+        if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->link)) {
+            const RcPort& port = rtl_.link(watched_->pipeline, watched_->link);
+            if (port.bytes >= 4)
+                seen(rtl_.cycle(), port.data, port.bytes);
+            else {
+                std::uint32_t word = 0;   // a port of up to 16 bits is shorter than a word
+                std::memcpy(&word, port.data, port.bytes);
+                seen(rtl_.cycle(), &word, 4);
+            }
+        }
+        rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+    }
+
+    /// A frame as one of the machines made it.
+    FrameRun run_of(const FrameTrace& frame, std::uint64_t cycles, std::uint64_t pixels,
+                    const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
+                    const Colours& colours) const {
+        const bool partial = pixels < frame.trace.rays.size() && !parted_;
+        const FrameWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
+                             frame.trace.triangle_tests};
+        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work,
+                         hits, colours);
+    }
+
+    const Job& job_;
+    const std::vector<FrameTrace>& frames_;
+    Traffic traffic_;
+    const OnFirst& on_first_;
+    bool told_ = false;
+    double told_seconds_ = 0;   // of the host
+    std::size_t frame_ = 0;     // that runs, and the cycle in which it begins
+    std::uint64_t begins_ = 0;
+    Machine model_;
+    RtlMachine rtl_;
+    MemoryImage image_;   // of the frame that runs
+    std::optional<Witness> witness_;
+    UploadTiming upload_;                                // before it
+    std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
+    Words words_;
+    bool parted_ = false, broken_ = false;
+    std::optional<std::uint64_t> stopped_;   // the first cycle in which the RTL's frame does not run as the
+                                             // model's does
+    struct Unmatched {
+        int pipeline;
+        Link link;
+        Words words;
+    };
+    std::vector<Unmatched> unmatched_;   // transfers of this cycle that the model made and the RTL did not
+    struct Watched {
+        std::uint64_t cycle;
+        int pipeline;
+        Link link;
+        bool by_rtl;   // made it; the other is watched
+        Words words;
+    };
+    std::optional<Watched> watched_;
+    LockstepResult result_;
+};
+
+}   // namespace
+
+LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
+                            const Progress& progress, int seed,
+                            const std::function<void(const Divergence&)>& on_first) {
+    return Lockstep(job, frames, traffic, seed, on_first).run(progress);
+}
+
+LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame));
+    return run_lockstep(job, frames, traffic, progress, seed);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/core/config.hpp"
+#include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
+#include "sim/run/request/finish.hpp"
+
+namespace rayclock {
+
+/// A sentence for each key=value that changes nothing on this machine: "mem_latency has no effect with
+/// dram=ddr3".
+std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set);
+
+/// The same of the options of a finished picture of the scene.
+std::vector<std::string> idle_finish(const Finish& finish, const Whitted& settings, const Scene& scene);
+
+}   // namespace rayclock

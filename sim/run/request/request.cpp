@@ -1,0 +1,124 @@
+#include "sim/run/request/request.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/core/settled.hpp"
+#include "model/scene/folded.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/load/load.hpp"
+#include "sim/run/request/ground.hpp"
+#include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/idle.hpp"
+#include "sim/run/request/levels.hpp"
+#include "sim/run/request/material.hpp"
+
+namespace rayclock {
+
+namespace {
+
+Whitted settings_of(const Finish& f, std::uint64_t seed) {
+    Whitted w;
+    const auto within = [](const char* option, double value, double lo, double hi) {
+        if (!(value >= lo && value <= hi))
+            throw UserError(fmt::format("{} must lie in {}..{}, not {}", option, lo, hi, value));
+    };
+    if (f.depth) within("--depth", *f.depth, 0, most_depth), w.depth = *f.depth;
+    if (f.aa) within("--aa", *f.aa, 1, most_aa), w.aa = *f.aa;
+    if (f.threshold) within("--threshold", *f.threshold, 0, 1), w.threshold = *f.threshold;
+    if (f.contrast) within("--contrast", *f.contrast, 0, 1), w.contrast = *f.contrast;
+    w.jitter = f.jittered;
+    w.seed = std::uint32_t(seed);
+    return w;
+}
+
+void tell(const std::vector<std::string>& notes) {
+    constexpr std::size_t most = 20;
+    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i)
+        std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
+    if (notes.size() > most)
+        std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
+}
+
+/// With the settings, whether they are legal together or not: units are fitted to their widths.
+Config widened(Config config, const std::vector<std::string>& set) {
+    for (const std::string& item : set)
+        if (const std::size_t equals = item.find('='); equals != std::string::npos)
+            set_value(config, item.substr(0, equals), item.substr(equals + 1), "--set");
+    return config;
+}
+
+/// Gives a scene its camera for a picture of this size, and turns it as it was asked to.
+void look(Scene& scene, FrameSize size, const ViewChoice& view) {
+    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+    if (view.material) give_material(scene, *view.material);
+    if (view.ground) lay_ground(scene);
+}
+
+}   // namespace
+
+Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
+    std::vector<std::string> notes;
+    Scene scene = load_scene(spec, progress, primitives, &notes);
+    tell(notes);
+    return scene;
+}
+
+Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
+    Scene scene = told_scene(spec, progress);
+    if (is_folded(scene))
+        throw UserError(
+            fmt::format("{}: {} placed triangles are too many to be written out, which this command does",
+                        scene.name, numbered_primitives(scene)));
+    look(scene, size, view);
+    return scene;
+}
+
+void check_levels(const Scene& scene, const Config& config, bool finished, bool ground) {
+    if (is_folded(scene) && (!config.has_instances() || finished))
+        throw UserError(
+            fmt::format("{}: {} placed triangles are too many to be written out: only camera rays of a chip "
+                        "with levels=2 "
+                        "(--set levels=2) can draw them",
+                        scene.name, numbered_primitives(scene)));
+    if (ground && config.has_instances())
+        throw UserError(
+            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
+}
+
+Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
+                   std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
+    Request r;
+    r.settings = settings_of(finish, seed);
+    // A setting may name units that only a chip with shading has: they are set once it is known to be one.
+    const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
+                                     [](const std::string& item) { return item.starts_with("shading="); });
+    const bool may_wait = finish.is_asked() && !by_hand;
+    r.config = load_config({config.name, may_wait ? decltype(config.set){} : config.set});
+    if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
+    r.finished = finish.is_asked() || r.config.shading;
+    r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
+    check_levels(r.scene, r.config, r.finished, false);   // before anything else is made of it
+    r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
+    look(r.scene, size, view);
+    if (finish.fresnel)
+        for (Material& m : r.scene.materials) m.schlick = true;
+    if (r.finished && !r.config.shading && !by_hand) {
+        // The units that the scene needs, for the widths that were set. What was set by hand is set again.
+        Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
+        const Config set = settled(widened(fitted, config.set));
+        fitted.panes = set.panes, fitted.horizon = set.horizon;
+        r.config = with_settings(fitted, config.set, fitted.name);
+    }
+    check_levels(r.scene, r.config, r.finished, view.ground);
+    std::vector<std::string> idle = idle_settings(r.config, config.set);
+    for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
+    for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
+    return r;
+}
+
+}   // namespace rayclock

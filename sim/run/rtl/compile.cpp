@@ -1,0 +1,231 @@
+#include "sim/run/rtl/compile.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "model/base/stopwatch.hpp"
+#include "sim/files/input.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/run/rtl/adapter.hpp"
+#include "sim/files/cache/libraries.hpp"
+#include "sim/run/rtl/gates.hpp"
+#include "sim/files/process/process.hpp"
+#include "sim/run/rtl/sources.hpp"
+#include "sim/files/process/tools.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // sim/run/rtl/abi.hpp,
+                                                                               // wave_abi.hpp,
+                                                                               // sim/view/wave/fst_io.h
+
+namespace {
+
+// --x-assign/--x-initial unique: registers without reset start at seeded random values.
+const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
+                            "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
+/// With what is added, as a shell would divide it without quotes.
+Words compiler_flags() {
+    Words words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+    std::istringstream rest(added_flags());
+    for (std::string word; rest >> word;) words.push_back(word);
+    return words;
+}
+// A netlist has unused pins wherever one looks; what Verilator says of loops and the like still counts. It is
+// simulated for some thousand cycles, and -O1 compiles its many lines in half the time.
+const Words netlist_verilator_flags{"-Wno-lint", "-Wno-style"}, netlist_compiler_flags{"-O1"};
+// What runs once, at a simulation's start, compiles in a third of the time without optimising.
+const Words start_flags{"-O0"};
+// A small module is one source, since each reads the same headers; what starts a middling one is compiled
+// apart. A large one, the whole chip, is divided, and its sources are compiled at the same time.
+constexpr std::uintmax_t small_module = 200'000, large_module = 2'000'000;
+// The widest payloads and a little beyond; memories are left out. What writes signals is as large as the chip
+// itself, runs for a thousand cycles only, and is therefore not optimised.
+const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
+const Words wave_compiler_flags{"-O0"};
+// It is built while somebody waits for the first divergence, and mostly runs for less than it takes to build.
+const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1", "-O1"};
+
+Words operator+(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
+              const fs::path& netlist, const std::function<void()>& meanwhile) {
+    Words files{"gates.vlt", "netlist.v"};
+    if (netlist.empty()) {
+        files = stage_sources(folder, config);
+    } else {
+        fs::copy_file(netlist, folder / "netlist.v");
+        write_text(folder / "gates.vlt", gates_vlt());
+    }
+    write_text(folder / "taps.vlt", adapter_vlt(module, config));
+    const Words words = Words{"verilator"} + verilator_flags +
+                        (netlist.empty() ? Words{} : netlist_verilator_flags) +
+                        (waves == Waves::yes ? wave_verilator_flags : Words{}) +
+                        Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
+    const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
+    run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
+    if (const std::string log = read_if_there(folder / "verilator.log");
+        log.find("%Warning") != std::string::npos)
+        throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
+}
+
+struct Source {
+    std::string name, text;
+    Words flags;
+};
+Source support_source(Waves waves) {
+    const char* const text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
+    if (waves == Waves::no) return {"support", text, {}};
+    // What is defined in fst_io.h is for the last file alone: all that this includes goes before it.
+    const std::string headers =
+        "#include <algorithm>\n#include <iterator>\n#include <sstream>\n"
+        "#include <list>\n#include <fstream>\n"
+        "#include \"verilated_intrinsics.h\"\n#include \"verilated_fst_c.h\"\n";
+    return {"support", text + headers + fst_io_text + "#include \"verilated_fst_c.cpp\"\n", tracing};
+}
+
+/// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
+/// What writes waveforms comes in a source of its own.
+std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
+                            Waves waves, Form form) {
+    const Words flags = (waves == Waves::yes ? tracing : Words{}) +
+                        (form == Form::netlist ? netlist_compiler_flags : Words{});
+    Source wave{"wave", "#include \"verilated_fst_c.h\"\n", tracing + wave_compiler_flags};
+    std::vector<std::pair<std::uintmax_t, std::string>> made;
+    std::uintmax_t all = 0;
+    for (const auto& entry : fs::directory_iterator(folder / "obj")) {
+        const std::string file = entry.path().filename();
+        if (entry.path().extension() != ".cpp") continue;
+        if (file.find("__Trace") != std::string::npos) {
+            wave.text += fmt::format("#include \"{}\"\n", file);
+            continue;
+        }
+        made.emplace_back(entry.file_size(), file);
+        all += entry.file_size();
+    }
+    std::sort(made.rbegin(), made.rend());   // large ones first
+    const bool small = all < small_module;
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < (all < large_module ? 1 : 2); ++i)
+        sources.push_back({fmt::format("part{}", i), i == 0 ? adapter_source(module, config) : "", flags});
+    Source start{"start", "", flags + start_flags};
+    if (waves == Waves::yes) sources[0].text += wave_source();
+    std::vector<std::uintmax_t> sizes(sources.size());
+    for (const auto& [size, file] : made) {
+        const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+        const bool once = !small && file.find("__Slow") != std::string::npos;   // Verilator's name for it
+        (once ? start : sources[part]).text += fmt::format("#include \"{}\"\n", file);
+        if (!once) sizes[part] += size;
+    }
+    // It is linked last: of a function that stands in several the linker takes the first.
+    if (!small) sources.push_back(start);
+    if (waves == Waves::yes) sources.push_back(wave);
+    return sources;
+}
+
+void compile(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
+             const std::function<void()>& meanwhile) {
+    const std::string include = rtl_tools().verilator_root + "/include";
+    const Words common = Words{"c++"} + compiler_flags() +
+                         Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
+    std::vector<ToolJob> jobs;
+    for (const auto& [name, text, flags] : sources) {
+        write_text(folder / (name + ".cpp"), text);
+        jobs.push_back({common + flags + Words{name + ".cpp", "-o", name + ".o"}, name + ".log"});
+    }
+    run_tools(folder, jobs, what, meanwhile);
+}
+
+void link(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
+          const Words& others, const std::function<void()>& meanwhile) {
+    Words words{"c++", "-shared"};
+    for (const Source& source : sources) words.push_back(source.name + ".o");
+    words = words + others;
+    // Clang calls a function of that library where GCC has an instruction.
+    if (rtl_tools().compiler.find("clang") != std::string::npos) words.push_back("-latomic");
+    run_tools(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
+}
+
+}   // namespace
+
+std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form) {
+    std::string all =
+        rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
+    const auto add = [&](const std::vector<Words>& flags) {
+        for (const Words& some : flags)
+            for (const std::string& flag : some) all += " " + flag;
+    };
+    add({verilator_flags, compiler_flags(), start_flags});
+    if (form == Form::rtl) {
+        all += source_ingredients();
+    } else {
+        all += gates_ingredients(config, module) + gates_vlt();
+        add({netlist_verilator_flags, netlist_compiler_flags});
+    }
+    if (waves == Waves::no) return all;
+    all += wave_source() + wave_abi_text;
+    add({wave_verilator_flags, wave_compiler_flags, tracing});
+    return all;
+}
+
+std::string support_ingredients(Waves waves) {
+    std::string all;
+    for (const Words& flags : {compiler_flags(), support_source(waves).flags})
+        for (const std::string& flag : flags) all += " " + flag;
+    return waves == Waves::no ? all : all + fst_io_text;
+}
+
+void make_support(const fs::path& folder, Waves waves, const Working& working) {
+    compile(folder, {support_source(waves)}, "the C++ compiler on Verilator's own sources",
+            [&] { working("the C++ compiler", {}); });
+    tidy(folder, library_of(folder));
+}
+
+void make_library(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
+                  const fs::path& support, const fs::path& netlist, const Working& working) {
+    // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions/rtl.md).
+    constexpr double compiler_share = 3;
+    const Stopwatch verilating;
+    verilate(folder, config, module, waves, netlist, [&] { working("Verilator", {}); });
+    const double expected = verilating.seconds() * compiler_share;
+    const Stopwatch compiling;
+    const auto meanwhile = [&] {
+        working("the C++ compiler", std::max(0.0, expected - compiling.seconds()));
+    };
+    const std::string what = "the C++ compiler on the verilated " + module;
+    write_text(folder / "abi.hpp", abi_text);
+    if (waves == Waves::yes) write_text(folder / "wave_abi.hpp", wave_abi_text);
+    const std::vector<Source> sources =
+        divided(folder, config, module, waves, netlist.empty() ? Form::rtl : Form::netlist);
+    compile(folder, sources, what, meanwhile);
+    fs::copy_file(support, folder / support_name);
+    link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{support_name, "-lz"},
+         meanwhile);
+    tidy(folder, library_of(folder));
+}
+
+std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
+    const Words files = stage_sources(folder, config);
+    Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
+                  folder / "lint.log", folder});
+    lint.wait("interrupted: nothing is written");
+    // Newer versions add a report on themselves, in lines that begin with a dash.
+    std::istringstream log(read_if_there(folder / "lint.log"));
+    std::string found;
+    for (std::string line; std::getline(log, line);)
+        if (!line.starts_with("- ")) found += (found.empty() ? "" : "\n") + line;
+    return found;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,107 @@
+#include "sim/run/rtl/sources.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/files/input.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+const char* chosen_folder() {
+    const char* chosen = std::getenv("RAYCLOCK_RTL");
+    return chosen && *chosen ? chosen : nullptr;
+}
+
+/// The tree around this program's file, if it is in one: a tree that was moved after it was built; or what
+/// was installed beside it.
+fs::path own_tree() {
+    std::error_code error;
+    fs::path place = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (; !place.empty() && place != place.root_path(); place = place.parent_path())
+        for (const fs::path& tree : {place / "share/rayclock", place})
+            if (is_file(tree / "rtl/rc_top.sv")) return tree;
+    return {};
+}
+
+std::string text_of(const fs::path& path) {
+    if (!is_file(path)) throw UserError(path.string() + ": no ordinary file, and the RTL needs it");
+    std::string text = read_if_there(path);
+    if (text.empty()) throw UserError(path.string() + ": empty, or cannot be read");
+    return text;
+}
+
+/// Verilator's makefiles and wrappers stumble over blanks, quotes and dollars.
+std::string safe_name(const fs::path& file, std::set<std::string>& taken) {
+    std::string name = file.string();
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("_./-", c)) c = '_';
+    while (!taken.insert(name).second) name.insert(0, 1, '_');
+    return name;
+}
+
+}   // namespace
+
+fs::path rtl_sources() {
+    if (const char* chosen = chosen_folder()) return chosen;
+    static const fs::path tree = own_tree();
+    return (tree.empty() ? fs::path(RAYCLOCK_SOURCE_DIR) : tree) / "rtl";
+}
+
+std::string rtl_sources_problem() {
+    const fs::path folder = rtl_sources();
+    const std::string name = (chosen_folder() ? "RAYCLOCK_RTL=" : "") + folder.string();
+    const std::string cure = chosen_folder() ? "; it must be a copy of the project's folder rtl"
+                                             : "; set RAYCLOCK_RTL to the folder rtl of rayclock's sources";
+    std::error_code error;
+    const fs::file_status status = fs::status(folder, error);
+    if (status.type() == fs::file_type::not_found)
+        return name + " does not exist, and the RTL is built from it" + cure;
+    if (error)
+        return fmt::format("{} cannot be read ({}), and the RTL is built from it{}", name, error.message(),
+                           cure);
+    if (!fs::is_directory(status)) return name + " is no folder, and the RTL is built from it" + cure;
+    for (const char* file : {"rc_top.sv", "lint.vlt"})
+        if (!is_file(folder / file)) return fmt::format("{} has no file {} in it{}", name, file, cure);
+    return {};
+}
+
+std::vector<fs::path> rtl_files() {
+    if (const std::string problem = rtl_sources_problem(); !problem.empty()) throw UserError(problem);
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::recursive_directory_iterator it(rtl_sources(), error), end; !error && it != end;
+         it.increment(error))
+        if (it->path().extension() == ".sv" && it->path().filename() != "rc_pkg.sv")
+            files.push_back(it->path());
+    if (error)
+        throw UserError(fmt::format("{}: cannot be read ({})", rtl_sources().string(), error.message()));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<RtlText> rtl_texts() {
+    std::vector<fs::path> files = rtl_files();
+    files.insert(files.begin(), rtl_sources() / "lint.vlt");
+    std::vector<RtlText> texts;
+    std::set<std::string> taken{"rc_pkg.sv"};
+    for (const fs::path& file : files)
+        texts.push_back({safe_name(file.lexically_relative(rtl_sources()), taken), text_of(file)});
+    return texts;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,77 @@
+#include "sim/silicon/area/variants.hpp"
+
+#include <algorithm>
+
+#include "sim/run/gen/rc_pkg.hpp"
+
+namespace rayclock::area {
+
+namespace {
+
+constexpr int Config::*further[] = {&Config::spheres, &Config::planes, &Config::smooth, &Config::refraction,
+                                    &Config::supersampling};
+
+const char* key_of(int Config::*member) {
+    for (const Parameter& p : parameters())
+        if (p.member == member) return p.key;
+    return "";
+}
+
+bool always(const Config&) { return true; }
+bool shades(const Config& c) { return c.shading != 0; }
+bool has_l2(const Config& c) { return c.l2_sets > 0; }
+bool has_nodes(const Config& c) { return !c.is_list(); }
+bool lists(const Config& c) { return c.is_list(); }
+bool has_boxes(const Config& c) { return c.has_boxes(); }
+bool has_treelets(const Config& c) { return c.has_treelets(); }
+bool has_globes(const Config& c) { return c.has_globes(); }
+bool has_slants(const Config& c) { return c.has_slants(); }
+bool has_instances(const Config& c) { return c.has_instances(); }
+
+}   // namespace
+
+Config shading_alone(Config c) {
+    c.shading = 1;
+    c.levels = 1;
+    for (int Config::*unit : further) c.*unit = 0;
+    c.panes = c.horizon = 0;
+    // What check_config() asks of it.
+    c.origin_bits = std::max(
+        2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
+    return c;
+}
+
+Config all_units(Config c) {
+    c = shading_alone(c);
+    for (int Config::*unit : further) c.*unit = 1;
+    return c;
+}
+
+std::vector<Variant> variants_of(const Config& base) {
+    std::vector<Variant> all{{"hits", base}, {"shading", shading_alone(base)}};
+    all[0].config.shading = all[0].config.panes = all[0].config.horizon = 0;
+    for (int Config::*unit : further) {
+        all[0].config.*unit = 0;
+        all.push_back({std::string("shading, ") + key_of(unit), shading_alone(base)});
+        all.back().config.*unit = 1;
+    }
+    all.push_back({"all units", all_units(base)});
+    for (const Variant& variant : all) {
+        check_config(variant.config, base.name + " (" + variant.name + ")");
+        check_rtl(variant.config);
+    }
+    return all;
+}
+
+const std::vector<UnitRow>& unit_rows() {
+    static const std::vector<UnitRow> rows{
+        {"sched", true, always},         {"raygen", true, always},     {"trav", true, has_nodes},
+        {"node_cache", true, has_nodes}, {"box", true, has_boxes},     {"treelet", true, has_treelets},
+        {"globe", true, has_globes},     {"slant", true, has_slants},  {"none", true, lists},
+        {"xform", true, has_instances},  {"list", true, always},       {"prim_cache", true, always},
+        {"tri", true, always},           {"surf_cache", true, shades}, {"shade", true, shades},
+        {"dispatch", false, always},     {"arbiter", false, always},   {"l2", false, has_l2}};
+    return rows;
+}
+
+}   // namespace rayclock::area

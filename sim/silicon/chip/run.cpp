@@ -1,0 +1,320 @@
+#include "sim/silicon/chip/run.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/split.hpp"
+#include "sim/silicon/area/variants.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/silicon/chip/clock.hpp"
+#include "sim/silicon/chip/harness.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/table.hpp"
+#include "sim/run/gen/ecp5.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/silicon/synth/parts.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+
+namespace rayclock::chip {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+[[noreturn]] void stopped() {
+    throw Interrupted("interrupted: finished steps are kept, and the same command goes on after them");
+}
+
+/// Yosys in a folder of its own.
+void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script) {
+    if (!folder.run(config, "-defer ", script)) stopped();
+}
+
+/// Units are optimised each by itself and joined in the end, so that each cell has the name of its unit. Over
+/// the borders little is found: of `small` the whole has 23,216 LUT4 so, and 23,298 otherwise.
+std::string synth_script(const std::string& units) {
+    return fmt::format(
+        "read_verilog -sv harness.v\n"
+        "hierarchy -check -top rc_harness\n"
+        "setattr -mod -set keep_hierarchy 1 {}\n"
+        "{}"
+        "setattr -mod -unset keep_hierarchy *\n"
+        "flatten\n"
+        "opt_clean\n"
+        "write_json netlist.json\n",
+        units, ecp5_steps());
+}
+
+class Steps {
+public:
+    Steps(const Request& request, jobs::Cache& cache, const Progress& progress)
+        : request_(request), cache_(cache), progress_(progress) {}
+
+    Result run() {
+        Result result{request_, {}, {}, {}, true};
+        find_face();
+        const auto units = known_units();
+        result.units = units ? *units : synthesize();
+        result.was_kept = units.has_value();
+        result.misfit = misfit(request_.config.name, request_.device, result.units);
+        for (const int seed : request_.seeds) {
+            if (!result.fits()) break;
+            const auto known = cache_.find("chip-route", route_key(seed), route_of);
+            result.was_kept &= known.has_value();
+            if (known)
+                result.routes.push_back(*known);
+            else
+                route(seed, result);
+        }
+        if (result.fits() && result.routes.empty())
+            result.misfit = fmt::format(
+                "'{}' cannot be routed on {}: {}; another seed may do, another placer, or more placements",
+                printable(request_.config.name), request_.device.name, stuck_);
+        return result;
+    }
+
+    /// Only what is kept; nothing if there is less than asked for.
+    std::optional<Result> kept() {
+        Result result{request_, {}, {}, {}, true};
+        find_face();
+        const auto units = known_units();
+        if (!units) return std::nullopt;
+        result.units = *units;
+        result.misfit = misfit(request_.config.name, request_.device, result.units);
+        for (const int seed : request_.seeds) {
+            if (!result.fits()) break;
+            const auto known = cache_.find("chip-route", route_key(seed), route_of);
+            if (!known) return std::nullopt;
+            result.routes.push_back(*known);
+        }
+        return result;
+    }
+
+private:
+    void tell(const std::string& what, int percent) const {
+        if (progress_) progress_(fmt::format("{}, {}", request_.top, what), std::uint64_t(percent), 100);
+    }
+
+    /// Ports and modules, and from them the key of all that follows: the package, the sources of those
+    /// modules alone, and how they are synthesised.
+    void find_face() {
+        const std::string package = jobs::hash_text(rc_package(request_.config));
+        const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
+                                            request_.top, synth::yosys_version());
+        if (const auto known = cache_.find("chip-face", key, [](const ordered_json& json) {
+                return std::tuple(json.at("harness").get<std::string>(),
+                                  json.at("modules").get<std::string>(), json.at("units").get<std::string>());
+            })) {
+            std::tie(harness_, modules_, units_) = *known;
+        } else {
+            const synth::YosysFolder folder(cache_.folder());
+            run_yosys(
+                folder, request_.config,
+                synth::elaborate(request_.config, request_.top) + "blackbox =*\nwrite_json face.json\n");
+            const Face face = face_of(folder.text("face.json"), request_.top);
+            harness_ = harness_text(request_.config, request_.top, face);
+            std::string texts;
+            for (const fs::path& file : rtl_files())
+                for (const std::string& module : face.modules)
+                    if (file.filename() == "rc_" + module + ".sv")
+                        texts += synth::synthesised_text(read_if_there(file));
+            modules_ = jobs::hash_text(texts);
+            units_ = units_of(face);
+            cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
+        }
+        design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
+                              package, modules_, jobs::hash_text(harness_),
+                              jobs::hash_text(synth_script(units_)), synth::yosys_version());
+    }
+
+    /// The modules whose borders stay, as patterns of Yosys: what is placed, and the units in it.
+    std::string units_of(const Face& face) const {
+        std::string patterns = fmt::format("*rc_{}*", request_.top);
+        const auto add = [&](const std::string& unit) {
+            const bool there =
+                std::find(face.modules.begin(), face.modules.end(), unit) != face.modules.end();
+            if (there && unit != request_.top) patterns += fmt::format(" *rc_{}*", unit);
+        };
+        for (const area::UnitRow& row : area::unit_rows()) add(row.name);
+        add("host");
+        return patterns;
+    }
+
+    std::optional<std::map<std::string, Use>> known_units() const {
+        return cache_.find("chip-netlist", design_, [](const ordered_json& json) {
+            std::map<std::string, Use> units;
+            for (const auto& [unit, use] : json.items())
+                units[unit] = {use.at(0).get<std::uint64_t>(), use.at(1).get<std::uint64_t>(),
+                               use.at(2).get<std::uint64_t>(), use.at(3).get<std::uint64_t>()};
+            return units;
+        });
+    }
+
+    fs::path netlist() const {
+        return cache_.folder() / fmt::format("chip-netlist-{}.netlist", jobs::hash_text(design_));
+    }
+
+    /// The netlist, kept whole or not at all, and what its units take.
+    std::map<std::string, Use> synthesize() {
+        tell("synthesis", 0);
+        const synth::YosysFolder folder(cache_.folder());
+        folder.write("harness.v", harness_);
+        run_yosys(folder, request_.config, synth_script(units_));
+        const Units names(request_.top);
+        std::map<std::string, Use> units;
+        const bool whole = read_cells(folder.path("netlist.json").string(), [&](const Cell& cell) {
+            units[names.of(cell.name)] += use_of(cell.type);
+        });
+        if (!whole) throw UserError("netlist.json of yosys is not whole; is the disk full?");
+        std::error_code error;
+        fs::rename(folder.path("netlist.json"), netlist(), error);
+        if (error) throw UserError(fmt::format("{}: {}", netlist().string(), error.message()));
+        ordered_json json;
+        for (const auto& [unit, use] : units) json[unit] = {use.lut, use.ff, use.dsp, use.bram};
+        cache_.keep("chip-netlist", design_, json);
+        tell("synthesis", 100);
+        return units;
+    }
+
+    std::string route_key(int seed) const {
+        const int placements = request_.methods.placements;
+        const std::string first = nextpnr_options(request_.device, request_.methods),
+                          last = nextpnr_options(request_.device, request_.methods, true);
+        // What was kept as "then" of three and more placements had heap in all but the first.
+        return fmt::format("{} nextpnr {} {} seed {} read 5{}{}", design_, nextpnr().version, first, seed,
+                           placements == 1 ? "" : fmt::format(" placements {}", placements),
+                           last == first ? "" : (placements == 2 ? " then " : " at last ") + last);
+    }
+
+    /// What a placement's sites depend on: not on the router, nor on how many placements follow.
+    std::string sites_key(int seed, int placement) const {
+        Methods methods = request_.methods;
+        methods.router = Methods{}.router;
+        return fmt::format("{} nextpnr {} {} seed {} placement {} exchanged 1", design_, nextpnr().version,
+                           nextpnr_options(request_.device, methods), seed, placement);
+    }
+
+    KeptSites kept_sites(int seed) const {
+        const auto find = [this, seed](int placement) {
+            return cache_.find("chip-sites", sites_key(seed, placement),
+                               [](const ordered_json& json) { return json.get<Sites>(); });
+        };
+        const auto keep = [this, seed](int placement, const Sites& sites) {
+            cache_.keep("chip-sites", sites_key(seed, placement), sites);
+        };
+        return {find, keep};
+    }
+
+    void route(int seed, Result& result) {
+        if (!fs::exists(netlist())) synthesize();
+        const synth::YosysFolder folder(cache_.folder());
+        std::error_code error;
+        fs::create_hard_link(netlist(), folder.path("netlist.json"), error);
+        if (error) fs::copy_file(netlist(), folder.path("netlist.json"), error);
+        if (error) throw UserError(fmt::format("{}: {}", netlist().string(), error.message()));
+        const auto hear = [&](const std::string& what, int percent) {
+            tell(fmt::format("seed {}, {}", seed, what), percent);
+        };
+        const fs::path place = folder.path("netlist.json").parent_path();
+        const RouteEnd end =
+            run_nextpnr(place, request_.device, request_.methods, seed, kept_sites(seed), hear);
+        if (end == RouteEnd::interrupted) stopped();
+        if (end == RouteEnd::does_not_route) {   // another seed may be
+            hear_stuck(step_of_log(read_if_there(place / "log")));
+            return;
+        }
+        if (end == RouteEnd::does_not_fit) {
+            result.misfit = fmt::format("'{}' does not fit {}: the placer finds no place for all cells",
+                                        printable(request_.config.name), request_.device.name);
+            return;
+        }
+        const Route route = read_route(place, request_.top, seed);
+        cache_.keep("chip-route", route_key(seed), route_json(route));
+        hear("done", 100);
+        result.routes.push_back(route);
+    }
+
+    /// Says how near the seed came that came nearest.
+    void hear_stuck(const RouteStep& step) {
+        const std::pair left{step.tool == "static", step.least_left};   // what was placed came nearer
+        if (!stuck_.empty() && left_ <= left) return;
+        left_ = left;
+        stuck_ = step.stuck();
+    }
+
+    const Request& request_;
+    jobs::Cache& cache_;
+    const Progress& progress_;
+    std::string harness_, modules_, units_, design_;
+    std::string stuck_;            ///< why no seed could be routed
+    std::pair<bool, long> left_;   ///< whether it was not even placed, and RouteStep::least_left, of that
+                                   ///< seed
+};
+
+}   // namespace
+
+std::string misfit(const std::string& name, const Device& device, const std::map<std::string, Use>& units) {
+    Use all;
+    for (const auto& [unit, use] : units) all += use;   // the harness needs its place, too
+    std::vector<std::string> parts;
+    for (const Resource& resource : resources()) {
+        const std::uint64_t has = device.has.*resource.member, needs = all.*resource.member;
+        if (needs <= has) continue;
+        const auto largest = std::max_element(units.begin(), units.end(), [&](const auto& a, const auto& b) {
+            return a.second.*resource.member < b.second.*resource.member;
+        });
+        parts.push_back(fmt::format("{} {} of {} ({} too many; narrow {}, which takes {})", grouped(needs),
+                                    resource.name, grouped(has), grouped(needs - has), largest->first,
+                                    grouped(largest->second.*resource.member)));
+    }
+    if (parts.empty()) return {};
+    return fmt::format("'{}' does not fit {}: it needs {}", printable(name), device.name,
+                       fmt::join(parts, ", "));
+}
+
+const Route& Result::best() const {
+    return *std::max_element(routes.begin(), routes.end(),
+                             [](const Route& a, const Route& b) { return a.fmax_mhz < b.fmax_mhz; });
+}
+
+std::vector<std::string> tops(const Config& config) {
+    std::vector<std::string> names{"chip"};
+    for (const area::UnitRow& row : area::unit_rows())
+        if (row.is_there(config)) names.push_back(row.name);
+    return names;
+}
+
+namespace {
+
+void check_tools() {
+    if (synth::yosys_version().empty())
+        throw UserError("yosys is not installed, and netlists come from it: apt-get install yosys");
+    if (!nextpnr().problem.empty()) throw UserError(nextpnr().problem);
+}
+
+}   // namespace
+
+Result run(const Request& request, jobs::Cache& cache, const Progress& progress) {
+    check_tools();
+    if (!cache.trouble().empty()) throw UserError(cache.trouble());
+    const Result result = Steps(request, cache, progress).run();
+    if (request.top == "chip" && !result.routes.empty())
+        keep_clock(request.config, {result.best().fmax_mhz, request.device.name, result.best().seed}, cache);
+    return result;
+}
+
+std::optional<Result> kept(const Request& request, jobs::Cache& cache) {
+    check_tools();
+    return Steps(request, cache, {}).kept();
+}
+
+}   // namespace rayclock::chip

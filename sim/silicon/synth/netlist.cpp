@@ -1,0 +1,63 @@
+#include "sim/silicon/synth/netlist.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/synth/stat.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+#include "sim/files/cache/results.hpp"
+
+namespace rayclock::synth {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The multiplier steps of synth_ecp5. Products that are never wanted in the same cycle share a multiplier;
+// that is looked for within each module, before all become one, which finds the same and takes a thirtieth of
+// the time. No bit of a register is counted that is constant, unused or part of a memory's port. Then `stat`
+// counts.
+constexpr const char* script = R"(hierarchy -check -top rc_pipeline
+proc
+opt_expr
+opt_clean
+wreduce t:$mul
+opt_clean
+share t:$mul
+flatten
+opt -fast
+techmap -map +/mul2dsp.v -map +/ecp5/dsp_map.v -D DSP_A_MAXWIDTH=18 -D DSP_B_MAXWIDTH=18 -D DSP_A_MINWIDTH=2 -D DSP_B_MINWIDTH=2 -D DSP_NAME=$__MUL18X18
+memory -nomap
+opt_clean
+tee -q -o stat.json stat -width -json
+)";
+
+}   // namespace
+
+bool exists_in_rtl(const Config& config) {
+    try {
+        check_rtl(config);
+        return true;
+    } catch (const UserError&) {
+        return false;
+    }
+}
+
+std::string netlist_key(const Config& config) {
+    return fmt::format("package {} rtl {} script {} {} pipelines {}", jobs::hash_text(rc_package(config)),
+                       rtl_digest(), jobs::hash_text(script), yosys_version(), config.pipelines);
+}
+
+std::optional<Netlist> count_netlist(const Config& config, const fs::path& work) {
+    const YosysFolder folder(work);
+    if (!folder.run(config, "", script)) return std::nullopt;
+    Netlist counts = counts_of(folder.text("stat.json"));
+    counts.multipliers *= std::uint64_t(config.pipelines);
+    counts.flip_flops *= std::uint64_t(config.pipelines);
+    return counts;
+}
+
+}   // namespace rayclock::synth

@@ -1,0 +1,112 @@
+#include "sim/silicon/synth/yosys.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "model/base/interrupted.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/files/input.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/files/cache/results.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/process.hpp"
+#include "sim/run/rtl/sources.hpp"
+#include "sim/files/process/tools.hpp"
+
+namespace rayclock::synth {
+
+namespace fs = std::filesystem;
+
+const std::string& yosys_version() {
+    static const std::string version = version_line({"yosys", "-V"});
+    return version;
+}
+
+std::string synthesised_text(const std::string& text) {
+    if (text.find("/*") != std::string::npos) return text;   // the sources have no such comments
+    std::istringstream lines(text);
+    std::string kept;
+    int left_out = 0;   // how deep within `ifndef SYNTHESIS
+    for (std::string line; std::getline(lines, line); kept += '\n') {
+        bool is_string = false;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (line[i] == '"') is_string = !is_string;
+            if (!is_string && line.compare(i, 2, "//") == 0) line.resize(i);
+        }
+        line.resize(line.find_last_not_of(" \t\r") + 1);   // npos + 1: nothing is left
+        const std::string word = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+        const bool begins = word == "`ifndef SYNTHESIS";
+        if (begins || (left_out > 0 && word.starts_with("`if")))
+            ++left_out;
+        else if (left_out > 0 && (word == "`endif" || (left_out == 1 && word == "`else")))
+            --left_out;
+        else if (left_out == 0)
+            kept += line;
+    }
+    return kept;
+}
+
+const std::string& rtl_digest() {
+    static const std::string digest = [] {
+        std::string all;
+        for (const RtlText& source : rtl_texts())
+            if (source.name.ends_with(".sv")) all += source.name + "\n" + synthesised_text(source.text);
+        return jobs::hash_text(all);
+    }();
+    return digest;
+}
+
+YosysFolder::YosysFolder(const fs::path& beside)
+    : folder_("yosys", ::access(beside.c_str(), W_OK) == 0 ? beside : fs::temp_directory_path()) {}
+
+bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
+    write("rc_pkg.sv", rc_package(config));
+    // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
+    std::string commands =
+        "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
+    // Copies in this folder: Yosys names cells by the files' names, and what ABC and a placer make of them
+    // depends on their names. So a netlist is the same wherever the sources lie.
+    for (const RtlText& source : rtl_texts()) {
+        const fs::path name = fs::path("rtl") / source.name;
+        if (name.extension() != ".sv") continue;   // the waivers
+        fs::create_directories((folder_.path() / name).parent_path());
+        write(name.c_str(), source.text);
+        commands += fmt::format("read_verilog -sv -D RC_ECP5 {}{}\n", read_flags, name.string());
+    }
+    return run(commands + script);
+}
+
+bool YosysFolder::run(const std::string& script) const {
+    write("run.ys", script);
+    Process yosys({{"yosys", "-q", "run.ys"}, folder_.path(), path("log"), folder_.path()});
+    try {
+        yosys.wait("interrupted");
+    } catch (const Interrupted&) {
+        return false;
+    }
+    if (yosys.code() != 0) throw UserError("yosys failed: " + complaint_of(read_if_there(path("log"))));
+    return true;
+}
+
+void YosysFolder::write(const char* file, const std::string& text) const {
+    errno = 0;
+    if (!(std::ofstream(path(file)) << text).flush())
+        throw UserError(fmt::format("{}: cannot be written: {}", printable(path(file).string()),
+                                    std::strerror(errno ? errno : EIO)));
+}
+
+std::string YosysFolder::text(const char* file) const {
+    std::string bytes = read_if_there(path(file));
+    if (bytes.empty()) throw UserError(fmt::format("yosys has not written {}; is the disk full?", file));
+    return bytes;
+}
+
+}   // namespace rayclock::synth

@@ -1,0 +1,243 @@
+// docs/area.md from what Yosys counted and what was measured; nothing in it is typed in but the words.
+#include "sim/study/area.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "model/scene/builtin.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/request/request.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+
+namespace rayclock::area {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+// A scene that needs shading and no other unit, so that one machine has them idle and one has them not.
+constexpr const char* speed_scene = "mirrors";
+constexpr FrameSize speed_size{96, 72};
+constexpr int speed_depth = 4, speed_rounds = 3;
+
+const Row count_heads{"LUTs", "LUT4", "CCU2C", "DPR16X4", "FF", "MULT18X18D", "DP16KD"};
+
+/// In the order of the heads.
+std::array<std::uint64_t, 7> figures_of(const Count& c) {
+    return {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram};
+}
+Row count_cells(const Count& c) {
+    Row cells;
+    for (const std::uint64_t n : figures_of(c)) cells.push_back(grouped(n));
+    return cells;
+}
+
+std::string signed_text(std::uint64_t now, std::uint64_t before) {
+    return now == before ? "0" : now > before ? "+" + grouped(now - before) : "-" + grouped(before - now);
+}
+Row change_cells(const Count& now, const Count& before) {
+    const auto mine = figures_of(now), theirs = figures_of(before);
+    Row cells;
+    for (std::size_t i = 0; i < mine.size(); ++i) cells.push_back(signed_text(mine[i], theirs[i]));
+    return cells;
+}
+
+Row joined(const std::string& first, const Row& rest) {
+    Row row{first};
+    row.insert(row.end(), rest.begin(), rest.end());
+    return row;
+}
+
+/// Units and what they take, under a heading of the first column.
+Table count_table(const std::string& first, const std::vector<Row>& rows) {
+    Table table(joined(first, count_heads));
+    for (const Row& row : rows) table.add(row);
+    return table;
+}
+
+std::string name_text(const Part& part, const std::string& indent) {
+    return indent + (indent.empty() ? part.name : "rc_" + part.name) +
+           (part.times > 1 ? fmt::format(", {} of them", part.times) : "");
+}
+
+/// The part and all beneath it, each indented by `step` more than what holds it.
+void add_rows(std::vector<Row>& rows, const Part& part, const std::string& indent, const std::string& step) {
+    rows.push_back(joined(name_text(part, indent), count_cells(part.count)));
+    for (const Part& p : part.parts) add_rows(rows, p, indent + step, step);
+}
+
+std::vector<Row> unit_rows_of(const Areas& areas, std::size_t variant, const std::string& step) {
+    std::vector<Row> rows;
+    const auto& units = areas.units[variant];
+    for (const bool in_pipeline : {true, false}) {
+        for (const UnitRow& unit : unit_rows())
+            if (const auto part = units.find(unit.name);
+                part != units.end() && unit.in_pipeline == in_pipeline)
+                add_rows(rows, part->second, "", step);
+        if (in_pipeline)
+            rows.push_back(joined("**one pipeline**", count_cells(pipeline_count(areas, variant))));
+    }
+    return rows;
+}
+
+/// Units that a variant has other than `before` has them.
+std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t before) {
+    std::vector<Row> rows;
+    for (const UnitRow& unit : unit_rows()) {
+        const auto &now = areas.units[variant], &then = areas.units[before];
+        const auto part = now.find(unit.name), old = then.find(unit.name);
+        if (part == now.end()) continue;
+        const Count none;
+        const Count& was = old == then.end() ? none : old->second.count;
+        if (part->second.count != was)
+            rows.push_back(joined(unit.name, change_cells(part->second.count, was)));
+    }
+    return rows;
+}
+
+std::size_t before(std::size_t variant) { return variant < 2 ? 0 : 1; }
+
+std::string summary(const Areas& areas) {
+    Table table(
+        {"one pipeline", "LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"});
+    for (std::size_t v = 0; v < areas.variants.size(); ++v) {
+        const Count now = pipeline_count(areas, v), was = pipeline_count(areas, before(v));
+        Row cells{areas.variants[v].name, grouped(now.luts()), grouped(now.ff), grouped(now.dsp),
+                  grouped(now.bram)};
+        if (v == 0)
+            cells.insert(cells.end(), {"", "", ""});
+        else
+            cells.insert(cells.end(), {signed_text(now.luts(), was.luts()), signed_text(now.ff, was.ff),
+                                       signed_text(now.dsp, was.dsp)});
+        table.add(cells);
+    }
+    return table.markdown();
+}
+
+std::string speed_table(const std::vector<Speed>& speeds) {
+    Table table({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s",
+                 "RTL, k cycles/s", "model / RTL", "RTL's time beside the first", "compiled RTL, kB"});
+    for (const Speed& s : speeds) {
+        const double cycles = double(s.cycles), first = speeds[0].rtl_seconds / double(speeds[0].cycles);
+        table.add({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)),
+                   fmt::format("{:.3f}", s.model_seconds), fmt::format("{:.2f}", s.rtl_seconds),
+                   fmt::format("{:.2f}", cycles / s.model_seconds / 1e6),
+                   fmt::format("{:.1f}", cycles / s.rtl_seconds / 1e3),
+                   fmt::format("{:.1f}", s.rtl_seconds / s.model_seconds),
+                   fmt::format("{:.2f}", s.rtl_seconds / cycles / first), grouped(s.library / 1000)});
+    }
+    return table.markdown();
+}
+
+std::string how_counted() {
+    return fmt::format(R"(
+## How it is counted
+
+For each unit by itself: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check
+-top rc_UNIT` (for the arbiter with the sources and the width that rc_top gives it), `setattr -mod -set
+keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -nowidelut` (all but its
+last step, which names cells and checks; resets of fewer than 16 flip-flops become logic first) and `stat -json`. {}. Units whose netlist is
+the same before synthesis are synthesised once.
+
+- **LUTs** are places of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a
+  TRELLIS_DPR16X4 (16 words of 4 bits of distributed memory take three slices of two LUT4 each, one of
+  them for writing).
+- **FF** are TRELLIS_FF, **MULT18X18D** 18 x 18 multipliers, **DP16KD** block memories of 18 Kbit. Delay
+  lines are flip-flops, unless they are long (`rc_delay_ram`) and become distributed memory.
+- A row includes the rows beneath it that are indented further. A cell is optimised by itself; across
+  its border nothing is shared or propagated, so a unit counts slightly more than if it were flattened
+  whole. The same holds for the borders between units.
+- Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies
+  that count what each unit does (`rc_counters`), the host's registers (`rc_host`) and the wires of
+  rc_pipeline, rc_top and rc_chip; the memory's controller; placement and routing. No clock rate is claimed.
+)",
+                       synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
+}
+
+}   // namespace
+
+std::string table(const Areas& areas) {
+    std::string text;
+    for (std::size_t v = 0; v < areas.variants.size(); ++v) {
+        if (areas.units[v].empty()) continue;
+        std::vector<Row> rows = unit_rows_of(areas, v, "  ");
+        for (Row& row : rows) std::erase(row[0], '*');
+        text += count_table(areas.variants[v].name, rows).text() + "\n";
+    }
+    return text;
+}
+
+ordered_json json(const Areas& areas, const std::vector<Speed>& speeds) {
+    ordered_json all{{"yosys", synth::yosys_version()},
+                     {"script", synth::synth_script()},
+                     {"variants", ordered_json::array()},
+                     {"speed", ordered_json::array()}};
+    for (std::size_t v = 0; v < areas.variants.size(); ++v) {
+        ordered_json variant{{"name", areas.variants[v].name},
+                             {"pipeline", synth::count_json(pipeline_count(areas, v))},
+                             {"units", ordered_json::array()}};
+        for (const UnitRow& unit : unit_rows())
+            if (const auto part = areas.units[v].find(unit.name); part != areas.units[v].end())
+                variant["units"].push_back(synth::part_json(part->second));
+        all["variants"].push_back(variant);
+    }
+    for (const Speed& s : speeds)
+        all["speed"].push_back({{"name", s.name},
+                                {"cycles", s.cycles},
+                                {"rays", s.rays},
+                                {"model_seconds", s.model_seconds},
+                                {"rtl_seconds", s.rtl_seconds},
+                                {"library_bytes", s.library}});
+    return all;
+}
+
+std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress) {
+    Whitted settings;
+    settings.depth = speed_depth;
+    const std::vector<Variant> machines{areas.variants[0], areas.variants[1], areas.variants.back()};
+    return measure(machines, ready_scene(speed_scene, speed_size, progress), speed_size, settings,
+                   speed_rounds, progress);
+}
+
+std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base,
+                 const std::string& command) {
+    std::string text = fmt::format(
+        "# Area\n\nWhat each unit takes of an ECP5, and what the units cost that are there only if a scene "
+        "needs them.\n\nMade by `{}`; every figure is "
+        "counted or measured by that command, none is typed in.\nConditions: configuration `{}` except for "
+        "its "
+        "optional units; {}.\n\n"
+        "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines "
+        "make finished pictures: `shading` has no further "
+        "unit,\nthe next five have one more each, the last has all. \"More\" is beside `hits` for `shading`, "
+        "and beside `shading` for the others.\n"
+        "An LFE5U-85, the largest ECP5, has 83,640 LUTs and as many flip-flops, 156 multipliers and 208 "
+        "block memories.\n\n",
+        command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
+    text += summary(areas);
+    for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
+        text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);
+        text += count_table("unit", unit_rows_of(areas, v, "&emsp;")).markdown();
+    }
+    text += "\n## Units that change\n\nBeside `shading`; all others stay as they are.\n";
+    for (std::size_t v = 2; v < areas.variants.size(); ++v) {
+        text += fmt::format("\n### {}\n\n", areas.variants[v].name) +
+                count_table("unit", changes(areas, v, 1)).markdown();
+    }
+    if (!speeds.empty()) {
+        text += fmt::format(
+            "\n## Speed of simulation\n\n{} as triangles, {}x{}, depth {}; one thread, the best of several "
+            "runs that take turns on one host. `hits` draws camera rays only, so "
+            "compare\nits cycles per second, not its seconds. Model and RTL take the same cycles, which is "
+            "checked.\n\n",
+            speed_scene, speed_size.width, speed_size.height, speed_depth);
+        text += speed_table(speeds);
+    }
+    return text + how_counted();
+}
+
+}   // namespace rayclock::area

@@ -1,0 +1,121 @@
+// What samples on a regular and on a jittered grid make of a checkered plane and of an edge.
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "sim/study/figures/page.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock::figures {
+
+namespace {
+
+struct Grid {
+    int side;
+    bool jitter;
+};
+constexpr Grid grids[] = {{1, false}, {1, true}, {2, false}, {2, true}, {4, false}, {4, true}};
+
+std::string name_of(const Grid& g) {
+    return fmt::format("{}x{} {}", g.side, g.side, g.jitter ? "jittered" : "regular");
+}
+std::string file_of(const Grid& g) { return fmt::format("{}{}", g.side, g.jitter ? "j" : "r"); }
+
+struct Sample {
+    Grid grid;
+    Engine engine;
+    Shot shot;
+};
+
+std::vector<Sample> draw(Page& page, Stage& stage, const std::string& scene) {
+    std::vector<Sample> all;
+    for (const Grid& g : grids)
+        for (auto& [engine, shot] :
+             page.shots(stage, scene + ", " + name_of(g), {.depth = 0, .aa = g.side, .jitter = g.jitter}))
+            all.push_back({g, engine, std::move(shot)});
+    return all;
+}
+
+/// Two rows of three pictures for each engine: regular above, jittered below.
+void show(Page& page, const std::vector<Sample>& all, const std::string& scene,
+          const std::function<Picture(const Picture&)>& prepare) {
+    for (const Engine e : {Engine::reference, Engine::model, Engine::rtl}) {
+        if (!page.studio().has(e) || !page.is_shown(e)) continue;
+        Table table({"", "1 sample", "2x2", "4x4"}, Table::words_only);
+        for (const bool jitter : {false, true}) {
+            std::vector<std::string> row{jitter ? "jittered" : "regular"};
+            for (const Sample& s : all)
+                if (s.engine == e && s.grid.jitter == jitter)
+                    row.push_back(
+                        page.picture(fmt::format("{}-{}-{}", scene, figures::name_of(e), file_of(s.grid)),
+                                     prepare(s.shot.picture)));
+            table.add(row);
+        }
+        page.say(fmt::format("\nBy the {}:\n\n{}", figures::name_of(e), table.markdown()));
+    }
+}
+
+/// Beside the reference's picture of 8x8 regular samples.
+void tabulate(Page& page, const std::vector<Sample>& all, const Picture& best, const char* key) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Sample& s : all) {
+        const Distance d = distance(s.shot.picture, best);
+        if (page.is_shown(s.engine))
+            rows.push_back({name_of(s.grid), figures::name_of(s.engine), grouped(s.shot.rays.all()),
+                            s.shot.run ? grouped(s.shot.run->cycles) : "", fmt::format("{:.4f}", d.rmse),
+                            decibels(d.psnr_db)});
+        nlohmann::ordered_json json{{"samples", s.grid.side * s.grid.side},
+                                    {"jittered", s.grid.jitter},
+                                    {"engine", figures::name_of(s.engine)},
+                                    {"rays", s.shot.rays.all()},
+                                    {"rmse", d.rmse},
+                                    {"psnr_db", d.psnr_db}};
+        if (s.shot.run) json["cycles"] = s.shot.run->cycles;
+        page.numbers[key].push_back(json);
+    }
+    page.table({"samples", "engine", "rays", "cycles", "RMSE", "PSNR, dB"}, rows);
+}
+
+constexpr Whitted best_settings{.depth = 0, .aa = 8};
+
+}   // namespace
+
+void endless_plane(Page& page) {
+    Stage stage(page.studio(), "plane", {.depth = 0, .aa = 4, .jitter = true});
+    const std::vector<Sample> all = draw(page, stage, "plane");
+    page.say(
+        "\n## The endless plane\n\nA checkered plane without end (`plane`): its squares become smaller than "
+        "pixels towards the horizon. One sample in the middle of each pixel makes "
+        "patterns that are not there (aliases); more samples push them towards the horizon; jitter turns "
+        "them into noise. Where squares are too far away "
+        "for its numbers, the machine takes the mean of both colours.\n");
+    show(page, all, "plane", [](const Picture& p) { return p; });
+    page.say(
+        "\nError beside the reference's picture of 8x8 regular samples (RMSE of linear colours, 1 is full "
+        "scale; PSNR of 8-bit sRGB):\n");
+    tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "plane");
+}
+
+void edge(Page& page) {
+    // The square's left edge, where pixels are magnified: half of it is 0.3018 of the picture's height from
+    // the middle.
+    const FrameSize size{64, 48};
+    constexpr int w = 32, h = 24, factor = 8;
+    const double half_height = std::tan(45 * std::numbers::pi / 360) * 4;
+    const int x = int(size.width / 2.0 - size.height / 2.0 / half_height) - w / 2, y = (size.height - h) / 2;
+    Stage stage(page.studio(), "square", {.depth = 0, .aa = 4, .jitter = true}, size);
+    const std::vector<Sample> all = draw(page, stage, "square");
+    page.say(
+        fmt::format("\n## An edge\n\nThe left edge of a white square that is slightly turned (`square`), "
+                    "{}x{} pixels of a picture of {}x{}, each shown {} times as large. On a regular "
+                    "grid the edge is a stair of n x n grades; on a jittered one the stair's place is "
+                    "random, and its regularity is gone.\n",
+                    w, h, size.width, size.height, factor));
+    show(page, all, "square", [&](const Picture& p) { return magnified(p, x, y, w, h, factor); });
+    page.say("\nError beside the reference's picture of 8x8 regular samples, over the whole picture:\n");
+    tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "square");
+}
+
+}   // namespace rayclock::figures

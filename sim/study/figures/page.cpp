@@ -1,0 +1,88 @@
+#include "sim/study/figures/page.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock::figures {
+
+namespace fs = std::filesystem;
+
+Page::Page(const Studio& studio, std::string folder) : studio_(studio), folder_(std::move(folder)) {
+    std::error_code error;
+    fs::create_directories(fs::path(folder_) / "figures", error);
+    if (error || !fs::is_directory(fs::path(folder_) / "figures"))
+        throw UserError(folder_ + ": cannot be made a folder for the figures");
+    check_writable((fs::path(folder_) / "figures" / "page.png").string());
+}
+
+void Page::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
+    Table table(head);
+    for (const auto& row : rows) table.add(row);
+    text_ += "\n" + table.markdown() + "\n";
+}
+
+std::string Page::picture(const std::string& name, const Picture& picture) {
+    write_picture((fs::path(folder_) / "figures" / (name + ".png")).string(), picture,
+                  {picture.size, std::vector<Hit>(picture.pixels.size())});
+    return fmt::format("![{0}](figures/{0}.png)", name);
+}
+
+std::string Page::plot(const std::string& name, const plot::Drawing& drawing) {
+    write_file((fs::path(folder_) / "figures" / (name + ".svg")).string(), plot::svg(drawing));
+    return fmt::format("![{0}](figures/{0}.svg)", name);
+}
+
+std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string& what,
+                                                 const Whitted& settings) {
+    std::vector<std::pair<Engine, Shot>> all;
+    for (const Engine e : {Engine::reference, Engine::model})
+        if (studio_.has(e)) all.emplace_back(e, stage.take(e, settings));
+    if (!studio_.has(Engine::rtl) || !rtl_trouble_.empty()) return all;
+    try {
+        all.emplace_back(Engine::rtl, stage.take(Engine::rtl, settings));
+    } catch (const UserError& e) {
+        if (interrupted() || all.empty()) throw;   // nothing but the RTL was asked for
+        rtl_trouble_ = e.what();
+        return all;
+    }
+    ++rtl_pictures_;
+    if (!studio_.has(Engine::model)) return all;
+    const Shot &model = all[all.size() - 2].second, &rtl = all.back().second;
+    if (model.run->colours != rtl.run->colours || model.run->cycles != rtl.run->cycles)
+        throw std::runtime_error(fmt::format(
+            "{}: the RTL's picture is not the model's: {} cycles and {}, colours {}", what, rtl.run->cycles,
+            model.run->cycles, model.run->colours == rtl.run->colours ? "equal" : "not equal"));
+    ++rtl_compared_;
+    return all;
+}
+
+std::vector<Engine> Page::measured() const {
+    std::vector<Engine> all;
+    for (const Engine e : studio_.engines)
+        if (e != Engine::rtl || (!studio_.has(Engine::model) && rtl_trouble_.empty())) all.push_back(e);
+    return all;
+}
+
+std::string Page::rtl_sentence() const {
+    if (!studio_.has(Engine::rtl)) return "The RTL was not asked for.";
+    if (!rtl_trouble_.empty()) return "The RTL was left out: " + rtl_trouble_ + ".";
+    if (rtl_compared_ == 0) return fmt::format("The RTL drew {} pictures.", rtl_pictures_);
+    return fmt::format(
+        "The RTL drew {} of these pictures as well, and each was compared when this page was made: all are "
+        "the model's bit for bit, and took as "
+        "many cycles. So they are not shown a second time.",
+        rtl_compared_);
+}
+
+std::string per_cent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+std::string decibels(double psnr_db) {
+    return std::isfinite(psnr_db) ? fmt::format("{:.1f}", psnr_db) : "equal";
+}
+
+}   // namespace rayclock::figures

@@ -1,0 +1,157 @@
+// How much of the time goes into intersection tests, with and without a hierarchy.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "model/base/stopwatch.hpp"
+#include "sim/judge/reference/whitted.hpp"
+#include "model/scene/builtin.hpp"
+#include "sim/study/figures/page.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock::figures {
+
+namespace {
+
+constexpr const char* scenes[] = {"balls:2", "mount:4", "gears:1"};
+constexpr int depth = 4;
+
+/// The reference on one thread.
+struct Measured {
+    double total = 0;    ///< seconds of a frame
+    double search = 0;   ///< of these, in finding hits
+    RefEffort effort;
+};
+
+/// What reading the clock adds to a search's time: the quickest of many batches.
+double clock_cost() {
+    constexpr int batches = 200, times = 200;
+    double least = 1;
+    for (int i = 0; i < batches; ++i) {
+        double sum = 0;
+        for (int k = 0; k < times; ++k) {
+            const Stopwatch watch;
+            sum += watch.seconds();
+        }
+        least = std::min(least, sum / times);
+    }
+    return least;
+}
+
+/// The quickest of a few, which other work on this computer has disturbed least.
+Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool tests_all) {
+    Measured best;
+    for (int i = 0; i < 3; ++i) {
+        Measured m;
+        m.effort.tests_all = tests_all;
+        geometry.watch(&m.effort);
+        const Stopwatch watch;
+        ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, stopping({}));
+        m.total = watch.seconds();
+        geometry.watch(nullptr);
+        const double cost = clock_cost() * double(m.effort.rays);   // of one reading: the other one is
+                                                                    // outside the search's time
+        m.total -= 2 * cost;
+        m.search = m.effort.seconds - cost;
+        if (i == 0 || m.total < best.total) best = m;
+    }
+    return best;
+}
+
+std::string per_ray(std::uint64_t n, std::uint64_t rays) {
+    return fmt::format("{:.1f}", double(n) / double(rays));
+}
+
+void reference_rows(Page& page, const std::string& name, std::vector<std::vector<std::string>>& rows) {
+    stop_if_interrupted();
+    const Scene scene = make_builtin(name, Primitives::native);
+    RefGeometry geometry(scene);
+    const Measured all = measure(geometry, scene, page.studio().size, true),
+                   tree = measure(geometry, scene, page.studio().size, false);
+    const double test = all.search / double(all.effort.tests),
+                 tests = test * double(tree.effort.tests) / tree.total;
+    const std::uint64_t rays = all.effort.rays;
+    rows.push_back({name, grouped(primitive_count(scene)), "none", grouped(rays), "0",
+                    per_ray(all.effort.tests, rays), per_cent(all.search / all.total),
+                    per_cent(all.search / all.total), fmt::format("{:.2f} s", all.total)});
+    rows.push_back({name, grouped(primitive_count(scene)), "hierarchy", grouped(tree.effort.rays),
+                    per_ray(tree.effort.boxes, rays), per_ray(tree.effort.tests, rays), per_cent(tests),
+                    per_cent(tree.search / tree.total), fmt::format("{:.2f} s", tree.total)});
+    page.numbers["test_share"][name]["reference"] = {
+        {"rays", rays},
+        {"without",
+         {{"tests", all.effort.tests}, {"search_share", all.search / all.total}, {"seconds", all.total}}},
+        {"with",
+         {{"boxes", tree.effort.boxes},
+          {"tests", tree.effort.tests},
+          {"test_share", tests},
+          {"search_share", tree.search / tree.total},
+          {"seconds", tree.total}}}};
+}
+
+void machine_row(Page& page, const std::string& name, Engine engine,
+                 std::vector<std::vector<std::string>>& rows) {
+    Stage stage(page.studio(), name, {.depth = depth});
+    const Shot shot = stage.take(engine, {.depth = depth});
+    const FrameRun& run = *shot.run;
+    const std::uint64_t rays = shot.rays.all(), primitives = primitive_count(stage.scene());
+    double tri = 0, box = 0, shade = 0;
+    for (const UnitAccount& a : unit_accounts(stage.job().config, run)) {
+        const double busy = double(a.busy) / (double(a.instances) * double(run.cycles));
+        if (a.unit == "tri") tri = busy;
+        if (a.unit == "box") box = busy;
+        if (a.unit == "shade") shade = busy;
+    }
+    const double without = double(rays) * double(primitives);
+    rows.push_back({name, grouped(primitives), name_of(engine), grouped(rays), per_ray(run.box_tests, rays),
+                    per_ray(run.triangle_tests, rays), per_cent(tri), per_cent(box), per_cent(shade),
+                    grouped(run.cycles), grouped(std::uint64_t(without)),
+                    fmt::format("{:.0f}", without / double(run.cycles))});
+    page.numbers["test_share"][name][name_of(engine)] = {{"rays", rays},
+                                                         {"box_tests", run.box_tests},
+                                                         {"tests", run.triangle_tests},
+                                                         {"cycles", run.cycles},
+                                                         {"tri_busy", tri},
+                                                         {"box_busy", box},
+                                                         {"shade_busy", shade},
+                                                         {"tests_without", without}};
+}
+
+}   // namespace
+
+void test_share(Page& page) {
+    page.say(fmt::format(
+        "\n## Time in intersection tests\n\nWhitted (1980) found 75 to 95 % of the time in intersection "
+        "tests; every ray was tested against every object of the scene. Depth {}, all rays "
+        "counted: camera, shadow, reflected, refracted.\n",
+        depth));
+    if (page.studio().has(Engine::reference)) {
+        std::vector<std::vector<std::string>> rows;
+        for (const char* scene : scenes) reference_rows(page, scene, rows);
+        page.say(
+            "\nThe reference on one thread of the computer that made this page. *None*: every ray tests "
+            "every primitive, a shadow ray until something is in its way. *Search*: boxes and tests, "
+            "measured around each ray's search less the clock's own cost. *Tests* with the hierarchy: their "
+            "number times the time of one without. Times "
+            "are of the host and differ from run to run; the counts do not.\n");
+        page.table({"scene", "primitives", "structure", "rays", "boxes a ray", "tests a ray",
+                    "tests, of the time", "search, of the time", "frame"},
+                   rows);
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const Engine e : page.measured())
+        if (e != Engine::reference)
+            for (const char* scene : scenes) machine_row(page, scene, e, rows);
+    if (rows.empty()) return;
+    page.say(
+        "\nThe machine has a unit for each of these works, and they work at the same time, so shares are of "
+        "cycles in which a unit is busy and need not add up to 100 %. Without the structure `tri`, "
+        "one test a cycle, would need a cycle for each ray and primitive: the product of both, not a "
+        "measurement.\n");
+    page.table({"scene", "primitives", "engine", "rays", "boxes a ray", "tests a ray", "tri busy", "box busy",
+                "shade busy", "cycles", "rays x primitives", "times as many"},
+               rows);
+}
+
+}   // namespace rayclock::figures

@@ -1,0 +1,53 @@
+#pragma once
+// Finished pictures of one scene by the three engines, for pages that set them side by side.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/files/process/stopping.hpp"
+
+namespace rayclock::figures {
+
+enum class Engine { reference, model, rtl };
+constexpr const char* engine_names[] = {"reference", "model", "RTL"};
+constexpr const char* name_of(Engine e) { return engine_names[int(e)]; }
+
+/// What all figures of a page have in common.
+struct Studio {
+    FrameSize size{256, 192};
+    int threads = 0;
+    std::vector<Engine> engines{Engine::reference, Engine::model, Engine::rtl};
+    Progress progress;
+
+    bool has(Engine e) const;
+};
+
+/// One picture, and what it took.
+struct Shot {
+    Picture picture;
+    RayCounts rays;
+    std::optional<FrameRun> run;   ///< of a machine
+};
+
+/// A scene with one machine for all settings up to `most`: units, stack and registers are those that `most`
+/// needs, so that only the settings differ from picture to picture.
+class Stage {
+public:
+    Stage(const Studio& studio, const std::string& scene, const Whitted& most, FrameSize size);
+    Stage(const Studio& studio, const std::string& scene, const Whitted& most)
+        : Stage(studio, scene, most, studio.size) {}
+
+    Shot take(Engine engine, const Whitted& settings);
+    const Scene& scene() const { return scene_; }
+    const Job& job() const { return job_; }
+
+private:
+    Studio studio_;
+    Scene scene_;
+    Job job_;
+    Reference reference_;
+};
+
+}   // namespace rayclock::figures

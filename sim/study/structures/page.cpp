@@ -1,0 +1,268 @@
+// docs/structures.md from measured figures; the words about each scene are in reasons.cpp.
+#include "sim/study/structures/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/explore/sweep/front.hpp"
+#include "sim/silicon/synth/yosys.hpp"
+
+namespace rayclock::structures {
+
+namespace {
+
+std::string per_ray(std::uint64_t n, const Frame& frame) {
+    return fmt::format("{:.2f}", double(n) / frame.rays());
+}
+std::string hits(const FrameRun& run, Unit cache) {
+    const CacheAccount account = cache_account(run, cache);
+    return account.accesses == 0 ? "-" : fmt::format("{:.1f} %", 100 * account.hit_rate());
+}
+
+/// Rays after which building the tree has taken less time than the chip needs for testing all primitives with
+/// the rays: one test a cycle and primitive.
+double paid_after(const SceneCells& scene, const Cell& cell) {
+    const double saved = double(scene.primitives) - cell.camera.cycles_per_ray();
+    return saved > 0 ? cell.build * default_khz * 1e3 / saved : HUGE_VAL;
+}
+std::string whole(double x) { return std::isfinite(x) ? grouped(std::uint64_t(std::ceil(x))) : "never"; }
+
+Table tree_table(const SceneCells& scene) {
+    Table table({"structure", "nodes", "depth", "bytes", "references a primitive", "build, s",
+                 "pays after rays", "frames of the chip"});
+    for (const Cell& c : scene.cells) {
+        if (!c.refused.empty()) continue;
+        const double build_frames = c.build * c.camera.fps();
+        table.add({c.structure, grouped(c.report.nodes), std::to_string(c.report.depth),
+                   grouped(c.report.bytes),
+                   fmt::format("{:.2f}", double(c.report.references) / double(scene.primitives)),
+                   fmt::format("{:.2f}", c.build), whole(paid_after(scene, c)),
+                   fmt::format("{:.0f}", build_frames)});
+    }
+    return table;
+}
+
+/// Pictures of a scene, for the sentence below its table.
+std::vector<NamedError> pictures_of(const SceneCells& scene) {
+    std::vector<NamedError> pictures;
+    for (const Cell& c : scene.cells) {
+        if (!c.refused.empty()) continue;
+        pictures.push_back({c.structure, c.camera.error});
+        if (c.finished) pictures.push_back({c.structure + ", finished", c.finished->error});
+    }
+    return pictures;
+}
+std::string far_note(const Limits& limits, const std::vector<NamedError>& pictures) {
+    const std::string far = far_from_reference(limits, pictures, pictures.size(), "pictures");
+    return far.empty() ? "" : "\n† " + far + "\n";
+}
+const char* mark_of(const Limits& limits, const Frame& frame) {
+    return far_from_reference(limits, frame.error).empty() ? "" : " †";
+}
+
+void add_frame(Table& table, const std::string& what, const Frame& f, const area::Count* area,
+               const Limits& limits) {
+    std::vector<std::string> row{what + mark_of(limits, f),
+                                 per_ray(f.run.visits, f),
+                                 per_ray(f.run.triangle_tests, f),
+                                 fmt::format("{:.2f}", f.cycles_per_ray()),
+                                 fmt::format("{:.1f}", f.fps()),
+                                 hits(f.run, Unit::node_cache),
+                                 hits(f.run, Unit::prim_cache),
+                                 fmt::format("{:.0f}", double(bytes_read(f.run)) / f.rays()),
+                                 fmt::format("{}, {:.0f} %", f.bound.unit, 100 * f.bound.reached),
+                                 fmt::format("{:.0f} %", 100 * f.tri_busy)};
+    if (area) {
+        row.push_back(fmt::format("{:.2f}", 1000 * f.fps() / double(area->luts())));
+        row.push_back(fmt::format("{:.2f}", f.fps() / double(area->dsp)));
+    }
+    table.add(row);
+}
+Table frame_table(const Figures& figures, const SceneCells& scene, const Limits& limits) {
+    std::vector<std::string> head{"structure", "visits a ray",   "tests a ray", "cycles a ray",   "fps",
+                                  "node hits", "primitive hits", "bytes a ray", "bound, reached", "tri busy"};
+    if (figures.areas) head.insert(head.end(), {"fps per 1,000 LUTs", "fps per multiplier"});
+    Table table(head);
+    for (const bool finished : {false, true})
+        for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+            const Cell& c = scene.cells[i];
+            if (!c.refused.empty() || (finished && !c.finished)) continue;
+            add_frame(table, finished ? c.structure + ", finished" : c.structure,
+                      finished ? *c.finished : c.camera, area_of(figures, scene, i, finished), limits);
+        }
+    return table;
+}
+
+double fps_of(const Cell& c) { return c.camera.fps(); }
+double finished_fps_of(const Cell& c) { return c.finished ? c.finished->fps() : 0; }
+double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
+double bytes_of(const Cell& c) { return double(c.report.bytes); }
+
+/// Scenes whose camera rays meet triangles alone: these run on the smaller pipeline.
+std::vector<SceneCells> angular(const Figures& figures) {
+    std::vector<SceneCells> scenes;
+    for (const SceneCells& scene : figures.large)
+        if (!scene.is_round) scenes.push_back(scene);
+    return scenes;
+}
+
+void add_area(std::vector<std::string>& row, const area::Count* c, double fps) {
+    if (c) {
+        for (const std::uint64_t n : {c->luts(), c->ff, c->dsp, c->bram}) row.push_back(grouped(n));
+        row.push_back(fmt::format("{:.1f}", fps));
+        row.push_back(fmt::format("{:.2f}", 1000 * fps / double(c->luts())));
+        row.push_back(fmt::format("{:.2f}", fps / double(c->dsp)));
+    } else {
+        row.insert(row.end(), {"-", "-", "-", "-", fmt::format("{:.1f}", fps), "-", "-"});
+    }
+}
+Table area_table(const Figures& figures, bool finished) {
+    Table table({"structure", "LUTs", "FF", "multipliers", "block memories", "fps", "fps per 1,000 LUTs",
+                 "fps per multiplier"});
+    const std::vector<SceneCells> scenes = finished ? figures.large : angular(figures);
+    for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
+        std::vector<std::string> row{figures.large[0].cells[i].structure};
+        const Areas* areas = figures.areas ? &(*figures.areas)[i] : nullptr;
+        add_area(row,
+                 !areas     ? nullptr
+                 : finished ? &areas->all
+                            : &areas->hits,
+                 mean_of(scenes, i, finished ? finished_fps_of : fps_of));
+        table.add(row);
+    }
+    return table;
+}
+
+Table list_table(const std::vector<SceneCells>& scenes, const Limits& limits) {
+    Table table({"scene", "primitives", "structure", "tests a ray", "cycles a ray", "tri busy"}, 3);
+    for (const SceneCells& scene : scenes)
+        for (const Cell& c : scene.cells) {
+            if (!c.refused.empty()) continue;
+            table.add({scene.name, grouped(scene.primitives), c.structure + mark_of(limits, c.camera),
+                       per_ray(c.camera.run.triangle_tests, c.camera),
+                       fmt::format("{:.2f}", c.camera.cycles_per_ray()),
+                       fmt::format("{:.0f} %", 100 * c.camera.tri_busy)});
+        }
+    return table;
+}
+
+constexpr const char* intro = R"(# Structures on one machine
+
+Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
+{}x{} pixels of camera rays, scenes in triangles unless a scene's heading says otherwise; finished pictures
+(`--depth 4`) have half as many columns and rows, and true spheres where the scene has them. fps are of these
+pictures. All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
+[planes.md](planes.md), [bsp.md](bsp.md)). An octree uses the engine of kd, to the gate
+([configurations.md](configurations.md#structures)); "bvh, splits" is the bvh with primitives cut where that
+pays (`splits=on`). Each has a `box_queue` above the latency of its unit: a slant's is 32.
+
+- **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
+  the host.
+- **pays after rays**: camera rays that a chip with a list of all primitives, one test a cycle, would trace in
+  the time that building takes, longer than with the tree. **Frames of the chip**: frames that the chip with
+  the tree draws in that time.
+- A dagger (†) marks a picture beyond a limit ([report.md](report.md#limits)); the sentence below the table
+  names the farthest.
+- **bound, reached**: the largest of visits, tests (one a cycle each) and what memory can carry, and its share
+  of the frame's cycles. **tri busy**: the share of cycles in which an intersection test begins.
+
+)";
+
+constexpr const char* area_words = R"(
+Area: one pipeline, unit by unit, as Yosys maps it to an ECP5 ([area.md](area.md) says what is
+counted). Above: camera rays, a pipeline that finds hits of triangles; fps are the geometric mean of the scenes in
+triangles. Below: finished pictures, a pipeline with every unit that they may need, and the mean of all scenes.
+
+)";
+
+constexpr const char* around_words = R"(
+Which structure needs the fewest cycles a camera ray, how many, and how many times as many the next one needs, with
+memories and caches of other sizes (KB of each cache; "bvh, splits" is not asked, since it is a way to build a bvh):
+
+)";
+
+constexpr const char* list_words = R"(
+## Against a list
+
+Scenes small enough for a list of all primitives, Whitted's baseline: with it `tri` is busy all the time, and
+trees take that away. The octree by the textbook's rule (`straddlers=inner`) stands between them: what lies
+across the root's planes is tested by every ray.
+
+)";
+
+}   // namespace
+
+const std::vector<std::string>& large_scenes() {
+    static const std::vector<std::string> scenes{"gears:8", "balls:3", "balls:4",   "mount:8",
+                                                 "rings:3", "tetra:8", "teapot:12", "tree:8"};
+    return scenes;
+}
+const std::vector<std::string>& small_scenes() {
+    static const std::vector<std::string> scenes{"gears:1", "tetra:4", "mount:3"};
+    return scenes;
+}
+
+std::string page(const Figures& figures, const Study& study, const std::string& command,
+                 const std::string& picture) {
+    std::string text = fmt::format(fmt::runtime(intro), command, study.base.name, default_khz / 1e3,
+                                   study.size.width, study.size.height);
+    text += "## In short\n\n" + area_table(figures, false).markdown() + area_words +
+            area_table(figures, true).markdown();
+    if (figures.areas) {
+        const area::Count& list = figures.areas->back().hits;
+        text += fmt::format("\nA pipeline that walks a mere list takes {} LUTs and {} multipliers.\n",
+                            grouped(list.luts()), grouped(list.dsp));
+        text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
+    }
+    text += around_words + best_table(figures.large, study.base);
+    const auto& usual = large_scenes();   // others may come after these
+    const bool is_usual = study.base.name == "default" && study.scenes.size() >= usual.size() &&
+                          std::equal(usual.begin(), usual.end(), study.scenes.begin());
+    if (is_usual) text += fmt::format("\n{}\n", reason(""));
+    for (const SceneCells& scene : figures.large) {
+        text += fmt::format("\n## {}\n\n{} primitives{}.\n\n", printable(scene.name),
+                            grouped(scene.primitives), scene.is_round ? ", true spheres" : "");
+        text += tree_table(scene).markdown() + "\n" + frame_table(figures, scene, study.limits).markdown() +
+                far_note(study.limits, pictures_of(scene));
+        for (const Cell& c : scene.cells)
+            if (!c.refused.empty()) text += fmt::format("\n{} is not there: {}.\n", c.structure, c.refused);
+        if (const std::string why = reason(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
+    }
+    std::vector<NamedError> small;
+    for (const SceneCells& scene : figures.small)
+        for (const NamedError& picture : pictures_of(scene))
+            small.push_back({fmt::format("{}, {}", scene.name, picture.name), picture.error});
+    return text + list_words + list_table(figures.small, study.limits).markdown() +
+           far_note(study.limits, small);
+}
+
+plot::Drawing picture(const Figures& figures, const Study& study) {
+    plot::Panel area{"speed against area", "LUTs of a pipeline", "cycles a ray", false, {}},
+        memory{"speed against memory", "image, MB", "cycles a ray", false, {}};
+    std::vector<sweep::Figures> by_area, by_memory;
+    const std::vector<SceneCells> scenes = angular(figures);
+    for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
+        const std::string& name = figures.large[0].cells[i].structure;
+        const double cycles = mean_of(scenes, i, cycles_of), megabytes = mean_of(scenes, i, bytes_of) / 1e6;
+        const double luts = figures.areas ? double((*figures.areas)[i].hits.luts()) : 0;
+        area.marks.push_back({luts, cycles, name, false, false});
+        memory.marks.push_back({megabytes, cycles, name, false, false});
+        by_area.push_back(std::vector<double>{luts, cycles});
+        by_memory.push_back(std::vector<double>{megabytes, cycles});
+    }
+    const std::vector<bool> front_area = sweep::front(by_area), front_memory = sweep::front(by_memory);
+    for (std::size_t i = 0; i < area.marks.size(); ++i) {
+        area.marks[i].on_front = front_area[i];
+        memory.marks[i].on_front = front_memory[i];
+    }
+    return plot::chart(
+        fmt::format("Structures, configuration {}", study.base.name),
+        fmt::format("geometric means over {} scenes; line: the panel's own front", scenes.size()),
+        {area, memory});
+}
+
+}   // namespace rayclock::structures

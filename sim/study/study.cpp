@@ -1,0 +1,85 @@
+#include "sim/study/study.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace rayclock::sweep {
+
+namespace {
+
+int no_clock(const std::string&) { return 0; }   // no axis of the study is a clock
+
+class Maker {
+public:
+    explicit Maker(int khz) : khz_(khz) {}
+
+    std::vector<std::size_t> add(const std::vector<Axis>& axes, const Config& base) {
+        std::vector<std::size_t> indices;
+        for (Point& point : make_points(axes, base, khz_, no_clock)) {
+            std::string text;
+            for (const Parameter& p : parameters()) text += value_text(point.config, p) + " ";
+            const auto [at, is_new] = known_.try_emplace(text, study.points.size());
+            if (is_new) study.points.push_back(std::move(point));
+            indices.push_back(at->second);
+        }
+        return indices;
+    }
+    void add_series(const std::string& axis, const char* about, const Config& base) {
+        Series series{parse_axis(axis), about, {}};
+        series.points = add({series.axis}, base);
+        study.series.push_back(std::move(series));
+    }
+
+    Study study;
+
+private:
+    int khz_;
+    std::map<std::string, std::size_t> known_;
+};
+
+}   // namespace
+
+Study make_study(int khz) {
+    Maker maker(khz);
+    const Config base = named_config("default");
+    Config deep = base;
+    deep.stack_depth = 64;
+    maker.add_series("coord_bits=12:20:2",
+                     "Bits of a lattice coordinate: where the corners of triangles may lie. A bit less "
+                     "doubles the lattice's pitch; a bit more widens every product of the triangle test.",
+                     base);
+    maker.add_series("dir_bits=16:24:2", "Bits of a direction component: where rays may point to.", base);
+    maker.add_series("box_bits=4:8",
+                     "Bits of a child box plane relative to its node. Boxes are rounded outwards, so that "
+                     "fewer bits cost visits and never a pixel.",
+                     base);
+    maker.add_series("recip_bits=8:24:4",
+                     "Precision of the reciprocal directions that the box test multiplies with; rounded "
+                     "outwards likewise.",
+                     base);
+    maker.add_series("node_width=2,4,8",
+                     "Children of a node, with a stack of 64 groups, which the narrow trees need. No width "
+                     "of a number, and so no error; for comparison.",
+                     deep);
+    maker.add_series(fmt::format("primitive_test={}", fmt::join(primitive_test_names(), ",")),
+                     "The test of ray against triangle. All but exact and sheared are software only and have "
+                     "no multipliers and flip-flops.",
+                     base);
+    maker.study.grid = {parse_axis("coord_bits=12:20:2"), parse_axis("dir_bits=16:24:2")};
+    maker.study.grid_points = maker.add(maker.study.grid, base);
+    return std::move(maker.study);
+}
+
+std::vector<Result> grid_results(const Study& study, const Outcome& outcome) {
+    std::vector<Result> results;
+    for (std::size_t i = 0; i < study.grid_points.size(); ++i) {
+        results.push_back(outcome.results[study.grid_points[i]]);
+        const std::size_t inner = study.grid[1].values.size();
+        results.back().point.values = {study.grid[0].values[i / inner], study.grid[1].values[i % inner]};
+    }
+    return results;
+}
+
+}   // namespace rayclock::sweep

@@ -1,0 +1,221 @@
+#include "sim/study/yardstick.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/interrupted.hpp"
+#include "model/base/error.hpp"
+#include "sim/run/engine/engine.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/text.hpp"
+#include "sim/run/request/request.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Published {
+    const char* scene;        // ours
+    const char* stands_for;   // theirs, and why
+    const char* saarcor;      // frames per second at 90 MHz, 512x384
+    const char* rpu;          // at 66 MHz, 512x384
+};
+
+// FOUND: read in an abstract or in the press of the time; (m): remembered from the paper, not found.
+constexpr Published rows[] = {
+    {"gears:8", "Conference (282 k)", "20 to 60 over all scenes", "5.5, no shadows"},
+    {"rings:3", "UT2003 (52 k)", "20 to 60 over all scenes", "7.5, precomputed light"},
+    {"tree:6", "Mafia, Skeleton (15, 16 k)", "", "up to 20, best case"},
+    {"balls:3", "SPD Balls, spheres as triangles", "", "1.2, with shadows and refraction"},
+};
+
+struct Size {
+    FrameSize pixels;
+    const char* name;
+};
+constexpr Size sizes[] = {{{512, 384}, "512x384"}, {{1024, 768}, "1024x768"}};
+
+std::string hits_text(const FrameRun& run, Unit cache) {
+    return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
+}
+
+/// A frame of the job, at this clock.
+FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) {
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame, threads, progress));
+    const FrameRun run = frame_run(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
+    if (run.partial) throw Interrupted("interrupted: no page was written");
+    return run;
+}
+
+struct Machine {
+    const char* config;
+    std::vector<std::string> set;
+    int khz;
+    bool rpu = false;   ///< set beside the RPU, and not beside SaarCOR
+};
+/// Both chips walked kd-trees. With this bound the largest scene's tree still fits their memory of 64 MB.
+const std::vector<std::string> as_published{"structure=kd", "references=5"};
+
+std::string machine_table(const Machine& machine, int threads, const Progress& progress) {
+    const Config config = load_config({machine.config, machine.set});
+    const int khz = machine.khz;
+    Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits",
+                 "bytes/ray", "memory MB/s (of peak)", "bound, reached", "published fps, 512x384"},
+                Table::words_only);
+    for (const Published& row : rows)
+        for (const Size& size : sizes) {
+            const Scene scene = ready_scene(row.scene, size.pixels, progress);
+            const Job job = make_job(scene, *scene.camera, size.pixels, config, progress);
+            const FrameRun run = run_of(job, khz, threads, progress);
+            const Bound bound = bound_of(config, khz, run);
+            const double fps = per_second(run, khz), rays = double(run.pixels),
+                         rate = fps * double(bytes_read(run));
+            const char* published = machine.rpu ? row.rpu : row.saarcor;
+            table.add({fmt::format("{} for {}", row.scene, row.stands_for), grouped(scene.triangles.size()),
+                       size.name, fmt::format("{:.1f}", fps),
+                       fmt::format("{:.1f}", double(run.cycles) / rays), hits_text(run, Unit::node_cache),
+                       hits_text(run, Unit::prim_cache),
+                       fmt::format("{:.0f}", double(bytes_read(run)) / rays),
+                       fmt::format("{:.0f} ({:.0f} %)", rate / 1e6,
+                                   100 * rate / peak_bytes_per_second(config, khz)),
+                       fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
+                       size.pixels.width == 512 ? published : ""});
+        }
+    return table.markdown();
+}
+
+struct FinishedRow {
+    const char* scene;
+    const char* stands_for;
+    const char* config;
+    int mhz;
+    int pipelines;
+    const char* published;
+    bool walks_kd() const { return std::string_view(config) == "rpu"; }
+};
+constexpr FinishedRow finished_rows[] = {
+    {"balls:4", "SPD Balls, native spheres", "rpu", 66, 1, "RPU 1.2, shadows and refraction"},
+    {"balls:4", "SPD Balls, native spheres", "default", 66, 1, "RPU 1.2, shadows and refraction"},
+    {"balls:4", "SPD Balls, native spheres", "default", 66, 4, "RPU 1.2, shadows and refraction"},
+    {"spheres", "Spheres-RT, reflective and refractive", "rpu", 66, 1, "RPU 4.5"},
+    {"gears:4", "SPD Gears, clear and opaque", "rpu", 66, 1, ""},
+    {"gears:4", "SPD Gears, clear and opaque", "default", 66, 4, ""},
+    {"mount:6", "SPD Mountain with glass", "default", 66, 1, ""},
+    {"rings:3", "SPD Rings", "default", 66, 1, ""},
+    {"teapot:12", "SPD Teapot", "default", 66, 1, ""},
+    {"tree:8", "SPD Tree, 7 lights", "default", 66, 1, ""},
+};
+
+/// Whole pictures: shadows of all lights, up to 4 bounces, as Haines counts rays.
+std::string finished_table(int threads, const Progress& progress) {
+    Table table({"scene", "configuration, MHz, pipelines", "fps", "Mrays/s", "rays/pixel", "cycles/ray",
+                 "node, primitive, surface hits", "bytes/ray", "bound, reached", "shade busy",
+                 "published fps, 512x384"},
+                Table::words_only);
+    for (const FinishedRow& row : finished_rows) {
+        const FrameSize size{512, 384};
+        ConfigChoice choice{row.config, {fmt::format("pipelines={}", row.pipelines), "stack_depth=64"}};
+        if (row.walks_kd()) choice.set.insert(choice.set.end(), as_published.begin(), as_published.end());
+        Finish finish;
+        finish.depth = 4;
+        const Request request = request_of(row.scene, choice, finish, 1, size, progress);
+        const Job job =
+            make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
+        const FrameRun run = run_of(job, 1000 * row.mhz, threads, progress);
+        const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
+        const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
+        const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };
+        const double busy = double(run.accounts.units[index(Unit::shade)][0]) /
+                            double(run.cycles * std::uint64_t(row.pipelines));
+        table.add({fmt::format("{}: {}", row.scene, row.stands_for),
+                   fmt::format("{}, {}, {}", row.config, row.mhz, row.pipelines), fmt::format("{:.1f}", fps),
+                   fmt::format("{:.1f}", fps * rays / 1e6), fmt::format("{:.2f}", rays / double(run.pixels)),
+                   fmt::format("{:.1f}", double(run.cycles) / rays),
+                   fmt::format("{:.1f}, {:.1f}, {:.1f} %", hits(Unit::node_cache), hits(Unit::prim_cache),
+                               hits(Unit::surf_cache)),
+                   fmt::format("{:.1f}", double(bytes_read(run)) / rays),
+                   fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
+                   fmt::format("{:.0f} %", 100 * busy), row.published});
+    }
+    return table.markdown();
+}
+
+constexpr const char* intro = R"(# Yardstick: beside SaarCOR and RPU
+
+Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simulated, none is typed in.
+
+**The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
+the same number of triangles, from its own camera. The published figures include what the papers say
+beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
+chip**, except for the table of finished pictures. So this page says in which range such a machine lies,
+not which is faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
+rays; ours does in fixed point, ray by ray. What is alike is the class: a kd-tree of one plane a node
+(`structure=kd` with `node_width=2`; `references=5`, so that its image of gears:8 fits 64 MB), clock, rays
+in flight, one node and one triangle a cycle, size of the caches and speed of the memory
+([configurations](configurations.md)). A second table has the same machine with a tree of boxes, two
+children a node, since the program's `saarcor` and `rpu` walk these if nothing else is set.
+)";
+
+constexpr const char* sources = R"(
+## Sources of the published figures
+
+- SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes
+  on an FPGA Chip*, Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its
+  scenes with textures, several lights and several levels of reflection (abstract, read). That they are
+  of 512x384 pixels is remembered from the press of the time.
+- RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray
+  Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
+  shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2 (read in a
+  scholarly archive's copy).
+- D-RPU prototype: Woop, Marmitt, Slusallek, *B-KD Trees for Hardware Accelerated Ray Tracing of Dynamic
+  Scenes*, Graphics Hardware 2006: up to 35 frames per second at 66 MHz on one FPGA, dynamic scenes
+  included (abstract, read).
+- A pipeline of the SaarCOR class at 20 to 60 frames per second spends 22.9 to 7.6 cycles on a pixel;
+  the RPU's 5.5 on Conference are 61 cycles a pixel (arithmetic).
+)";
+
+}   // namespace
+
+std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress) {
+    std::string page = intro;
+    if (board.khz > 0)
+        page +=
+            fmt::format(
+                "\n## `ulx3s` at {:.1f} MHz, a clock that was shown\n\nThe only clock of this page that was "
+                "routed ({}, [silicon.md](silicon.md)); the others are the "
+                "published chips', or assumed. Four children a node, a test every second cycle, its "
+                "SDRAM; the published column is SaarCOR's.\n\n",
+                board.khz / 1e3, board.device) +
+            machine_table({"ulx3s", {}, board.khz}, threads, progress);
+    for (const bool rpu : {false, true}) {
+        const char* name = rpu ? "rpu" : "saarcor";
+        const int khz = rpu ? 66000 : 90000;
+        page += fmt::format("\n## `{}` at {} MHz\n\n", name, khz / 1000) +
+                machine_table({name, as_published, khz, rpu}, threads, progress) + "\nWith boxes:\n\n" +
+                machine_table({name, {}, khz, rpu}, threads, progress);
+    }
+    page +=
+        "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3; the "
+        "published column is SaarCOR's "
+        "at 90 MHz.\n\n";
+    page += machine_table({"default", {}, 66000}, threads, progress);
+    page +=
+        "\n## Finished pictures\n\nThe chip makes the colours: shadow rays to every light, reflection and "
+        "refraction as the scene's "
+        "materials have them, four bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are "
+        "spheres, other round things "
+        "triangles. `rpu` walks a kd-tree here as well.\n\n";
+    page += finished_table(threads, progress);
+    page += fmt::format(
+        "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes above and below, camera rays, "
+        "512x384; means of {} frames after the first, {:g} in a second of the scene's time. The host makes "
+        "the scene's tree anew for every frame and writes it into the chip's memory; fps includes these "
+        "writes. SaarCOR's scenes were moved by the unit that moves a ray into an object's space, as ours "
+        "are; the D-RPU refitted trees of vertices that moved. Neither publishes a scene of ours.\n\n",
+        moving_frames, usual_fps);
+    page += moving_table(threads, progress);
+    return page + sources;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/run/lockstep/lockstep.hpp"
+
+namespace rayclock {
+
+/// A link in a cycle, on both machines. The model's payload is there when it moves, the RTL's when it is
+/// offered.
+struct LinkCycle {
+    bool model_valid = false, model_fires = false, rtl_valid = false, rtl_fires = false;
+    Words model, rtl;
+    bool differs() const;
+};
+
+/// The last cycles before a divergence, and a few after it.
+struct Capture {
+    struct Where {
+        int pipeline;   ///< of what all share: 0
+        Link link;
+    };
+    std::vector<Where> links;
+    std::uint64_t first = 0;                      ///< cycle of the machine
+    std::vector<std::vector<LinkCycle>> cycles;   ///< [cycle - first][link]
+    std::optional<std::uint64_t> differs_at;      ///< the first cycle of these in which a link differs
+};
+
+constexpr std::uint64_t cycles_before = 1000, cycles_after = 20;
+
+/// Runs both machines again from reset up to the divergence. The RTL is one that writes its signals, and
+/// begins to do so `cycles_before` cycles before it, to `wave_path`: a cycle takes 10 units of time, and its
+/// signals are settled from the 5th on. Partial if interrupted().
+Capture capture(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+                std::uint64_t divergence, const std::string& wave_path, const Progress& progress);
+
+}   // namespace rayclock

@@ -1,0 +1,107 @@
+#include "sim/view/explain/explain.hpp"
+
+namespace rayclock {
+
+namespace {
+
+Step::Kind kind_of(const Stay& stay) {
+    switch (Unit(stay.place)) {
+        case Unit::raygen: return Step::Kind::raygen;
+        case Unit::trav:
+        case Unit::node_cache:
+        case Unit::treelet:
+        case Unit::globe:
+        case Unit::slant:
+        case Unit::xform:
+        case Unit::box: return Step::Kind::visit;
+        case Unit::list:
+        case Unit::prim_cache:
+        case Unit::tri: return Step::Kind::test;
+        default: return Step::Kind::shade;
+    }
+}
+
+bool has(const Step& step, Unit unit) {
+    for (const Stay* stay : step.stays)
+        if (stay->place == index(unit)) return true;
+    return false;
+}
+
+/// The unit that decides a node, or xform, has had the line that was read.
+bool decides(const Step& step) {
+    for (const Stay* stay : step.stays)
+        if (takes_lines(Unit(stay->place))) return true;
+    return false;
+}
+
+/// A stay that begins a new step: another kind; a node after a node; a primitive after a primitive, unless
+/// list only says that there is none left.
+bool begins(const Step& step, const Stay& stay, const Stay* next) {
+    if (step.kind != kind_of(stay)) return true;
+    if (stay.place == index(Unit::trav) && decides(step)) {
+        const bool answered = tells_of_node(stay.by);
+        return !answered || !next || next->by != Link::leaves;
+    }
+    return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;
+}
+
+/// A page of a list, which trav visits without asking for anything.
+bool leads_to_leaves(const RayStory& ray, const Step& step) {
+    const Stay* next = step.stays.back() + 1;
+    return next < ray.stays.data() + ray.stays.size() && next->by == Link::leaves;
+}
+
+}   // namespace
+
+std::uint64_t Step::cycles() const {
+    std::uint64_t sum = 0;
+    for (const Stay* stay : stays) sum += stay->cycles;
+    return sum;
+}
+std::uint64_t Step::work() const {
+    std::uint64_t sum = 0;
+    for (const Stay* stay : stays) sum += stay->work;
+    return sum;
+}
+std::vector<Stay::Wait> Step::waits() const {
+    std::vector<Stay::Wait> all;
+    for (const Stay* stay : stays) all.insert(all.end(), stay->waits.begin(), stay->waits.end());
+    return all;
+}
+const Stay* Step::lookup() const {
+    for (const Stay* stay : stays)
+        if (stay->is_lookup) return stay;
+    return nullptr;
+}
+
+const char* step_name(Step::Kind kind) {
+    constexpr const char* names[] = {"raygen", "visit", "test", "end", "shade"};
+    return names[std::size_t(kind)];
+}
+
+std::vector<Step> steps_of(const RayStory& ray) {
+    std::vector<Step> steps;
+    for (std::size_t i = 0; i < ray.stays.size(); ++i) {
+        const Stay& stay = ray.stays[i];
+        const Stay* next = i + 1 < ray.stays.size() ? &ray.stays[i + 1] : nullptr;
+        if (steps.empty() || begins(steps.back(), stay, next))
+            steps.push_back({kind_of(stay), {}, nullptr, nullptr});
+        steps.back().stays.push_back(&stay);
+    }
+    auto visit = ray.values.visits.begin();
+    const VisitValues* last = nullptr;
+    std::size_t test = 0;
+    for (Step& step : steps) {
+        if (step.kind == Step::Kind::visit && !has(step, Unit::node_cache) && !leads_to_leaves(ray, step))
+            step.kind = Step::Kind::end;
+        if (step.kind == Step::Kind::visit && visit != ray.values.visits.end()) {
+            step.visit = last = &*visit++;
+            test = 0;
+        }
+        if (step.kind == Step::Kind::test && last && test < last->tests.size())
+            step.test = &last->tests[test++];
+    }
+    return steps;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,82 @@
+#pragma once
+// Watches a machine cycle by cycle and adds up what everything cost. The machine knows nothing of it.
+#include <deque>
+
+#include "model/machine/machine.hpp"
+#include "sim/view/observe/costs.hpp"
+#include "sim/view/observe/events.hpp"
+
+namespace rayclock {
+
+class Observer {
+public:
+    /// `sink` may be null; `window` cycles are a window, 0: none are wanted.
+    Observer(const Machine& machine, const Frame& frame, EventSink* sink, std::uint64_t window);
+
+    /// One clock cycle of the machine. The frame must have been started.
+    void step(Machine& machine);
+    /// After the last cycle.
+    FrameCosts finish(const Machine& machine);
+
+private:
+    struct Context {
+        std::uint32_t pixel = 0, first = 0, ray = 0;
+        std::uint64_t since = 0;   ///< cycle in which it came to where it is
+        std::size_t place = 0;
+        RayPurpose purpose{};
+        bool in_use = false, watched = false;
+        std::uint32_t addr[ray_caches]{};
+    };
+    /// What is asked of a cache, in order.
+    struct CacheQueue {
+        std::deque<std::uint32_t> requests;   ///< contexts whose look-up is to come
+        std::deque<std::uint32_t> missing;    ///< contexts whose lines' words are to be asked for
+        int words = 0;                        ///< of the first line
+    };
+    struct PipelineState {
+        std::vector<Context> contexts;
+        std::array<CacheQueue, ray_caches> caches;
+        WaitCounts waits;
+        std::uint32_t in_use = 0;
+    };
+
+    void moved(const Move& move);
+    void began(PipelineState& p, const Move& move);
+    void at(PipelineState& p, Context& context, Link link);
+    void looked_up(int pipeline, std::size_t cache, CacheDeed deed);
+    void asked_memory(PipelineState& p, std::size_t cache);
+    void shared(const Machine& machine);
+    void count_runs(const Machine& machine);
+    void close_window(const Machine& machine);
+    void show(int pipeline, std::uint32_t context, RayEvent::What what, Link link, CacheDeed deed,
+              std::uint32_t addr);
+    PixelCost& cost(const Context& c) { return costs_.pixels[c.pixel]; }
+    PurposeCost& purpose(const Context& c) { return costs_.purposes[std::size_t(c.purpose)]; }
+    void pay(std::uint32_t owner_pixel, RayPurpose purpose);
+
+    const Machine& machine_;
+    EventSink* sink_;
+    std::uint64_t start_;   ///< the machine's cycle at the frame's beginning
+    std::uint64_t now_ = 0;
+    std::uint64_t window_;
+    int tile_bits_;
+    bool has_l2_, shading_, lists_;
+    std::array<int, ray_caches> line_words_;
+    std::vector<PipelineState> pipelines_;
+    std::vector<std::int32_t> tile_spans_;   ///< [tile]: its place in costs_.tiles
+    std::uint32_t tile_columns_;
+    /// Whose request is on the link to what all share.
+    struct Owner {
+        std::uint32_t pixel = 0;
+        RayPurpose purpose{};
+    } owner_;
+    std::deque<Owner> l2_requests_, l2_missing_;
+    int l2_words_ = 0, l2_line_words_ = 1;
+    std::vector<RayEvent> pending_;   ///< of this cycle
+    Window open_;
+    Accounts accounts_;   ///< before the frame
+    MemoryStats memory_;
+    FrameCosts costs_;
+};
+
+}   // namespace rayclock

@@ -1,0 +1,68 @@
+#include "sim/view/observe/replay.hpp"
+
+#include <stdexcept>
+
+#include "model/machine/machine.hpp"
+#include "model/machine/where.hpp"
+#include "sim/view/observe/observer.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint64_t cycles_between_reports = 1 << 16;
+
+void check_moving(const Machine& machine, std::uint64_t limit) {
+    if (machine.quiet() > limit)
+        throw std::runtime_error("model: nothing moves any more\n" + where_rays_are(machine));
+}
+
+FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trace, std::uint64_t limit,
+                         std::uint64_t window, EventSink* sink, const Progress& progress) {
+    machine.start(frame, trace);
+    Observer observer(machine, frame, sink, window);
+    if (sink) sink->begins(machine);
+    while (!machine.done() && !interrupted()) {
+        observer.step(machine);
+        if (sink && sink->done()) break;
+        if (machine.cycle() % cycles_between_reports != 0) continue;
+        check_moving(machine, limit);
+        if (progress) progress("watching", machine.hits(), std::uint64_t(frame.width) * frame.height);
+    }
+    FrameCosts costs = observer.finish(machine);
+    costs.partial = !machine.done();
+    return costs;
+}
+
+}   // namespace
+
+FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> frames, Traffic traffic,
+                   std::uint64_t window, EventSink* sink, const Progress& progress) {
+    const std::uint64_t limit = patience(config, khz, traffic);
+    Machine machine(config, khz, traffic);
+    for (std::size_t f = 0; f + 1 < frames.size(); ++f) {
+        bring(machine, f, frames);
+        machine.start(frames[f].frame, frames[f].trace);
+        while (!machine.done() && !interrupted()) {
+            machine.run(machine.cycle() + cycles_between_reports);
+            check_moving(machine, limit);
+        }
+    }
+    bring(machine, frames.size() - 1, frames);
+    return observe_frame(machine, frames.back().frame, frames.back().trace, limit, window, sink, progress);
+}
+
+FrameCosts observe_alone(const Config& config, int khz, const FrameTrace& frame, std::uint32_t pixel,
+                         EventSink* sink) {
+    Trace trace;
+    trace.width = trace.height = 1;
+    trace.rays = {frame.trace.rays[pixel]};
+    Frame one = frame.frame;
+    one.width = one.height = 1;
+    const std::uint64_t limit = patience(config, khz, {});
+    Machine machine(config, khz);
+    observe_frame(machine, one, trace, limit, 0, nullptr, {});
+    return observe_frame(machine, one, trace, limit, 0, sink, {});
+}
+
+}   // namespace rayclock

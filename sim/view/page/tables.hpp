@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "sim/view/page/page.hpp"
+
+namespace rayclock {
+
+/// The tables of the page, which can be read without scripts.
+std::string clock_section(const PageInput& input);
+std::string accounts_table(const PageInput& input);
+std::string kinds_table(const PageInput& input);
+std::string memory_table(const PageInput& input);
+std::string slowest_table(const PageInput& input);
+std::string error_table(const PageInput& input);
+std::string config_table(const PageInput& input);
+std::string origin_table(const PageInput& input);
+
+}   // namespace rayclock

@@ -1,6 +1,0 @@
-/* GTKWave's code with our own writing. */
-#include "fst_config.h"
-#include "sim/wave/fst_io.h"
-
-#define FST_CONFIG_INCLUDE "fst_config.h"
-#include "fstapi.c"
