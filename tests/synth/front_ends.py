@@ -134,7 +134,7 @@ def verilator(source, folder, package, sources, first):
 def icarus(source, folder, package, sources, first):
     """As the README of an export says."""
     whole = "".join(open(name).read() for name in [package] + sources)
-    changed = subprocess.run(["sed", "-f", f"{source}/sim/export/icarus.sed"], input=whole, stdout=subprocess.PIPE,
+    changed = subprocess.run(["sed", "-f", f"{source}/sim/silicon/export/icarus.sed"], input=whole, stdout=subprocess.PIPE,
                              check=True, text=True).stdout
     with open(f"{folder}/icarus.sv", "w") as file:
         file.write(changed)
