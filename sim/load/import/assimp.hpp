@@ -1,7 +1,7 @@
 // Files of other programs (FBX, X3D, LWO, Blender and some fifty more) by Assimp: the converter of Debian's
 // package assimp-utils makes glTF of them, in a process of its own. What it crashes on, how long it takes and
-// how much memory stay there. Formats that this program reads itself are not given to it: docs/decisions.md
-// has the figures.
+// how much memory stay there. Formats that this program reads itself are not given to it:
+// docs/decisions/input-files.md has the figures.
 #pragma once
 #include <cstdint>
 #include <filesystem>

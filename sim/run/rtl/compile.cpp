@@ -194,7 +194,7 @@ void make_support(const fs::path& folder, Waves waves, const Working& working) {
 
 void make_library(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
                   const fs::path& support, const fs::path& netlist, const Working& working) {
-    // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
+    // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions/rtl.md).
     constexpr double compiler_share = 3;
     const Stopwatch verilating;
     verilate(folder, config, module, waves, netlist, [&] { working("Verilator", {}); });
