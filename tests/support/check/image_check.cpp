@@ -2,10 +2,6 @@
 
 #include <unordered_map>
 
-<<<<<<<< HEAD:tests/support/check/image_check.cpp
-========
-#include "model/layout/decode.hpp"
->>>>>>>> docs51:model/layout/check.cpp
 #include "model/layout/encode.hpp"
 
 namespace rayclock {
