@@ -1,4 +1,5 @@
 // rayclock: the command line. Every command's options and work are in the file of its name.
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -177,6 +178,11 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
     return names;
 }
 
+bool has_subcommand(const CLI::App& app, const std::string& word) {
+    const std::vector<std::string> names = subcommand_names(app);
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
+
 /// What was typed behind a word, if it is no option.
 std::string word_after(std::string_view word, int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i)
@@ -196,7 +202,7 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
     const bool lacks_page = used == &study && !word_after(study_name, argc, argv).empty();
     if ((!used && argc > 1 && argv[1][0] != '-') || lacks_page) {
         const std::string word = lacks_page ? word_after(study_name, argc, argv) : argv[1];
-        if (!lacks_page && study.get_subcommand_no_throw(word))
+        if (!lacks_page && has_subcommand(study, word))
             return fmt::format("{0} is now called 'rayclock study {0}'", word);
         return (lacks_page ? "study: no page is called " : "no command is called ") + shown(word) +
                did_you_mean(word, subcommand_names(lacks_page ? study : root)) + " ('rayclock " +
