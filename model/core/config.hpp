@@ -11,9 +11,10 @@ struct DramPart;
 /// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
 enum class Timing { relaxed, fast };
 
-/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/engine/bvh), space cut
-/// by planes (model/engine/kd), or nothing but a list of all primitives (model/engine/none). An octree is cut by planes in
-/// the middle of its cells, and walked by the engine of kd. Planes of bsp lie in any direction (model/engine/bsp).
+/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/engine/bvh),
+/// space cut by planes (model/engine/kd), or nothing but a list of all primitives (model/engine/none). An
+/// octree is cut by planes in the middle of its cells, and walked by the engine of kd. Planes of bsp lie in
+/// any direction (model/engine/bsp).
 enum class Structure { bvh, kd, none, octree, spheres, bsp };
 
 /// What becomes of what lies on both sides of a cut, by the value of Config::straddlers, in an octree and
