@@ -132,7 +132,6 @@ module rc_top (
     assign fill            = mem_rsp_i;
     assign l2_cause        = '0;
   end else begin : gen_shared
-
     logic unused;
     rc_l2 u_l2 (
       .clk_i, .rst_ni(shared_rst_n),

@@ -23,7 +23,6 @@ module rc_bit_select #(
     logic unused;
     assign unused = clk_i;
   end else begin : gen_later
-
     localparam int unsigned Parts = (Flags + 7) / 8;
     localparam int unsigned PartW = Parts < 2 ? 1 : $clog2(Parts);
 

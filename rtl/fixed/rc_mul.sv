@@ -45,7 +45,6 @@ module rc_mul #(
       assign p_o = PW'(a_i) * PW'(b_i);
 `else
       // The same product of unsigned words, which a simulation multiplies in one operation.
-
       localparam int unsigned Word = PW <= 32 ? 32 : PW <= 64 ? 64 : PW;
       assign p_o = PW'($unsigned(Word'(a_i)) * $unsigned(Word'(b_i)));
 `endif
@@ -56,7 +55,6 @@ module rc_mul #(
     logic unused;
     assign unused = clk_i;
   end else begin : gen_stages
-
     localparam int unsigned L  = 18;
     localparam int unsigned LA = (AW + L - 1) / L;   // limbs
     localparam int unsigned LB = (BW + L - 1) / L;

@@ -55,7 +55,6 @@ module rc_mul_limb #(
       .P5(p[5]), .P4(p[4]), .P3(p[3]), .P2(p[2]), .P1(p[1]), .P0(p[0]));
 `endif
   end else begin : gen_inferred
-
     logic [17:0]        a_q, b_q;
     logic signed [18:0] a_signed, b_signed;
     logic signed [35:0] p_q;

@@ -26,7 +26,6 @@ module rc_power #(
     .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
 
   // s1: normalises c: m = c 2^below, 2^16 <= m < 2^17.
-
   logic [4:0]  s0_below, s0_by, s1_below_q, s2_below_q;
   logic [16:0] s0_m;
   logic [15:0] s1_m_q;

@@ -65,7 +65,6 @@ module rc_unit #(
   // s3: truncates so that the longest component has 17 bits.
   logic [50:0] s2_a, s3_a_q, s4_a_q;
   for (genvar k = 0; k < 3; k++) begin : gen_cut
-
     logic [W+16:0] moved;
     always_comb begin
       moved = '0;

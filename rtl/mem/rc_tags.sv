@@ -165,7 +165,6 @@ module rc_tags #(
     logic unused;
     assign unused = touch_i;
   end else begin : gen_tree
-
     logic            touched;
     logic [SetW-1:0] tree_set;
 

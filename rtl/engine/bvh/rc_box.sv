@@ -136,7 +136,6 @@ module rc_box (
 
   // The children's planes wait until the distance to the node's corner is ready. Memory holds them
   // child by child; each slab uses those of its axis.
-
   rc_shift_register #(.Width(6 * S * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
     .clk_i, .valid_i(beat_moves[In+rc_pkg::SlabPlanes-1:In]),
     .data_i({in_lo[3*S*B-1:0], in_hi[3*S*B-1:0]}),
