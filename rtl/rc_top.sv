@@ -29,7 +29,7 @@ module rc_top (
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned CB = rc_pkg::ClientBits;
-  localparam int unsigned MB = rc_pkg::ClientIdBits - CB;   // a cache's own id
+  localparam int unsigned MB = rc_pkg::ClientIdBits - CB;  // a cache's own id
   localparam int unsigned A  = rc_pkg::AddrBits;
   localparam int unsigned NB = rc_pkg::NodeMissW - A;      // bits of the ids of each kind of cache
   localparam int unsigned PB = rc_pkg::PrimMissW - A;

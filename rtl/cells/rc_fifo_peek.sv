@@ -40,7 +40,7 @@ module rc_fifo_peek #(
   end
 
   logic [Width-1:0] mem [Depth];
-  logic [IndexW:0]  head_q, tail_q;   // one wrap bit above the index
+  logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
 
   if (Cut == 0) begin : gen_at_once
     assign valid_o = head_q != tail_q;

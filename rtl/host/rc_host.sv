@@ -38,7 +38,7 @@ module rc_host #(
   output logic                         done_o       // a frame has ended and none was started since
 );
   localparam int unsigned W = rc_pkg::TallyBits;
-  localparam int unsigned S = rc_pkg::PixelBits + 1;   // side of a picture
+  localparam int unsigned S = rc_pkg::PixelBits + 1;  // side of a picture
   localparam int unsigned F = rc_pkg::FrameWords;
 
   // ---- Bus access: its registers hold the address and the data until the answer.

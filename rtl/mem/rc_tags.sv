@@ -23,10 +23,10 @@ module rc_tags #(
   input  logic            clk_i,
   input  logic            rst_ni,
   // Request ahead
-  input  logic            next_load_i,   // with Cut: tags are read for the request that comes ahead
+  input  logic            next_load_i, // with Cut: tags are read for the request that comes ahead
   input  logic [SetW-1:0] next_set_i,
   input  logic            load_i,      // with Cut: the request ahead is the next one
-  input  logic [SetW-1:0] ahead_set_i,   // without Cut: the same as set_i, tag_i
+  input  logic [SetW-1:0] ahead_set_i, // without Cut: the same as set_i, tag_i
   input  logic [TagW-1:0] ahead_tag_i,
   // Request in the look-up
   input  logic [SetW-1:0] set_i,
@@ -34,7 +34,7 @@ module rc_tags #(
   input  logic [Ways-1:0] waiting_i,   // ways of the set that wait for a line
   output logic [Ways-1:0] hits_o,      // the way that has the line
   output logic            hit_o,       // a way has the line
-  output logic            conflict_o,   // all ways wait
+  output logic            conflict_o,  // all ways wait
   output logic [WayW-1:0] found_o,     // the way that has the line
   output logic [WayW-1:0] way_o,       // found_o, or the way that the line may take
   input  logic            touch_i,     // way_o is used

@@ -16,7 +16,7 @@ module rc_slab #(
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
   localparam int unsigned E  = rc_pkg::ExpBits,
   localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned TW = (T + 31) / 32 * 32,   // whole words: a simulation shifts no bits
+  localparam int unsigned TW = (T + 31) / 32 * 32,  // whole words: a simulation shifts no bits
   localparam int unsigned L  = rc_pkg::SlabStages
 ) (
   input  logic                 clk_i,
@@ -37,7 +37,7 @@ module rc_slab #(
   output logic [W-1:0]         miss_o
 );
   localparam int unsigned D   = N + 1;       // distance to the node's corner, signed
-  localparam int unsigned P   = D + R1 + 1;   // its product with r or r + 1 <= 2^R + 1, signed
+  localparam int unsigned P   = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
   localparam int unsigned V   = P + 1;       // the product plus plane * r, signed
   localparam int unsigned S   = 8;           // shift, signed: -24..62
   localparam int unsigned A   = 6;           // right shift of 2^T times the value

@@ -3,7 +3,7 @@
 // - moment, (D x e) / 2^exp, rounded down, at stage 2 + MulStages + 2 Cut;
 // - way, D . e in units of 2^(exp + 13), rounded down, at stage 3 + MulStages + 3 Cut;
 // - slack, a bound on how much rounding enlarges the distances, in eighths of 2^exp steps, at stage
-//   1 + 4 Cut; it excludes the part that is the same for all nodes;
+//   1 + 4 Cut (the part that all nodes share is left out);
 // - square, |e|^2 / 2^18, rounded down, plus one, at stage 3 + MulStages + 4 Cut;
 // - inverse, K (rc_inverse), at stage 5 + 2 MulStages + 9 Cut;
 // - right, the right shift that turns 2^T K times a way into a time, at stage 6 + 3 MulStages + 9

@@ -19,7 +19,7 @@ module rc_toward #(
   input  logic [I-1:0]     ray_i,
   input  logic [3*OW-1:0]  o_i,
   input  logic [3*H-1:0]   d_i,
-  input  logic             short_i,   // of DirBits only: len counts as for full width
+  input  logic             short_i,  // of DirBits only: len counts as for full width
   output logic             valid_o,
   output logic [I-1:0]     ray_o,
   output logic [KeptW-1:0] kept_o    // {o, direction, len}

@@ -21,7 +21,7 @@ module rc_bounds #(
   input  logic [3*R1-1:0] s0_recip_i,
   input  logic [3*E-1:0]  s0_len_i,
   // Box
-  input  logic            s0_open_i,   // the cell has no box
+  input  logic            s0_open_i, // the cell has no box
   input  logic [3*N-1:0]  s0_lo_i,
   input  logic [3*N-1:0]  s0_hi_i,
   // Interval of times in the box

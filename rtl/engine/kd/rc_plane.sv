@@ -34,7 +34,7 @@ module rc_plane #(
   input  logic [1:0]          s0_axis_i,
   input  logic signed [N-1:0] s0_at_i,
   // Result
-  output logic                turned_o,   // the ray meets the upper side first
+  output logic                turned_o,  // the ray meets the upper side first
   output logic                near_o,
   output logic                far_o,
   output logic [T-1:0]        near_to_o,

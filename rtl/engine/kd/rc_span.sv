@@ -8,7 +8,7 @@ module rc_span #(
   localparam int unsigned T = rc_pkg::TBits
 ) (
   input  logic           clk_i,
-  input  logic           valid_i,   // the last stage holds a node
+  input  logic           valid_i,// the last stage holds a node
   input  logic [3*T-1:0] from_i,
   input  logic [3*T-1:0] to_i,
   input  logic [2:0]     there_i,

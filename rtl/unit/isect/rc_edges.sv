@@ -45,8 +45,8 @@ module rc_edges #(
   localparam int unsigned Far = rc_pkg::Horizon == 1 ? B - rc_pkg::FarDrop : B;
   localparam int unsigned D = N + 1;      // difference of two points
   localparam int unsigned S = W + 1;      // the same with fraction
-  localparam int unsigned C = M + D + 1;   // component of d x e
-  localparam int unsigned X = 2 * D + 1;   // component of e1 x e2
+  localparam int unsigned C = M + D + 1;  // component of d x e
+  localparam int unsigned X = 2 * D + 1;  // component of e1 x e2
   localparam int unsigned Cut = rc_pkg::Cut;
   localparam int unsigned Mul = rc_pkg::MulStages;
   localparam int unsigned CrossShare = rc_pkg::CrossShare;

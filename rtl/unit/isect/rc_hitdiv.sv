@@ -14,7 +14,7 @@ module rc_hitdiv #(
   localparam int unsigned T = rc_pkg::TBits,
   localparam int unsigned B = rc_pkg::BaryBits,
   localparam int unsigned V = rc_pkg::UvBits,
-  localparam int unsigned K = V - 1 - B,   // whole bits of u and v of a plane
+  localparam int unsigned K = V - 1 - B,  // whole bits of u and v of a plane
   localparam int unsigned L = rc_pkg::HitdivStages
 ) (
   input  logic         clk_i,

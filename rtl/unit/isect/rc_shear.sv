@@ -29,7 +29,7 @@ module rc_shear #(
 );
   localparam int unsigned D = N + 1;      // difference of two points
   localparam int unsigned S = M - 2;      // fraction bits of a slope
-  localparam int unsigned P = M + N - 1;   // slope times difference: below 2^(S + N)
+  localparam int unsigned P = M + N - 1;  // slope times difference: below 2^(S + N)
   localparam int unsigned Q = N + 2;      // coordinate in the ray's plane
   localparam int unsigned F = 2 * Q;      // edge function in the plane
 

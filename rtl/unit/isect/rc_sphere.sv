@@ -39,7 +39,7 @@ module rc_sphere #(
   // Best hit
   output logic           best_next_o,   // requests the best hit for the next cycle
   input  logic           best_found_i,
-  input  logic           best_first_i,   // this sphere's number is not the higher one
+  input  logic           best_first_i,  // this sphere's number is not the higher one
   input  logic [U-1:0]   best_num_i,
   input  logic [E-1:0]   best_det_i,
   // Result
@@ -55,9 +55,9 @@ module rc_sphere #(
   localparam int unsigned L = V > N + W + 3 ? V : N + W + 3;           // d.s
   localparam int unsigned C = 2 * W + 3;        // s.s - R2
   localparam int unsigned D = 2 * (M + W) + 2 > 2 * (N + W) + 4
-                            ? 2 * (M + W) + 2 : 2 * (N + W) + 4;   // discriminant
+                            ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
   localparam int unsigned RootW  = rc_pkg::RootBits;
-  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW;   // if met
+  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // if met
   localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
   localparam int unsigned RightW = Levels > 0 ? Levels : 1;
   localparam int unsigned Cut    = rc_pkg::Cut;

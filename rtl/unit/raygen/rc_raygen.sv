@@ -34,8 +34,8 @@ module rc_raygen (
   localparam int unsigned I       = rc_pkg::RayBits;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
   localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;   // stages of rc_sample
-  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;   // of a sample's place
+  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // stages of rc_sample
+  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
   localparam int unsigned Q       = P + 1 + SubBits;                     // position, signed
   localparam int unsigned GD      = rc_pkg::GuardDirBits;
   localparam int unsigned G       = GD + SubBits;

@@ -14,7 +14,7 @@ module rc_recip #(
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  logic                                 valid_i,
-  input  logic                                 short_i,   // of DirBits only
+  input  logic                                 short_i,  // of DirBits only
   input  logic signed [rc_pkg::RayDirBits-1:0] d_i,
   output logic [rc_pkg::RecipBits:0]           recip_o,
   output logic [rc_pkg::ExpBits-1:0]           len_o

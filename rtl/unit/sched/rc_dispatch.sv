@@ -20,12 +20,12 @@ module rc_dispatch (
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned PB = P < 2 ? 1 : $clog2(P);
   localparam int unsigned C  = rc_pkg::TileCoordBits;
-  localparam int unsigned S  = rc_pkg::PixelBits + 1;   // side of a picture
+  localparam int unsigned S  = rc_pkg::PixelBits + 1;  // side of a picture
 
   // Next tile, and the next pipeline in turn.
   logic [C-1:0]  x_q, y_q;
   logic          more_q;
-  logic [PB-1:0] next_q;   // the pipeline that is first in turn
+  logic [PB-1:0] next_q;  // the pipeline that is first in turn
 
   // Pipeline that gets the tile: the last assignment wins, so the first in turn is tested last.
   logic          give;

@@ -112,7 +112,7 @@ module rc_sched (
   end
 
   // ---- Its context: a fresh one, or the one that has been free longest.
-  logic [I:0]   started_q;   // contexts used so far, 0..Contexts
+  logic [I:0]   started_q;  // contexts used so far, 0..Contexts
   logic         fresh, freed, free_valid;
   logic [I-1:0] free_ray, slot_ray;
 

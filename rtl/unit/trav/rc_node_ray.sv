@@ -24,7 +24,7 @@ module rc_node_ray #(
   input  logic [3*M-1:0]   d_i,
   input  logic [3*R1-1:0]  recip_i,
   input  logic [3*E-1:0]   len_i,
-  input  logic             short_i,   // d has DirBits only: shadow rays fill RayDirBits
+  input  logic             short_i,  // d has DirBits only: shadow rays fill RayDirBits
   // Result
   output logic             valid_o,
   output logic [I-1:0]     ray_o,

@@ -28,9 +28,9 @@ module rc_rank #(
   output logic [G-1:0]         leaves_o,
   output logic [W*(T+O+C)-1:0] entries_o
 );
-  localparam int unsigned KeyW   = 2 + T + O + C;   // {missed, leaf, t_near, offset, count}
+  localparam int unsigned KeyW   = 2 + T + O + C;  // {missed, leaf, t_near, offset, count}
   localparam int unsigned Levels = W == 2 ? 1 : W == 4 ? 3 : 6;
-  localparam int unsigned Middle = W == 2 ? 0 : 2;   // level with a register in every chip
+  localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
 
   // In a simulation of a relaxed chip, invalid keys cost no work. Silicon has no such condition.

@@ -6,7 +6,7 @@
 //
 // A fast chip has rc_pkg::StackStages more stages between s1 and the decision (`end`). The address,
 // the memory, its output register and the comparisons take one cycle each. Model:
-// model/unit/trav/stack.cpp.
+// model/unit/trav/stack.hpp.
 `default_nettype none
 module rc_stack (
   input  logic                        clk_i,
