@@ -1,6 +1,6 @@
 // What rc_credit_counter promises, if requests come only through an open door and answers only to requests: at most Credits are in
 // flight, never fewer than none, and the door is open exactly when another one has a place.
-module door #(
+module credit_counter #(
   parameter int unsigned Credits = 4,
   parameter int unsigned Cut     = 0    // 0 or 1
 ) (

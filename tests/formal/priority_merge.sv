@@ -1,6 +1,6 @@
 // What rc_priority_merge promises, if an offer that was not taken stays: what is taken is what one source offered, and that source
 // is told so; nobody else is; the first goes before the second, but an offer on show stays until it is taken.
-module merge #(
+module priority_merge #(
   parameter int unsigned Width = 2
 ) (
   input logic             clk_i,

@@ -2,21 +2,21 @@
 
 # ---- The door of a pipeline that cannot stall.
 foreach(credits IN ITEMS 1 4 5 16)
-  prove(formal:door_of_${credits} TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} INDUCTION 4)
+  prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} INDUCTION 4)
 endforeach()
 foreach(credits IN ITEMS 1 4 16)
-  prove(formal:fast_door_of_${credits} TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} Cut=1 INDUCTION 4)
+  prove(formal:fast_credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} Cut=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fast_door_lets_in_one_too_many TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_fast_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[(open_q && !(admit_i && last));]]
   NEW [[open_q;]])
-prove(mutant:formal_door_lets_in_one_too_many TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[assign open_o = in_flight_q != Full;]]
   NEW [[assign open_o = in_flight_q != Full || leave_i;]])
-prove(mutant:formal_door_one_short TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_one_short TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits - 1);]])
-prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_forgets_who_came_as_one_left TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[else if (leave_i && !admit_i)]]
   NEW [[else if (leave_i)]])
 
@@ -61,11 +61,11 @@ prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv cells/rc_queue.sv
   NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
 
 # ---- Many on one link.
-prove(formal:merge TOP merge RTL cells/rc_priority_merge.sv INDUCTION 4)
-prove(mutant:formal_merge_changes_its_mind TOP merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
+prove(formal:priority_merge TOP priority_merge RTL cells/rc_priority_merge.sv INDUCTION 4)
+prove(mutant:formal_priority_merge_changes_its_mind TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = !first_valid_i;]])
-prove(mutant:formal_merge_tells_both TOP merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
+prove(mutant:formal_priority_merge_tells_both TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
   OLD [[assign first_ready_o  = ready_i && !second;]]
   NEW [[assign first_ready_o  = ready_i;]])
 foreach(sources IN ITEMS 2 4 8)
@@ -117,6 +117,22 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
+prove(formal:tags_ahead TOP tags_ahead RTL ${tags} INDUCTION 4)
+prove(mutant:formal_tags_forget_who_took_while_the_head_waits TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+  OLD [[if (next_load_i) took_q <= takes;]]
+  NEW [[took_q <= takes;]])
+prove(mutant:formal_tags_never_see_who_took TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+  OLD [[if (next_load_i) took_q <= takes;]]
+  NEW [[took_q <= 1'b0;]])
+prove(mutant:formal_tags_take_another_sets_line_for_their_own TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+  OLD [[took_q && same_late ? same_took]]
+  NEW [[took_q ? same_took]])
+prove(mutant:formal_tags_keep_the_last_request_for_late TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+  OLD [[if (next_load_i) late_q <= {set_i, tag_i};]]
+  NEW [[late_q <= {set_i, tag_i};]])
+prove(mutant:formal_tags_load_the_tree_that_is_written TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+  OLD [[: touched_q && same_late ? late_recent : kept;]]
+  NEW [[: kept;]])
 set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv cells/rc_credit_counter.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
@@ -136,6 +152,19 @@ prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CY
 prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 FILE mem/rc_cache.sv
   OLD [[assign pop   = look && (found || (!full && !conflict));]]
   NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
+
+# ---- The host's view of a frame's cycles, beyond what any simulation counts.
+set(host rc_pkg.sv host/rc_host.sv)
+prove(formal:host_cycles TOP host_cycles RTL ${host} INDUCTION 6)
+prove(mutant:formal_host_upper_word_goes_on TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
+  OLD [[if (fires && !we_q && adr_q == 13'(rc_pkg::RegCycles)) high_q  <=]]
+  NEW [[high_q <=]])
+prove(mutant:formal_host_upper_word_one_bit_off TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
+  OLD [[high_q  <= 32'(cycles_q >> 32)]]
+  NEW [[high_q  <= 32'(cycles_q >> 33)]])
+prove(mutant:formal_host_count_does_not_carry TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
+  OLD [[cycles_q <= cycles_q + 1'b1;]]
+  NEW [[cycles_q <= {cycles_q[W-1:32], cycles_q[31:0] + 32'd1};]])
 
 # ---- Sum or difference: of the device's carry cells, by their models in Yosys.
 foreach(width IN ITEMS 1 2 5 8)

@@ -70,6 +70,9 @@ mutant(rtl_xform_divides_one_axis_only FILE rtl/unit/xform/rc_xform.sv TEST unit
 mutant(rtl_xform_rests_too_little FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]
   OLD [[RestW'(rc_pkg::XformInterval - 1)]]
   NEW [[RestW'(rc_pkg::XformInterval - 2)]])
+mutant(rtl_xform_rests_too_little_every_2 FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]
+  OLD [[RestW'(rc_pkg::XformInterval - 1)]]
+  NEW [[RestW'(rc_pkg::XformInterval - (rc_pkg::XformInterval == 2 ? 2 : 1))]])
 mutant(rtl_trav_keeps_the_scenes_reciprocals FILE rtl/unit/trav/rc_trav.sv TEST system "model and RTL walk instances alike"
   OLD [[.recip_i(change_i.recip)]]
   NEW [[.recip_i(ray_i.recip)]])

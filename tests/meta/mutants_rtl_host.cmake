@@ -27,3 +27,6 @@ mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
 mutant(host_writes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[write_q <= fires && we_q && is_idle && adr_q]]
   NEW [[write_q <= fires && we_q && adr_q]])
+mutant(host_clears_a_cycle_late FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[assign clear_o = Counters != 0 && state_q == StPrepare;]]
+  NEW [[logic late_q; always_ff @(posedge clk_i) late_q <= state_q == StPrepare; assign clear_o = Counters != 0 && late_q;]])

@@ -51,6 +51,7 @@ public:
         seen_running += get("running");
         counted += get("count");
         if (get("clear")) cleared.insert(which);
+        REQUIRE_FALSE((get("clear") && (get("start") || get("running"))));
         starts += get("start");
         left -= get("running") ? std::popcount(hits) : 0;
         rtl_.clock();

@@ -56,6 +56,9 @@ public:
         if (config_.pixel_bits == max_pixel_bits && !config_.shading && !config_.has_instances()) add_large();
         if (config_.shading) add_coarse();
         if (config_.supersampling) add_white();
+        if (!config_.is_list() && !config_.has_instances() && config_.addr_bits <= 10) add_last_lines();
+        if (config_.engine() == Structure::kd) add_octrees();
+        if (config_.engine() == Structure::bsp || config_.engine() == Structure::kd) add_cuts();
         return std::move(cases_);
     }
 
@@ -66,9 +69,10 @@ private:
         const std::vector<PrimData> prims = soup(config_, dice_, few(8 + 12 * (number % 3)));
         TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
         for (int i = 0; i < 3; ++i) {
-            Frame frame = view(prims, config_, sizes[(number + 2 * i) % 6], i == 1 ? number : 0, dice_);
+            const Size size = sizes[(number + 2 * i) % 6];
+            Frame frame = view(prims, config_, size, i == 1 ? number : 0, dice_);
             if (i == 2) frame.root = inner_root(t.job.image);
-            add(t, frame, 1 + (number + i) % 3);
+            add(t, frame, std::min(1 + (number + i) % 3, size.width * size.height > 100 ? 2 : 3));
         }
         end(std::move(t));
     }
@@ -120,7 +124,7 @@ private:
         end(std::move(t));
     }
 
-    /// A list of which the last line is the last that can be addressed.
+    /// A list or a tree whose last line is the last that can be addressed.
     void add_last_lines() {
         std::uint32_t root = 0;
         const std::vector<PrimData> prims = soup(config_, dice_, 21);
@@ -131,6 +135,21 @@ private:
             add(t, frame);
         }
         end(std::move(t));
+    }
+
+    /// The same RTL walks an octree. Its inner nodes keep what a plane cuts, or its leaves share it.
+    void add_octrees() {
+        for (const Straddlers straddlers : {Straddlers::inner, Straddlers::leaves}) {
+            Config octree = config_;
+            octree.structure = int(Structure::octree), octree.straddlers = int(straddlers);
+            check_config(octree, octree.name);
+            const std::vector<PrimData> prims = soup(octree, dice_, 16);
+            TortureCase t = begin("octree of " + straddlers_names()[std::size_t(straddlers)],
+                                  image_of(prims, octree, dice_, "octree"));
+            t.job.config = octree;
+            for (int i = 0; i < 2; ++i) add(t, view(prims, config_, {9, 7}, 0, dice_));
+            end(std::move(t));
+        }
     }
 
     /// As high and as wide as can be told; more than 65,536 pixels.
@@ -160,8 +179,8 @@ private:
         const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const int side : {8, 7}) {
-            Frame& frame = add(t, corner_view(config_, {4, 3}, 40), side);
-            frame.shade.contrast = 0;
+            Frame& frame = add(t, corner_view(config_, {2, 1}, 40), side);
+            frame.shade.contrast = 0, frame.shade.lights = 1;
             for (auto& part : frame.shade.background) part = 1u << unit_bits;
         }
         end(std::move(t), 0);
@@ -202,6 +221,25 @@ private:
         for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}})
             add(t, diagonal_view(eye, 1));
         end(std::move(t));
+    }
+
+    /// The same with long directions: a cell is a few of t's units long, so that the distances of its ends
+    /// differ by one or not at all. Planes lie as no builder puts them.
+    void add_cuts() {
+        for (int i = 0; i < 4; ++i) {
+            const std::vector<PrimData> prims = specks(config_, dice_, 24);
+            TortureCase t = begin("cuts " + std::to_string(i + 1), image_of(prims, config_, dice_, "cuts"));
+            cut_anew(t.job.image, config_, dice_);
+            for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}}) {
+                const std::int64_t unit = std::int64_t(1) << (config_.dir_bits - 5);
+                Frame frame = diagonal_view(eye, 2 * unit);
+                frame.width = frame.height = 16;
+                frame.right[0] = frame.down[1] = unit << guard_bits;
+                frame.corner[2] += (unit << guard_bits) * dice_.between(0, 64) / 32;
+                add(t, frame).shade.depth = 0;
+            }
+            end(std::move(t));
+        }
     }
 
     void add_panes() {
@@ -260,8 +298,9 @@ private:
         const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
-            Frame& frame = add(t, corner_view(config_, {9, 7}, 40), 3);
+            Frame& frame = add(t, corner_view(config_, {6, 5}, 40), 3);
             frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
+            frame.shade.lights = 1;
         }
         end(std::move(t));
     }
@@ -360,7 +399,8 @@ private:
         TortureCase t = begin("samples", image_of(prims, config_, dice_, "samples"));
         for (const int side : {2, 4, 5, 6, 7, 8}) {
             Frame& frame = add(t, view(prims, config_, {3, 2}, 0, dice_), side);
-            frame.shade.depth = 0, frame.shade.contrast = 0;   // and all of them are taken
+            frame.shade.depth = 0, frame.shade.lights = 1;
+            frame.shade.contrast = 0;   // and all of them are taken
         }
         end(std::move(t));
     }

@@ -228,21 +228,89 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
     return image;
 }
 
+namespace {
+
+void set_plane(Treelet& node, std::size_t plane, Dice& dice) {
+    const std::uint32_t axis = node.axis[plane] = std::uint32_t(dice.below(3));
+    node.at[plane] = dice.between(node.lo[axis], node.hi[axis]);
+}
+void set_plane(Slant& node, std::size_t plane, Dice& dice) {
+    const std::int32_t most = most_of(normal_step_bits);
+    const Vec3i normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
+    node.at[plane] = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        node.normal[3 * plane + k] = normal[k];
+        node.at[plane] += normal[k] * dice.between(node.lo[k], node.hi[k]);
+    }
+}
+
+template <class Line> void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
+    std::vector<std::uint32_t> pending{0};
+    Words scratch;
+    while (!pending.empty()) {
+        std::uint32_t* const at = &image.words[std::size_t(pending.back()) * words_per_line];
+        pending.pop_back();
+        Line node = unpack<Line>(at, config);
+        node.open = dice.percent(20);
+        for (std::size_t k = 0; k < 3; ++k)
+            node.lo[k] = dice.between(-3, 1), node.hi[k] = node.lo[k] + dice.between(0, 4);
+        for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i) set_plane(node, i, dice);
+        std::fill_n(at, words_per_line, 0u);
+        write_payload(node, config, at, scratch);
+        std::uint32_t next = node.base;
+        for (const std::uint32_t kind : node.kind)
+            if (kind == 1 && line_kind(image.line(next)) == LineKind::scene_node) pending.push_back(next++);
+    }
+}
+
+}   // namespace
+
+void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
+    if (config.engine() == Structure::bsp)
+        cut_anew<Slant>(image, config, dice);
+    else
+        cut_anew<Treelet>(image, config, dice);
+}
+
+void move_nodes(std::vector<std::uint32_t>& words, std::uint32_t root, Structure engine,
+                const Config& config) {
+    with_node(engine, [&]<class Line>(const Line&) {
+        std::vector<std::uint32_t> pending{root};
+        Words scratch;
+        while (!pending.empty()) {
+            std::uint32_t* const at = &words[std::size_t(pending.back()) * words_per_line];
+            pending.pop_back();
+            Line node = unpack<Line>(at, config);
+            node.base += root;
+            std::fill_n(at, words_per_line, 0u);
+            write_payload(node, config, at, scratch);
+            if (config.has_instances()) set_line_kind(at, LineKind::mesh_node);
+            std::uint32_t next = node.base;
+            for (const std::uint32_t kind : node.kind)
+                if (kind == 1) pending.push_back(next++);
+        }
+    });
+}
+
 MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
                              const char* name, std::uint32_t& root) {
     const MemoryImage made = image_of(prims, config, dice, name);
-    const std::uint32_t listed = made.listed, all = 1u << config.addr_bits, lines = (listed + 1) / 2;
-    const std::uint32_t page = page_lines(config.node_width);
-    root = (all - lines) / page * page;
+    const std::uint32_t all = 1u << config.addr_bits, page = page_lines(config.node_width);
+    const std::uint32_t before = config.shading ? made.surfaces : made.lines();
+    const std::uint32_t lines = config.is_list() ? (made.listed + 1) / 2 : before;
+    root = config.is_list() ? (all - lines) / page * page : all - lines;
     MemoryImage image = made;
     image.surfaces = 0;
     image.words.assign(std::size_t(all) * words_per_line, 0);
-    std::copy(made.words.begin() + std::ptrdiff_t(made.surfaces * words_per_line), made.words.end(),
+    std::copy(made.words.begin() + std::ptrdiff_t(before * words_per_line), made.words.end(),
               image.words.begin());
     std::copy_n(made.words.begin(), lines * words_per_line,
                 image.words.begin() + std::ptrdiff_t(root * words_per_line));
-    image.listed = 2 * root + listed;
-    check_lines(made.lines() - made.surfaces + all - root, config, name);
+    if (config.is_list())
+        image.listed = 2 * root + made.listed;
+    else
+        move_nodes(image.words, root, config.engine(), config);
+    check_lines(made.lines() - before + all - root, config, name);
     return image;
 }
 

@@ -45,8 +45,18 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
 /// All that a chip's memory holds; with two levels placed_image().
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      Look look = Look::any);
-/// The image of a list that begins in line `root`, behind its surfaces, and ends with the last lines that can
-/// be addressed. Its `listed` counts from line 0 on.
+/// Gives every node of the tree at line 0, of treelets or of slants, a box of a few steps near the middle,
+/// and planes of any direction that cut it. Rays no longer hit what the scene holds, but model and RTL must
+/// still do the same.
+void cut_anew(MemoryImage& image, const Config& config, Dice& dice);
+
+/// Adds `root` to the addresses in nodes that were compiled from line 0 on and now begin there. With two
+/// levels they are a mesh's.
+void move_nodes(std::vector<std::uint32_t>& words, std::uint32_t root, Structure engine,
+                const Config& config);
+
+/// The image of a list or a tree that begins in line `root`, behind its surfaces, and ends with the last
+/// lines that can be addressed. The `listed` of a list counts from line 0 on.
 MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
                              const char* name, std::uint32_t& root);
 

@@ -190,25 +190,7 @@ private:
         const std::uint32_t root = image_.lines();
         roots_.push_back(root);
         image_.words.insert(image_.words.end(), lower.words.begin(), lower.words.end());
-        with_node(config_.lower_engine(), [&]<class Line>(const Line&) { move_nodes<Line>(root); });
-    }
-
-    /// Nodes that were compiled from line 0 on and now begin at `root`.
-    template <class Line> void move_nodes(std::uint32_t root) {
-        std::vector<std::uint32_t> pending{root};
-        Words scratch;
-        while (!pending.empty()) {
-            std::uint32_t* const at = &image_.words[std::size_t(pending.back()) * words_per_line];
-            pending.pop_back();
-            Line node = unpack<Line>(at, config_);
-            node.base += root;
-            std::fill_n(at, words_per_line, 0u);
-            write_payload(node, config_, at, scratch);
-            set_line_kind(at, LineKind::mesh_node);
-            std::uint32_t next = node.base;
-            for (const std::uint32_t kind : node.kind)
-                if (kind == 1) pending.push_back(next++);
-        }
+        move_nodes(image_.words, root, config_.lower_engine(), config_);
     }
 
     void append_surfaces(std::vector<UpperEntry>& entries) {
@@ -238,7 +220,7 @@ private:
     std::vector<std::vector<PrimData>> meshes_;
     std::vector<Standing> standings_;
     std::vector<MemoryImage> lowers_;    // by mesh
-    std::vector<std::uint32_t> roots_;   // likewise
+    std::vector<std::uint32_t> roots_;   // by mesh
     MemoryImage image_;
 };
 

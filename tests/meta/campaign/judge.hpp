@@ -28,8 +28,9 @@ private:
     std::vector<Prepared> cases_;
 };
 
-/// Runs `work` in a child, which ends with 0 if nothing was noticed; it may write a word to the descriptor
-/// first.
+/// Runs `work` in a child, for so many seconds of the processor at most. It returns whether it noticed a
+/// fault, and sets its argument to what it saw, or to what it does, in case it does not come back. The
+/// verdict's seconds are the processor's.
 Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_most);
 
 }   // namespace rayclock::campaign
