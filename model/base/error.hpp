@@ -3,8 +3,8 @@
 
 namespace rayclock {
 
-/// Something the user gave us makes no sense: a file, a flag, a size, a configuration.
-/// The text is one sentence naming file, line and value; the program prints it and exits with 2.
+/// Reports input that makes no sense: a file, a flag, a size or a configuration. The text is one sentence
+/// that names file, line and value. The program prints it and exits with 2.
 class UserError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

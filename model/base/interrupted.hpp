@@ -3,8 +3,8 @@
 
 namespace rayclock {
 
-/// Ctrl-C or SIGTERM stopped the work. The text says which results are kept. The program prints the text and
-/// exits with 1.
+/// Reports that Ctrl-C or SIGTERM stopped the work. The text says which results are kept. The program prints
+/// the text and exits with 1.
 class Interrupted : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -1,4 +1,5 @@
 #pragma once
+// Suggests the nearest known word when the user mistypes one.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace rayclock {
 
-/// Levenshtein's edit distance: how many letters to change, add or drop.
+/// Returns Levenshtein's edit distance: the number of letters to change, add or drop. O(|a| |b|) time.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -26,9 +27,9 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'x'?" for the nearest known word. If none is near, and there are no more than a sentence
-/// can hold, all of them: "; there are 'x', 'y'". Nobody mistypes a word of more than 40 letters for another,
-/// and comparing those would take a time that grows with the square of their length.
+/// Returns "; did you mean 'x'?" for the nearest known word. If no word is near and at most 10 are known, it
+/// returns all of them: "; there are 'x', 'y'". Words of more than 40 letters are not compared: mistyping one
+/// for another is unlikely, and the comparison takes quadratic time.
 template <class Words> std::string did_you_mean(std::string_view word, const Words& known) {
     constexpr std::size_t longest = 40;
     std::string best;
@@ -49,8 +50,8 @@ template <class Words> std::string did_you_mean(std::string_view word, const Wor
     return all;
 }
 
-/// The item that has this name. If there is none, throws UserError: `none` ("no test"), "is called", the
-/// name, the nearest one that there is, and `tail`.
+/// Returns the item with this name. Otherwise throws UserError: `none` ("no test"), "is called", the name,
+/// the nearest known name, and `tail`.
 template <class Items> const auto& by_name(const Items& items, std::string_view name, const std::string& none,
                                            const char* tail = "") {
     std::vector<std::string_view> names;

@@ -5,8 +5,8 @@
 
 namespace rayclock {
 
-/// Told about long work: what is being done, how much of it, out of how much. Called from one thread
-/// at a time, possibly often; whoever draws it decides how often to draw.
+/// Reports the progress of long work: its name, the units done, and the total. One thread calls it at a time,
+/// possibly often. The receiver decides how often to draw.
 using Progress = std::function<void(std::string_view what, std::uint64_t done, std::uint64_t total)>;
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Escapes and truncates user input for messages.
 #include "model/base/quote.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace rayclock {
 namespace {
 
-/// Bytes of the UTF-8 letter at the start of `text`, or 0 if it is none that may be shown.
+/// Returns the bytes of the UTF-8 letter at the start of `text`, or 0 if it is not one that may be shown.
 std::size_t letter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -28,7 +29,8 @@ std::size_t letter(std::string_view text) {
     return is_overlong || is_control || code > 0x10ffff ? 0 : size;
 }
 
-/// The first letter as it may be shown, or the first byte as \xNN; and how many bytes that was.
+/// Appends the first letter if it may be shown, otherwise the first byte as \xNN. Returns how many bytes of
+/// `text` that was.
 std::size_t escape_first(std::string& out, std::string_view text) {
     constexpr char digits[] = "0123456789abcdef";
     const std::size_t size = letter(text);
@@ -45,7 +47,7 @@ void escape(std::string& out, std::string_view text) {
     while (!text.empty()) text.remove_prefix(escape_first(out, text));
 }
 
-/// The start of the byte at `at`, moved back over the rest of a letter.
+/// Returns `at`, moved back to the start of its letter.
 std::size_t boundary(std::string_view text, std::size_t at) {
     std::size_t start = at;
     while (start > 0 && at - start < 3 && (static_cast<unsigned char>(text[start]) & 0xc0) == 0x80) --start;
@@ -70,8 +72,8 @@ std::string printable(std::string_view text, std::size_t most) {
         out.resize(before);
         break;
     }
-    // The end is known only when its letters are: from the first of them after which there is no more than it
-    // may have.
+    // Escape the tail first, because only then are its letters known. Keep the longest run of whole letters
+    // that fits into `last` bytes.
     std::string end;
     std::vector<std::size_t> starts;
     for (std::string_view rest = text.substr(boundary(text, text.size() - std::min(last, text.size())));

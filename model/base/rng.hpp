@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers on every machine.
+/// SplitMix64 (Steele, Lea, Flood 2014): a random generator with the same numbers on every machine.
 class Rng {
 public:
     explicit Rng(std::uint64_t seed) : state_(seed) {}

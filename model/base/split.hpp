@@ -5,7 +5,7 @@
 
 namespace rayclock {
 
-/// The parts between the separators: one more than there are of these.
+/// Splits a text at every separator. N separators give N + 1 parts.
 inline std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts(1);
     for (const char c : text)

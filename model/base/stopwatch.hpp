@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// Seconds since it was made, by a clock that is never put right.
+/// Measures seconds since its construction, on a clock that is never adjusted.
 class Stopwatch {
 public:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

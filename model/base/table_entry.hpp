@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// Of a table of a function: a value, and how far the next one lies from it, for linear interpolation.
+/// One entry of a function's table: a value, and the step to the next value for linear interpolation.
 struct TableEntry {
     std::uint32_t value = 0, step = 0;
 };

@@ -19,14 +19,14 @@ namespace rayclock {
 
 namespace {
 
-/// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1
-/// bits.
+/// True if the triangle has area on the lattice; without area it takes no ray. Exact, as the cross product
+/// has at most 2 (N + 1) + 1 bits.
 bool has_area(const PrimData& t) {
     const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
     return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
 }
 
-/// The primitives that count on the lattice, in the scene's order.
+/// Returns the primitives that count on the lattice, in the scene's order.
 std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice, const Config& config) {
     std::vector<PrimData> all(primitive_count(scene));
     tbb::parallel_for(std::size_t(0), all.size(),
@@ -37,7 +37,8 @@ std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice
 
 }   // namespace
 
-/// A plane is everywhere. A sphere's box holds every point of it, on the lattice or not.
+/// Returns a box that fills the lattice for a plane. A sphere's box holds all its points that lie in the
+/// lattice.
 LatticeBox box_of(const PrimData& prim, int coord_bits) {
     const std::int32_t most = (1 << (coord_bits - 1)) - 1;
     if (PrimKind(prim.kind) == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
@@ -50,9 +51,9 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
     return box;
 }
 
-/// The sheared test may err by one step (model/unit/isect/sheared.hpp), and its boxes are that much larger.
-/// Lattice::snap leaves out the least coordinate, so their lower corners still fit N bits; upper planes are
-/// relative to those.
+/// Returns the boxes of primitives. The sheared test may err by one step (model/unit/isect/sheared.hpp), so
+/// its boxes are a step larger. Lattice::snap leaves out the least coordinate, so their lower corners still
+/// fit N bits; upper planes are relative to these.
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {
     std::vector<LatticeBox> boxes(triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -95,7 +96,7 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
                         (all == scene.triangles.size() ? " triangles" : " primitives") +
                         " vanish on a lattice of " + std::to_string(config.coord_bits) +
                         " bits; a larger coord_bits or an eye closer to the scene would help");
-    check_lines(kept.size() / 2, config, name);   // before the long work: two triangles a line at best
+    check_lines(kept.size() / 2, config, name);   // before the long work: at best two triangles per line
     const auto need = int(std::bit_width(all - 1));
     if (need > config.prim_bits)
         throw UserError(name + ": " + std::to_string(all) +

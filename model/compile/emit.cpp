@@ -1,3 +1,4 @@
+// Writes trees of boxes and globes as memory lines.
 #include "model/compile/emit.hpp"
 
 #include "model/layout/encode.hpp"
@@ -10,7 +11,7 @@ namespace rayclock {
 
 namespace {
 
-/// How a node is written of which the children are known: as boxes,
+/// Collects the children of a node and writes it as boxes.
 class Boxes {
 public:
     Boxes(const BinaryTree& tree, const Config& config) : tree_(tree), config_(config) {}
@@ -26,7 +27,7 @@ private:
     std::vector<NodeChild> children_;
 };
 
-/// or as globes.
+/// Collects the children of a node and writes it as globes.
 class Globes {
 public:
     Globes(const GlobesAround& around, const Config& config) : around_(around), config_(config) {}
@@ -58,7 +59,7 @@ public:
     void run() {
         image_.words.assign(words_per_line, 0);
         pending_.push_back({root_, 0, 0});
-        // Last in, first out, inner children pushed from the last to the first: depth-first.
+        // Depth-first: last in, first out, with inner children pushed from the last to the first.
         while (!pending_.empty()) {
             const Pending next = pending_.back();
             pending_.pop_back();
@@ -104,7 +105,8 @@ private:
             pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
     }
 
-    /// A leaf from `first` on has no primitive twice, though parts of one may have come together in it.
+    /// Removes repeated primitives from the leaf that starts at `first`: parts of one primitive may meet in a
+    /// leaf.
     void once(std::size_t first) {
         std::size_t end = first;
         for (std::size_t i = first; i < content_.size(); ++i) {

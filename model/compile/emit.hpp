@@ -1,8 +1,8 @@
 #pragma once
 // Layout: the collapsed tree as memory lines.
 //
-// Blocks lie depth-first, a block being all that a node's base points at: one line per inner child, then the
-// leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.
+// Blocks lie depth-first. A block is everything that a node's base points at: one line per inner child, then
+// the leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.
 #include <vector>
 
 #include "model/engine/bvh/collapse.hpp"
@@ -10,29 +10,30 @@
 
 namespace rayclock {
 
-/// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` in the order of the
-/// boxes that the tree was built over. Throws UserError beyond 2^addr_bits lines; `name` begins the sentence.
+/// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` are in the order of
+/// the boxes over which the tree was built. Throws UserError beyond 2^addr_bits lines; `name` begins the
+/// sentence.
 void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
-/// The same, each child with the globe around all that is below it (globe/enclose.hpp).
+/// Does the same, and gives each child the globe around everything below it (globe/enclose.hpp).
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image);
 
-/// The same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a mere list of all primitives,
-/// from line 0 on.
+/// Do the same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a plain list of all
+/// primitives, from line 0 on.
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image);
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
 
-/// Of primitives, in their order, as a tree of boxes holds them.
+/// Returns the boxes of primitives, in their order, as a tree of boxes holds them.
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& prims, const Config& config);
 
-/// Throws UserError if nothing of the scene is left on the lattice in `kept`, or if it is too much.
+/// Throws UserError if the lattice keeps nothing of the scene in `kept`, or if there are too many primitives.
 void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
                 const std::string& name);
 
-/// Throws UserError if the configuration's stack cannot hold so many groups of siblings.
+/// Throws UserError if the configuration's stack cannot hold `need` groups of siblings.
 void check_stack(int need, const Config& config, const std::string& name);
 
 /// Throws UserError if `lines` memory lines cannot be addressed.

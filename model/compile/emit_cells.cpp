@@ -14,7 +14,7 @@ using kd::Place;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
-/// `Line` is what a node is: a treelet or a slant.
+/// Writes a tree of cells. `Line` is the type of a node: a treelet or a slant.
 template <class Line> class Emitter {
 public:
     Emitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
@@ -24,7 +24,7 @@ public:
     void run() {
         image_.words.assign(words_per_line, 0);
         pending_.push_back({Place(&root_), 0, 0});
-        while (!pending_.empty()) {   // depth first, as of the box tree
+        while (!pending_.empty()) {   // depth-first, as for the box tree
             const Pending next = pending_.back();
             pending_.pop_back();
             emit(next);

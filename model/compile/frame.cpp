@@ -1,24 +1,24 @@
-// Camera registers from the camera: the pixel map in fixed point, in lattice steps. The rule by which raygen
-// makes a direction of them is in model/core/frame.hpp.
+// Camera registers from the camera: the pixel map in fixed point, in lattice steps. model/core/frame.hpp has
+// raygen's rule for directions.
 //
-// Proof that every sum fits. Let V = C + x R + y D be what raygen sums for pixel (x, y), with C, R, D the
-// nearest integers to scale * (corner, right, down). Each is off by at most 1/2, so V is off from scale *
+// Proof that every sum fits. Let V = C + x R + y D be raygen's sum for pixel (x, y), with C, R, D the nearest
+// integers to scale * (corner, right, down). Each is off by at most 1/2, so V is off from scale *
 // direction(x, y) by at most (1 + x + y) / 2 <= (w + h - 1) / 2. direction() is linear, so its components are
-// largest at one of the four corner pixels: call that m. With scale * m <= L * 2^G - (w + h - 1) / 2 - 1, L =
-// 2^(M-1) - 1, the 1 covering the rounding of the double arithmetic here (below 2^-10 for 38 bits), |V| <= L
-// * 2^G < 2^(M-1+G). C is the sum of pixel (0, 0) and fits; R and D are bounded apart, since in a picture two
-// pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
+// largest at one of the four corner pixels: call that m. With L = 2^(M-1) - 1 let scale * m <= L * 2^G - (w +
+// h - 1) / 2 - 1, where the 1 covers the rounding of the double arithmetic here (below 2^-10 for 38 bits).
+// Then |V| <= L * 2^G < 2^(M-1+G). C is the sum of pixel (0, 0) and fits. R and D have their own bound, since
+// in a picture two pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
 //
 // Proof that no direction is short. In the middle of a wide picture a direction is much shorter than in the
-// corners; raygen moves it up, by most_shift bits at most. All directions end in one plane, n . v = n .
-// corner with n = right x down, and there |n . v| <= |n|_1 max |v_k|: no direction's largest component is
-// below l = |n . corner| / |n|_1. If scale * l - (w + h - 1) / 2 - 1 >= 2^(M-2+G-most_shift), then max |d_k|
-// >= 2^(M-2) in every pixel. A camera for which this does not hold is refused: 175 degrees in a picture that
-// is 800 times as wide as it is high.
+// corners. raygen shifts it up, by at most most_shift bits. All directions end in one plane, n . v = n .
+// corner with n = right x down, and there |n . v| <= |n|_1 max |v_k|. So no direction's largest component is
+// below l = |n . corner| / |n|_1. If scale * l - (w + h - 1) / 2 - 1 >= 2^(M-2+G-most_shift), then max
+// |d_k| >= 2^(M-2) in every pixel. A camera that violates this is refused: 175 degrees in a picture 800 times
+// as wide as high.
 //
-// With supersampling x and y are those of a sample, from -1/2 to w - 1/2 and h - 1/2, and what is summed is
-// 256 V, with whole numbers 256 x and 256 y. So m is that of the picture's corners, and V is off by at most
-// (1 + w - 1/2 + h - 1/2) / 2 = (w + h) / 2; the rest holds as it stands, with 2^8 times as fine fractions.
+// With supersampling x and y are those of a sample, from -1/2 to w - 1/2 and h - 1/2. The sum is 256 V, with
+// whole numbers 256 x and 256 y. So m is that of the picture's corners, and V is off by at most (1 + w - 1/2
+// + h - 1/2) / 2 = (w + h) / 2. The rest holds unchanged, with fractions 2^8 times as fine.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -34,7 +34,7 @@ namespace rayclock {
 
 namespace {
 
-/// Why a camera cannot be had with directions of these bits.
+/// Throws UserError for a camera that directions of these bits cannot represent.
 [[noreturn]] void refuse_width(const Camera& camera, FrameSize size, const Config& config) {
     throw UserError("a camera of " + text_of(camera.fov_degrees) + " degrees is too wide for a picture of " +
                     std::to_string(size.width) + " x " + std::to_string(size.height) +

@@ -1,15 +1,15 @@
 // The lattice of a scene: bounds, pitches, nearest point.
 //
-// The eye is a lattice point: what it is off would move the whole picture. To get there the lattice is
-// shifted by up to half a pitch, so a vertex at the end of the bounds lies at up to L + 1/2, L = 2^(N-1) - 1,
-// and still goes to a point within half a pitch: to L, since snap() ends there.
+// The eye is a lattice point, because an error of the eye would move the whole picture. So the lattice is
+// shifted by up to half a pitch. A vertex at the end of the bounds then lies at up to L + 1/2, L = 2^(N-1) -
+// 1. It still goes to a point within half a pitch: to L, since snap() ends there.
 //
-// What the machine decides does not change under a map of each axis by a factor: sides of edges, order along
-// a ray and ties are the same. So an axis along which the scene is short has a finer pitch; no finer than
-// half the coarsest, because the directions' components grow alike, which takes up to a bit of M from the
-// other axes and of the range of t.
+// The machine's decisions do not change when each axis is scaled by a factor: sides of edges, order along a
+// ray and ties stay the same. So an axis along which the scene is short has a finer pitch. It is at least
+// half the coarsest pitch, because the directions' components grow in the same way. That takes up to a bit of
+// M from the other axes, and of the range of t.
 //
-// Plain double arithmetic in a fixed order (-ffp-contract=off): the same points on every machine.
+// Plain double arithmetic in a fixed order (-ffp-contract=off) gives the same points on every machine.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ constexpr double most_ratio = 2;
 
 double largest_coordinate(int coord_bits) { return double((1 << (coord_bits - 1)) - 1); }
 
-/// A pitch, at least as large, of which the first plane's sides on the lattice are whole multiples.
+/// Returns a pitch, at least as large, that divides the first plane's sides on the lattice.
 double with_planes(const Scene& scene, Lattice lattice, double pitch) {
     lattice.pitch = glm::dvec3(pitch);
     const double side =
@@ -35,7 +35,7 @@ double with_planes(const Scene& scene, Lattice lattice, double pitch) {
     return side / std::floor(side / pitch);
 }
 
-/// Of the scene and the eye, and of each plane that point which is nearest to their middle.
+/// Returns the bounds of the scene, the eye, and the point of each plane that is nearest to their middle.
 Bounds bounds_with(const Scene& scene, const glm::dvec3& eye) {
     Bounds box = bounds(scene);
     box = {glm::min(box.lo, eye), glm::max(box.hi, eye)};
@@ -66,8 +66,8 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, b
     }
     const double finest = cubic ? coarsest : coarsest / most_ratio;
     for (int k = 0; k < 3; ++k) {
-        // Everything in one point: any pitch will do. Extents at the very bottom of the format must not give
-        // a pitch of zero.
+        // If everything lies in one point, any pitch will do. Extents at the bottom of the format must not
+        // give a pitch of zero.
         lattice.pitch[k] =
             coarsest > 0 ? std::max({reach[k] / largest, finest, std::numeric_limits<double>::min()}) : 1;
         lattice.centre[k] = eye[k] - lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k]);

@@ -1,3 +1,4 @@
+// Puts infinite planes on the lattice.
 #include "model/compile/plane.hpp"
 
 #include <algorithm>
@@ -10,10 +11,10 @@ namespace rayclock {
 
 namespace {
 
-constexpr double longest_side = 1.0 / 16;     // of what the lattice reaches
+constexpr double longest_side = 1.0 / 16;     // as a share of the lattice's reach
 constexpr int most_level = corner_bits - 1;   // a phase counts sides of two squares
 
-/// How often a square's side is halved; negative: doubled.
+/// Returns how often a square's side is halved; negative if it is doubled.
 int level_of(double side, double reach) { return int(std::ceil(std::log2(side / (longest_side * reach)))); }
 
 double phase_of(double at, int level) {
@@ -63,7 +64,7 @@ void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& su
         if (bit < 0) {   // squares finer than u and v
             for (std::size_t k = 0; k < 3; ++k)
                 surface.colour[k] = surface.other[k] = (surface.colour[k] + surface.other[k]) >> 1;
-        } else if (level > most_level) {   // the one around a
+        } else if (level > most_level) {   // one square around a covers the whole range
             if (std::fmod(std::floor(std::ldexp(plane.at[i], -level)), 2) != 0)
                 std::swap(surface.colour, surface.other);
             surface.normal[2 + i] = -1;

@@ -1,3 +1,4 @@
+// Surfaces, shading registers, and the configuration that a scene needs.
 #include "model/compile/surfaces.hpp"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ std::uint32_t fixed(double value, int frac_bits, std::uint32_t most) {
     return std::uint32_t(std::clamp(std::round(std::ldexp(value, frac_bits)), 0.0, double(most)));
 }
 std::uint32_t share_of(double value) { return fixed(value, share_bits, 1u << share_bits); }
-/// Weight of a reflected or refracted ray: what is above 0 stays above 0, so that its ray is sent.
+/// Returns the weight of a reflected or refracted ray. A value above 0 stays above 0, so that its ray is
+/// sent.
 std::uint32_t weight_of(double value) {
     return std::max(fixed(value, unit_bits, 1u << unit_bits), std::uint32_t(value > 0));
 }
@@ -42,7 +44,8 @@ void set_material(const Material& m, Surface& s) {
     s.checkered = m.checkered, s.schlick = m.schlick;
     s.ambient = share_of(m.ambient), s.diffuse = share_of(m.diffuse), s.highlight = share_of(m.highlight);
     s.mirror = weight_of(m.mirror), s.transmit = weight_of(m.transmit);
-    // Rounded together, so that their sum, which a total reflection has, errs by no more than each of them.
+    // Rounded together, so that the error of their sum, the weight after a total reflection, is at most that
+    // of each.
     if (m.mirror > 0 && m.transmit > 0 && m.mirror + m.transmit <= 1)
         s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);
     s.shine = fixed(m.shine, shine_frac, (1u << shine_bits) - 1);
@@ -52,8 +55,8 @@ void set_material(const Material& m, Surface& s) {
     s.leave = fixed(index, index_frac, (1u << ratio_bits) - 1);
 }
 
-/// Corner normals, turned to the side of (b - a) x (c - a) as the scene has it; the longest of the three
-/// fills its bits.
+/// Sets corner normals, turned to the side of (b - a) x (c - a) in the scene. The longest of the three fills
+/// its bits.
 void set_normals(const Scene& scene, std::size_t i, Surface& s) {
     if (scene.normals.empty()) return;
     const auto& vertex = scene.triangles[i].vertex;
@@ -72,8 +75,7 @@ void set_normals(const Scene& scene, std::size_t i, Surface& s) {
     s.smooth = 1;
 }
 
-/// How many low bits the components of a triangle's edges have that are zero, at most most_fine; all of them
-/// must have some.
+/// Returns the number of low zero bits common to all components of a triangle's edges, at most most_fine.
 std::uint32_t fine_of(const PrimData& t, const Config& config) {
     std::uint32_t bits = 1u << std::clamp(config.bary_bits - config.origin_bits, 0, most_fine);
     for (std::size_t k = 0; k < 3; ++k)
@@ -81,8 +83,7 @@ std::uint32_t fine_of(const PrimData& t, const Config& config) {
     return std::uint32_t(std::countr_zero(bits));
 }
 
-/// For each vertex the number of low bits to be cleared: 2^-14 of the shortest edge of all triangles that it
-/// belongs to.
+/// Returns for each vertex the number of low bits to clear: 2^-14 of the shortest edge of all its triangles.
 std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice) {
     std::vector<std::uint8_t> coarse(scene.vertices.size(), most_fine);
     std::vector<bool> used(scene.vertices.size());
@@ -98,7 +99,8 @@ std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice)
     return coarse;
 }
 
-/// The lattice point lies inside a sphere that is not seen from inside: none of its light comes out.
+/// True if the lattice point lies inside a sphere that is not visible from inside, so that none of its light
+/// comes out.
 bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t* at) {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         if (scene.materials[scene.spheres[i].material].transmit > 0) continue;
@@ -117,8 +119,8 @@ bool coincide(const PlaneOnLattice& one, const PlaneOnLattice& other) {
                                [&](const Vec3i& p) { return dot<Wide>(n, minus(p, one.a)) == 0; });
 }
 
-/// Of each plane its bit in a cell. The first that transmit have one, and whatever lies in them has the same:
-/// no ray meets that.
+/// Returns the bit of each plane in a cell. The first planes that transmit have one. Planes that coincide
+/// with one of them share its bit, because no ray meets them.
 std::vector<std::uint32_t> panes_of(const Scene& scene, const Config& config, const Lattice& lattice) {
     std::vector<std::uint32_t> bits;
     std::vector<PlaneOnLattice> panes;
@@ -133,11 +135,10 @@ std::vector<std::uint32_t> panes_of(const Scene& scene, const Config& config, co
     return bits;
 }
 
-/// Which planes stand between the camera's eye and a lattice point: exact. An eye that lies in a plane sees
-/// both sides of the plane.
+/// The planes between the camera's eye and a lattice point, exactly. An eye in a plane sees both sides of it.
 struct Between {
-    bool clear = true;        ///< none but panes, and no plane holds the eye
-    std::uint32_t cell = 0;   ///< the panes
+    bool clear = true;        ///< only panes lie between, and no plane holds the eye
+    std::uint32_t cell = 0;   ///< the panes between them
 };
 Between between(const Scene& scene, const Config& config, const Lattice& lattice, const std::int32_t* place) {
     Between found;
@@ -162,9 +163,8 @@ std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;
-    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);   // where the
-                                                                                             // multiples are
-                                                                                             // counted from
+    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);   // origin of the
+                                                                                             // multiples
     const std::int32_t most = (1 << (lattice.coord_bits - 1)) - 1;
     Scene moved = scene;
     for (std::size_t v = 0; v < coarse.size(); ++v) {
@@ -223,7 +223,7 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
         set_checkers(plane_on_lattice(scene.planes[i - planes], lattice), config, s);
         s.normal[4] = std::int32_t(panes_of(scene, config, lattice)[i - planes]);
     } else {
-        s.checkered = 0;   // planes alone have squares
+        s.checkered = 0;   // only planes have squares
     }
     return s;
 }
@@ -262,9 +262,9 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;
     if (config.spheres)
-        config.tri_queue = std::max(config.tri_queue, 64);   // tri is 34 stages long then, and its door must
-                                                             // not shut
-    // Rounded up: scenes that differ by a light share their RTL.
+        config.tri_queue = std::max(config.tri_queue, 64);   // tri then has 34 stages, and its credit gate
+                                                             // must not close
+    // Rounded up, so that scenes that differ by a light share their RTL.
     config.lights = std::clamp(int(std::bit_ceil(scene.lights.size())), 4, max_lights);
     config.bounces = std::max(config.bounces, settings.depth);
     int transmitting = 0, mirroring = 0;

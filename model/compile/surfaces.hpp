@@ -1,5 +1,5 @@
 #pragma once
-// What a chip that shades finds in memory beside the tree: every primitive's surface.
+// The surfaces of all primitives, which a chip that shades reads in addition to the tree.
 #include <optional>
 
 #include "model/layout/memory_image.hpp"
@@ -7,26 +7,26 @@
 
 namespace rayclock {
 
-/// The scene with the corners of its large triangles moved a little, at lattice points of which all three
-/// coordinates' differences are multiples of up to 2^most_fine: a corner moves by 2^-15 of the shortest edge
-/// that ends there, at most. Secondary rays from there then begin the nearer to where the ray hit. Nothing if
-/// there are no large triangles.
+/// Returns the scene with the corners of its large triangles moved slightly. They move to lattice points
+/// whose coordinates differ by multiples of up to 2^most_fine. A corner moves by at most 2^-15 of the
+/// shortest edge that ends there. Secondary rays from such triangles then begin closer to the hit point. The
+/// result is empty if there are no large triangles.
 std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice);
 
-/// Primitive number i on the lattice.
+/// Returns primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
 
-/// Of a sphere or plane: a box in the lattice. A plane is everywhere.
+/// Returns the box of a sphere or plane within the lattice. A plane fills the lattice.
 LatticeBox box_of(const PrimData& prim, int coord_bits);
 
-/// Its surface: the primitive again, corner normals if the scene has some and they lie on the triangle's
-/// side, the material.
+/// Returns the surface of primitive number i: the primitive itself, corner normals if the scene has some,
+/// turned to the triangle's side, and the material.
 Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t i);
 
 /// Throws UserError if the scene needs a unit that the configuration does not have.
 void check_units(const Scene& scene, const Config& config, const std::string& name);
 
-/// Appends the surfaces, a line each, to the image. Throws UserError beyond what can be addressed.
+/// Appends the surfaces, a line each, to the image. Throws UserError beyond the address range.
 void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
 
 }   // namespace rayclock

@@ -1,5 +1,5 @@
 #pragma once
-// What the host writes into the memory of a chip for a frame of a scene that moves: docs/motion.md.
+// The host's writes into the chip's memory for a frame of a moving scene: docs/motion.md.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace rayclock {
 
-/// Cycles that a reset of the chip takes: its caches are emptied, and in sixteen more it clears its counters
+/// Returns the cycles of a chip's reset. The caches are emptied, and the counters take sixteen cycles more
 /// (docs/chip.md).
 inline int reset_cycles(const Config& c) { return c.clear_cycles() + 16; }
 
-/// Lines that differ from what the memory holds, and what the host did to know them. Applied in their order,
-/// uploads give every frame the lines that it reads, whatever the image held before.
+/// Lines that differ from the memory's content, and the host's work to find them. Applied in order, uploads
+/// give every frame the lines that it reads, whatever the image held before.
 struct Upload {
-    std::vector<std::uint32_t> lines;   ///< their numbers, rising
-    std::vector<std::uint32_t> words;   ///< 16 for each of them
-    MemoryImage image;                  ///< of the frame, but that its words are elsewhere
-    std::uint32_t image_lines = 0;      ///< of it; 0: no upload at all, the scene stands still
-    bool beside = false;   ///< written while the chip draws the frame before, which reads none of these lines
-    bool resets = false;   ///< the caches may hold lines that were written since the last reset: the chip is
-                           ///< reset
-    bool is_whole = false;   ///< the host has made everything anew, and not the upper structure alone
-    std::uint64_t nodes = 0, instances = 0;    ///< that the host has made anew
-    std::uint64_t refitted = 0, rebuilt = 0;   ///< trees of meshes that deform
-    double cost = 0;      ///< of the worst of them: its surface-area cost over that of when it was built
-    double seconds = 0;   ///< that it took the host
+    std::vector<std::uint32_t> lines;   ///< line numbers, rising
+    std::vector<std::uint32_t> words;   ///< 16 words per line
+    MemoryImage image;                  ///< of the frame, without its words
+    std::uint32_t image_lines = 0;      ///< lines of the image; 0: no upload, the scene stands still
+    bool beside = false;   ///< written while the chip draws the previous frame, which reads none of these
+                           ///< lines
+    bool resets = false;   ///< the caches may hold lines that were written since the last reset, so the chip
+                           ///< is reset
+    bool is_whole = false;   ///< the host has rebuilt everything, and not only the upper structure
+    std::uint64_t nodes = 0, instances = 0;    ///< that the host has recomputed
+    std::uint64_t refitted = 0, rebuilt = 0;   ///< trees of deforming meshes
+    double cost = 0;      ///< of the worst of these: its surface-area cost over the cost when built
+    double seconds = 0;   ///< of host time
 };
 
-/// What an upload says of an image beside its lines.
+/// Returns an image's data without its lines.
 inline MemoryImage without_words(const MemoryImage& image) {
     MemoryImage shape;
     shape.lattice = image.lattice;
@@ -42,7 +43,7 @@ inline MemoryImage without_words(const MemoryImage& image) {
     return shape;
 }
 
-/// All lines of the image from `first` on that are not in `held`, which are so many words of before.
+/// Adds all lines of the image from `first` on that differ from `held`, the earlier words of the same lines.
 inline void take_differences(const MemoryImage& image, std::uint32_t first, std::uint32_t count,
                              const std::vector<std::uint32_t>& held, Upload& upload) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -54,7 +55,7 @@ inline void take_differences(const MemoryImage& image, std::uint32_t first, std:
     }
 }
 
-/// Writes what an upload holds into an image.
+/// Writes an upload into an image.
 inline void apply(const Upload& upload, MemoryImage& image) {
     if (upload.image_lines == 0) return;
     std::vector<std::uint32_t> words = std::move(image.words);
@@ -67,14 +68,14 @@ inline void apply(const Upload& upload, MemoryImage& image) {
 
 /// Cycles before a frame in which the chip draws nothing.
 struct UploadTiming {
-    std::uint64_t lines = 0;    ///< written for the frame, whenever
+    std::uint64_t lines = 0;    ///< written for the frame, at any time
     std::uint64_t cycles = 0;   ///< in which the chip waited for them
     std::uint64_t reset = 0;    ///< of the reset
 };
 
-/// What must happen before frame `f`: the host's writes, and a reset, on a machine of the model or the RTL.
-/// Then the writes of the next frame begin, if they go beside this one. `upload_of(f)` is a frame's upload,
-/// null beyond the last.
+/// Prepares frame `f` on a machine of the model or the RTL: performs the host's writes, and a reset if
+/// necessary. Then it begins the writes of the next frame, if they overlap this one. `upload_of(f)` is a
+/// frame's upload, null beyond the last. Returns the time taken.
 template <class Machine, class UploadOf>
 UploadTiming bring(Machine& machine, std::size_t f, const UploadOf& upload_of) {
     UploadTiming timing;

@@ -1,3 +1,4 @@
+// Checks configurations, and limits parameters to what the others allow.
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +9,7 @@
 
 namespace rayclock {
 
-// The address of a counter has four bits for a pipeline, whose last value stands for what all of them share.
+// A counter's address has four bits for the pipeline. The last value stands for the shared units.
 constexpr int most_rtl_pipelines = 8;
 
 void check_rtl(const Config& c) {
@@ -40,7 +41,7 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
             std::to_string(2 * c.coord_bits + c.dir_bits));
-    // The widest shift of rc_box: N + R + 3 bits moved left by at most F + M - 1 - R + (N - box_bits + 1).
+    // The widest shift of rc_box moves N + R + 3 bits left by at most F + M - 1 - R + (N - box_bits + 1).
     const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits +
                        c.coord_bits - c.box_bits + 1;
     if (widest > 63)

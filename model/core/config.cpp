@@ -1,3 +1,4 @@
+// The table of parameters, the named configurations, and the widths derived from them.
 #include "model/core/config.hpp"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace rayclock {
 
 namespace {
 constexpr std::array mesh_structures{Structure::bvh, Structure::kd, Structure::octree, Structure::spheres,
-                                     Structure::bsp};   // of mesh_structure_names() after the first
+                                     Structure::bsp};   // order of mesh_structure_names() after its first
+                                                        // entry
 }   // namespace
 Structure Config::lower_structure() const {
     return has_instances() && mesh_structure > 0 ? mesh_structures[std::size_t(mesh_structure - 1)]
@@ -35,8 +37,8 @@ int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
 int Config::edge_bits() const {
     if (is_sheared()) return 2 * coord_bits + 3;
     const int plain = 2 * coord_bits + dir_bits + 2;
-    return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3)
-                   : plain;   // bounce; shadow ray: docs/origins.md
+    // A bounce is the first of these, a shadow ray the second: docs/origins.md.
+    return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;
 }
 int Config::tri_ray_bits() const {
     return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) +
@@ -47,7 +49,8 @@ int Config::group_bits() const { return index_bits(node_width + 1); }
 int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
-// A direction has 2^(M-2), the lattice reaches 2^(N-1+B): an eighth of it, unless directions are too long.
+// A direction has length 2^(M-2), and the lattice reaches 2^(N-1+B). The last step is an eighth of that
+// reach, unless directions are too long.
 int Config::approach_shift() const { return std::max(0, origin_width() - dir_bits - 2); }
 
 namespace {
@@ -228,7 +231,7 @@ const std::vector<Parameter>& parameters() {
 
 namespace {
 
-enum Memory { ideal, sdr, ddr3, rpu, sdr_half };   // in the order of dram_names()
+enum Memory { ideal, sdr, ddr3, rpu, sdr_half };   // order of dram_names()
 
 void set_cache(int& sets, int& ways, int& mshrs, int new_sets, int new_ways, int new_mshrs) {
     sets = new_sets;
@@ -236,7 +239,7 @@ void set_cache(int& sets, int& ways, int& mshrs, int new_sets, int new_ways, int
     mshrs = new_mshrs;
 }
 
-/// Narrow formats and nodes of four children.
+/// Sets narrow formats and nodes of four children.
 void make_small(Config& c) {
     c.coord_bits = 16;
     c.dir_bits = 18;
@@ -245,8 +248,8 @@ void make_small(Config& c) {
     c.stack_depth = 32;
 }
 
-/// Finished pictures with planes, spheres and refraction, on a chip that has no room for a unit that is wider
-/// than its passes ask for.
+/// Sets up finished pictures with planes, spheres and refraction. The chip is full, so no unit is wider than
+/// the number of passes requires.
 void make_shaded(Config& c) {
     c.shading = c.planes = c.spheres = c.refraction = 1;
     c.shade_interval = c.raygen_interval = 8;
@@ -260,13 +263,13 @@ void make_shaded(Config& c) {
     c.t_frac_bits = 1;
     c.recip_bits = 12;
     c.origin_bits = 10;
-    c.addr_bits = 19;   // the board's 32 MB
+    c.addr_bits = 19;   // the board has 32 MB
     c.prim_bits = 20;
     c.pixel_bits = 10;
 }
 
-/// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats
-/// have no like here; 18 bits of lattice are kept.
+/// Sets a binary tree, as the kd-trees of both chips: one split per step. Their 24-bit floats have no
+/// counterpart here, so the 18 bits of lattice stay.
 void make_binary(Config& c) {
     c.node_width = 2;
     c.stack_depth = 64;
@@ -280,7 +283,7 @@ const std::vector<std::string>& config_names() {
     return names;
 }
 
-// Where the figures come from: docs/configurations.md.
+// docs/configurations.md gives the sources of the figures.
 Config named_config(const std::string& name) {
     Config c;
     c.name = name;

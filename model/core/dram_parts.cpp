@@ -1,3 +1,4 @@
+// Derived figures of a memory, and the look-up of memories by name.
 #include "model/core/dram_parts.hpp"
 
 #include <algorithm>

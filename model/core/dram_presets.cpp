@@ -1,12 +1,13 @@
+// The figures of each memory, with their sources.
 #include "model/core/dram_presets.hpp"
 
 namespace rayclock {
 
-// Single data rate chips state no tRTP: a precharge must not come before the clock of the last data less CL -
-// 1, which is burst_length clocks after the read (Micron 256Mb SDRAM, "READ to PRECHARGE").
+// Chips of single data rate state no tRTP. A precharge must not come before the clock of the last data less
+// CL - 1, which is burst_length clocks after the read (Micron 256Mb SDRAM, "READ to PRECHARGE").
 
-// Chip: Alliance Memory AS4C32M16SB-7, on ULX3S boards v3.0.7; others carry MT48LC16M16A2 or IS42S16160G.
-// Gates: its data sheet, Table 16, column -7.
+// Chip: Alliance Memory AS4C32M16SB-7, on ULX3S boards v3.0.7. Other boards carry MT48LC16M16A2 or
+// IS42S16160G. Gates: its data sheet, Table 16, column -7.
 DramPart sdr() {
     DramPart p;
     p.name = "sdr";
@@ -19,7 +20,7 @@ DramPart sdr() {
         "https://github.com/emard/ulx3s/blob/master/doc/MANUAL.md; controller: assumed";
     p.bus_bits = 16;   // data sheet: 32M x 16
     p.transfers = 1;
-    p.burst_length = 8;   // longest fixed burst; 64 bytes are four of them
+    p.burst_length = 8;   // longest fixed burst; 64 bytes take four
     p.banks = 4;          // LiteDRAM
     p.rows = 8192;        // LiteDRAM
     p.columns = 1024;     // LiteDRAM
@@ -31,7 +32,7 @@ DramPart sdr() {
     p.trc = 63'000;             // tRC -7
     p.trrd = 14'000;            // tRRD -7
     p.tfaw = 0;                 // four banks
-    p.trtp = 8 * 7'000;         // the burst, see above
+    p.trtp = 8 * 7'000;         // the burst, see the top of this file
     p.tccd = 1 * 7'000;         // column commands in any clock (LiteDRAM: 1 clock)
     p.cwl = 0;                  // data come with the command
     p.twr = 14'000;             // tWR -7
@@ -43,9 +44,9 @@ DramPart sdr() {
     return p;
 }
 
-// The same chip behind a controller that a small FPGA can hold: its logic runs at half the memory's clock.
-// The times of lone reads of LiteDRAM 2024.12 at half rate (71/143 MHz), simulated: 378 ns from a closed
-// bank, 392 with another row open, that is 56 more than `sdr` at both; docs/silicon.md, Memory.
+// The same chip behind a controller that a small FPGA can hold, with logic at half the memory's clock.
+// Simulated lone reads of LiteDRAM 2024.12 at half rate (71/143 MHz) take 378 ns from a closed bank and 392
+// ns with another row open. Both are 56 ns more than with `sdr`; docs/silicon.md, Memory.
 DramPart sdr_half() {
     DramPart p = sdr();
     p.name = "sdr_half";
@@ -58,8 +59,8 @@ DramPart sdr_half() {
 }
 
 // Chip: Micron MT41K128M16JT-125, as Digilent's controller project for the Arty sets it: TimePeriod 3000, CAS
-// latency 5, and the gates of its <TimingParameters>. The project states a slower grade (-15E) than the chip
-// on the board.
+// latency 5, and the gates of its <TimingParameters>. The project states a slower grade (-15E) than that of
+// the chip on the board.
 DramPart ddr3() {
     DramPart p;
     p.name = "ddr3";
@@ -90,15 +91,15 @@ DramPart ddr3() {
     p.twtr = 4 * 3'000;    // the greater of twtr 7.5 ns and 4 clocks
     p.trefi = 7'800'000;   // trefi
     p.trfc = 160'000;      // trfc
-    p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller that runs at a quarter of the
-                                 // memory's clock (PHYRatio)
+    p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller at a quarter of the memory's clock
+                                 // (PHYRatio)
     p.answer_ps = 5 * 12'000;    // assumed: the same on the way back
     return p;
 }
 
-// Known of the RPU prototype: one FPGA at 66 MHz, 2005. Its memory is remembered as giving about 350 MB/s; we
-// found no document that names the chips. Assumed: two chips that were common then, and the clock that gives
-// 352 MB/s. Gates: Micron 256Mb SDRAM data sheet, Table 12, column -75.
+// The RPU prototype was one FPGA at 66 MHz (2005). Its memory reportedly gave about 350 MB/s; we found no
+// document that names the chips. Assumed: two chips that were common then, and the clock that gives 352 MB/s.
+// Gates: Micron 256Mb SDRAM data sheet, Table 12, column -75.
 DramPart rpu() {
     DramPart p;
     p.name = "rpu";
@@ -112,7 +113,7 @@ DramPart rpu() {
         "chips, bus, clock and controller: assumed, to give about 350 MB/s";
     p.bus_bits = 32;   // assumed: two chips of 16 bits
     p.transfers = 1;
-    p.burst_length = 8;          // longest fixed burst; 64 bytes are two of them
+    p.burst_length = 8;          // longest fixed burst; 64 bytes take two
     p.banks = 4;                 // Table 1
     p.rows = 8192;               // Table 1
     p.columns = 512;             // Table 1
@@ -124,7 +125,7 @@ DramPart rpu() {
     p.trc = 66'000;              // tRC -75
     p.trrd = 15'000;             // tRRD -75
     p.tfaw = 0;                  // four banks
-    p.trtp = 8 * 11'364;         // the burst, see above
+    p.trtp = 8 * 11'364;         // the burst, see the top of this file
     p.tccd = 1 * 11'364;         // "column address can be changed every clock cycle"
     p.cwl = 0;                   // data come with the command
     p.twr = 15'000;              // tWR -75
@@ -136,8 +137,8 @@ DramPart rpu() {
     return p;
 }
 
-// Eight chips of 8 bits side by side. Gates in clocks of 0.833 ns or in ns, as DRAMsim3 and gem5 give them;
-// where they differ (latencies of grade -083 and of 17-17-17), those of 17-17-17.
+// Eight chips of 8 bits side by side. DRAMsim3 and gem5 give the gates, in clocks of 0.833 ns or in ns. Where
+// they differ (latencies of grade -083 and of 17-17-17), those of 17-17-17 are used.
 DramPart ddr4() {
     DramPart p;
     p.name = "ddr4";
@@ -167,7 +168,7 @@ DramPart ddr4() {
     p.tccd_l = 6 * 833;         // tCCD_L (both)
     p.cwl = 16;                 // DRAMsim3
     p.twr = 19 * 833;           // DRAMsim3
-    p.twtr = 9 * 833;           // DRAMsim3: tWTR_L, here for all groups
+    p.twtr = 9 * 833;           // DRAMsim3: tWTR_L, used for all groups
     p.trefi = 7'800'000;        // both
     p.trfc = 350'000;           // both
     p.request_ps = 5 * 3'332;   // assumed: five clocks of a controller at a quarter of the memory's clock
@@ -175,8 +176,8 @@ DramPart ddr4() {
     return p;
 }
 
-// One channel of 16 bits; packages have two or four of them (dram_channels). Gates in ns: LiteDRAM; what it
-// does not state, from Ramulator's table after JESD209-4.
+// One channel of 16 bits; packages have two or four of them (dram_channels). Gates in ns: LiteDRAM. Figures
+// that LiteDRAM does not state: Ramulator's table after JESD209-4.
 DramPart lpddr4() {
     DramPart p;
     p.name = "lpddr4";
@@ -194,7 +195,7 @@ DramPart lpddr4() {
     p.tck = 625;                // 1600 MHz
     p.cl = 35;                  // Ramulator: nCL 32 and nDQSCK 3
     p.trcd = 18'000;            // LiteDRAM
-    p.trp = 21'000;             // LiteDRAM: that of all banks
+    p.trp = 21'000;             // LiteDRAM: the value for all banks
     p.tras = 42'000;            // LiteDRAM
     p.trc = 42'000 + 21'000;    // tRAS + tRP
     p.trrd = 10'000;            // LiteDRAM
@@ -211,7 +212,7 @@ DramPart lpddr4() {
     return p;
 }
 
-// One channel of 128 bits ("legacy mode"); a stack has eight, of which dram_channels takes up to four.
+// One channel of 128 bits ("legacy mode"). A stack has eight; dram_channels takes up to four.
 DramPart hbm2() {
     DramPart p;
     p.name = "hbm2";
@@ -242,7 +243,7 @@ DramPart hbm2() {
     p.tccd_l = 2'000;   // tCCD_L
     p.cwl = 4;
     p.twr = 16'000;
-    p.twtr = 8'000;   // tWTR_L, here for all groups
+    p.twtr = 8'000;   // tWTR_L, used for all groups
     p.trefi = 3'900'000;
     p.trfc = 260'000;
     p.request_ps = 5 * 4'000;   // assumed: five clocks of a controller at a quarter of the memory's clock

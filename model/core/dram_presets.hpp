@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// Memories that ship with the program, each with the source of its figures.
+/// The memories that ship with the program. Each names the source of its figures.
 DramPart sdr();
 DramPart sdr_half();
 DramPart ddr3();

@@ -1,5 +1,6 @@
 #pragma once
-// What the host sets before a frame, described as payloads are: payloads.hpp has the symbols.
+// Registers that the host sets before a frame. They describe their fields as payloads do; payloads.hpp
+// explains the symbols.
 #include <array>
 #include <cstdint>
 
@@ -10,39 +11,43 @@ namespace rayclock {
 using Vec3i = std::array<std::int32_t, 3>;
 using Vec3l = std::array<std::int64_t, 3>;
 
-/// Where a ray comes from: a camera ray from the eye, a bounce (reflected or refracted) from a point of a
-/// surface, a shadow ray from the light to such a point, which it would reach at t = 2^-B (docs/origins.md).
-/// A light beyond the lattice is asked for by a ray away from that point and without end: a bounce but that,
-/// as for a shadow ray, any hit will do.
+/// The origin of a ray (docs/origins.md):
+/// - camera: from the eye;
+/// - bounce: reflected or refracted, from a point of a surface;
+/// - shadow: from the light to such a point, which it would reach at t = 2^-B;
+/// - away: from such a point towards a light beyond the lattice, without end. It is a bounce for which any
+///   hit will do, as for a shadow ray.
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
 constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
-/// The distance to beat of a ray that starts: that of the surface to which a shadow ray goes, and all ones
-/// for the others. Mirror of rtl/unit/trav/rc_ray_t_max.sv.
+/// Returns the distance to beat when a ray starts: that of the surface for a shadow ray, all ones for the
+/// others. Mirror of rtl/unit/trav/rc_ray_t_max.sv.
 constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
     return kind == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)
                                    : (1u << config.t_bits()) - 1;
 }
 
-/// Registers that the host sets for a frame, if the chip shades.
+/// Registers of a frame for a chip that shades.
 struct ShadeFrame {
     std::uint32_t surfaces = 0;    ///< line of primitive 0's surface
     std::uint32_t depth = 0;       ///< most bounces
-    std::uint32_t threshold = 0;   ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction;
+    std::uint32_t threshold = 0;   ///< least weight of a ray, rounded down to unit_bits + 1 fraction bits;
                                    ///< see weighs_enough()
     std::uint32_t side = 1;        ///< a pixel has side * side samples
     std::uint32_t stride = 1;      ///< from sample to sample through the cells
     std::uint32_t jitter = 0;
-    std::uint32_t contrast = 0;   ///< unit_bits of fraction; 0: all samples
-    std::uint32_t share = 0,
-                  first_share = 0;   ///< round(2^unit_bits / samples): of all of them; of the first
+    std::uint32_t contrast = 0;   ///< unit_bits fraction bits; 0: trace all samples
+    /// round(2^unit_bits / samples), for all samples and for the first ones.
+    std::uint32_t share = 0, first_share = 0;
     std::uint32_t seed = 0;
-    std::array<std::uint32_t, 3> background{};   ///< unit_bits of fraction
+    std::array<std::uint32_t, 3> background{};   ///< unit_bits fraction bits
     std::uint32_t lights = 0;
-    std::array<std::uint32_t, max_lights> near{};       ///< the light lies within the lattice
-    std::array<std::uint32_t, max_lights> clear{};      ///< no plane stands between it and the eye but panes
-    std::array<std::uint32_t, max_lights> cell{};       ///< the panes that do, a bit each
-    std::array<std::int32_t, 3 * max_lights> place{};   ///< [3 * light + axis], lattice points
-    std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits of fraction
+    std::array<std::uint32_t, max_lights> near{};    ///< 1: the light lies within the lattice
+    std::array<std::uint32_t, max_lights> clear{};   ///< 1: no plane except panes separates the light from
+                                                     ///< the eye
+    std::array<std::uint32_t, max_lights> cell{};    ///< the panes that separate the light from the eye, one
+                                                     ///< bit each
+    std::array<std::int32_t, 3 * max_lights> place{};     ///< [3 * light + axis], lattice points
+    std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits fraction bits
     template <class V> void fields(V& v, const Config& c) {
         v("surfaces", surfaces, c.addr_bits);
         v("depth", depth, depth_bits);
@@ -64,25 +69,25 @@ struct ShadeFrame {
     }
 };
 
-/// Registers that the host sets for a frame. They give a camera ray its direction d, in three steps, of which
-/// only the last rounds.
+/// Registers of a frame. They give a camera ray its direction d in three steps. Only the last step rounds.
 ///
-/// Its point (px, py) is the pixel's number with f fraction bits: f = 0 and px = x, py = y; if the chip has
-/// supersampling, f = 8 and px = 256 x + offset (sample_offset()). With g = guard_bits + f and M dir_bits:
-/// - V_k = 2^f corner_k + px right_k + py down_k on every axis k; the host keeps it to M + g bits, signed;
-/// - s, the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes;
-/// - d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up; 2^(M-1) would not fit
-///   into M bits.
+/// The ray's point (px, py) is the pixel's number with f fraction bits. Without supersampling f = 0 and
+/// px = x, py = y. With it f = 8 and px = 256 x + offset (sample_offset()). With g = guard_bits + f and
+/// M = dir_bits:
+/// - V_k = 2^f corner_k + px right_k + py down_k on every axis k. The host keeps it to M + g bits, signed.
+/// - s is the largest of 0..most_shift with -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes.
+/// - d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1). This rounds to nearest, halves up; 2^(M-1)
+///   does not fit into M bits.
 ///
-/// So every ray has all the bits that M allows, and an integer direction: d is only longer by a power of two
-/// than it would be without s. The host also sees to it that max |V_k| >= 2^(M-2+g-most_shift) at every
-/// point, and then max |d_k| >= 2^(M-2). Hence t of a hit inside the lattice never saturates: on the axis of
-/// the largest component the ray goes on by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F)
-/// (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of what t holds.
+/// So d is an integer direction with all the bits that M allows. It is only longer by a power of two than
+/// without s. The host also keeps max |V_k| >= 2^(M-2+g-most_shift) at every point, so max |d_k| >= 2^(M-2).
+/// Hence t of a hit inside the lattice never saturates. On the axis of the largest component the ray advances
+/// by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half
+/// of the range of t.
 struct Frame {
     std::uint32_t width = 0, height = 0;
-    std::uint32_t root = 0;            ///< line of the root node, or in which the list of primitives begins
-    std::uint32_t listed = 0;          ///< primitives of the list, if there is nothing else
+    std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
+    std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree
     Vec3i eye{};                       ///< lattice point
     Vec3l corner{}, right{}, down{};   ///< M + guard_bits bits, signed
     ShadeFrame shade;

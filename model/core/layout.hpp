@@ -1,8 +1,8 @@
 #pragma once
-// Packing of payloads, from the one description each payload gives of itself.
+// Packs and unpacks payloads, from the one description that each payload gives of itself.
 //
-// A payload has `template <class V> void fields(V& v, const Config& c)` that names every member with its
-// width: v("t_near", t_near, c.t_bits()). The first field is the most significant; element 0 of an array lies
+// A payload has `template <class V> void fields(V& v, const Config& c)`, which names every member with its
+// width: v("t_near", t_near, c.t_bits()). The first field is the most significant. Element 0 of an array lies
 // at the bottom of its field, so that SystemVerilog's x[i*Width +: Width] is element i. Words are in
 // Verilator's order: bits 31..0 in word 0. The generated SystemVerilog structs come from the same calls.
 #include <algorithm>
@@ -27,7 +27,7 @@ template <class T, std::size_t n> struct ArrayTraits<std::array<T, n>> {
     static constexpr int size = int(n);
 };
 
-/// Number of bits of a payload.
+/// Counts the bits of a payload.
 class WidthVisitor {
 public:
     int bits = 0;
@@ -40,7 +40,7 @@ public:
     }
 };
 
-/// Writes members into words, from the top down.
+/// Writes members into words, from the top down. The words must be zero.
 class PackVisitor {
 public:
     PackVisitor(Words& words, int bits) : words_(words), at_(bits) {}
@@ -70,7 +70,7 @@ private:
     int at_;
 };
 
-/// Reads members from words; members of a signed type are sign-extended.
+/// Reads members from words, and sign-extends members of a signed type.
 class UnpackVisitor {
 public:
     UnpackVisitor(const std::uint32_t* words, int bits) : words_(words), at_(bits) {}

@@ -1,6 +1,6 @@
 #pragma once
-// What lies in the lines of memory: nodes, primitives, surfaces. Each describes itself, as payloads do
-// (payloads.hpp), and through that the structs in rc_pkg.sv and the tables in the documents.
+// The lines of memory: nodes, primitives, surfaces. Each describes its own fields, as payloads do
+// (payloads.hpp). The structs in rc_pkg.sv and the tables in the documents come from these descriptions.
 #include <array>
 #include <cstdint>
 
@@ -12,13 +12,13 @@ namespace rayclock {
 
 constexpr int max_width = 8;
 
-/// What memory gives in one answer: 64 bytes.
+/// One answer of the memory: 64 bytes.
 using Line = std::array<std::uint32_t, 16>;
 
-/// A node as it lies in a memory line of 64 bytes (right-aligned): child boxes quantised relative to `org`,
-/// plane k is org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles. Inner children come
-/// first. Block of children at line `base`: one line per inner child in slot order, then the leaves'
-/// triangles, 32 bytes each.
+/// A node of a tree of boxes in a memory line of 64 bytes (right-aligned). Child boxes are quantised relative
+/// to `org`: plane k lies at org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles.
+/// Inner children come first. The block of children starts at line `base`: one line per inner child in slot
+/// order, then the leaves' triangles, 32 bytes each.
 struct Node {
     Vec3i org{};
     std::array<std::uint32_t, 3> exp{};
@@ -35,13 +35,15 @@ struct Node {
     }
 };
 
-/// A node of a kd-tree as it lies in a memory line of 64 bytes (right-aligned): a treelet of log2 W levels of
-/// planes, and the closed box `lo`..`hi` of all that its cell holds; if it is open, the box is not looked at.
-/// Planes are in the order of a heap: plane 0 cuts the treelet's cell, planes 1 and 2 its lower and upper
-/// half, and so on. Plane i lies at `at`[i] on axis `axis`[i]; axis 3 is no plane, and both its sides are the
-/// whole cell. Exit 0 is on the lower side of all planes on its way, exit W - 1 on the upper one. kind: 0
-/// empty, 1 a treelet, 1 + n a leaf of n primitives. Block at line `base`: one line for each exit to a
-/// treelet, in their order, then the leaves' primitives, 32 bytes each.
+/// A node of a kd-tree in a memory line of 64 bytes (right-aligned): a treelet of log2 W levels of planes.
+/// The closed box `lo`..`hi` bounds the contents of its cell; with `open` set, the box is ignored.
+///
+/// Planes are in heap order: plane 0 cuts the treelet's cell, planes 1 and 2 cut its lower and upper half,
+/// and so on. Plane i lies at `at`[i] on axis `axis`[i]. Axis 3 marks a missing plane, whose two sides are
+/// the whole cell. Exit 0 is on the lower side of all planes on its way, exit W - 1 on the upper side.
+///
+/// kind: 0 empty, 1 a treelet, 1 + n a leaf of n primitives. The block at line `base` holds one line for each
+/// exit to a treelet, in order, then the leaves' primitives, 32 bytes each.
 struct Treelet {
     std::uint32_t open = 0;
     Vec3i lo{}, hi{};
@@ -59,11 +61,11 @@ struct Treelet {
         v("kind", kind, count_bits, c.node_width);
     }
 };
-constexpr std::uint32_t no_axis = 3;   ///< of a treelet's plane
+constexpr std::uint32_t no_axis = 3;   ///< axis of a missing plane
 
-/// A node of a tree of planes in any direction as it lies in a memory line of 64 bytes (right-aligned): a
-/// treelet whose plane i is the points x of the lattice with `normal`[3 i ..] . x = `at`[i]; its lower side
-/// has smaller products. A normal of zeros is no plane. All else is as of Treelet.
+/// A node of a tree of planes in any direction, in a memory line of 64 bytes (right-aligned). Plane i holds
+/// the lattice points x with `normal`[3 i ..] . x = `at`[i]; its lower side has smaller products. A normal of
+/// zeros marks a missing plane. All other fields are those of Treelet.
 struct Slant {
     std::uint32_t open = 0;
     Vec3i lo{}, hi{};
@@ -82,9 +84,9 @@ struct Slant {
     }
 };
 
-/// A node of a hierarchy of globes (bounding spheres) as it lies in a memory line of 64 bytes
-/// (right-aligned). Globe i has its centre at org + (centre << exp) and the radius radius << exp, in lattice
-/// steps. Kinds, and the block at line `base`, as of Node.
+/// A node of a hierarchy of globes (bounding spheres) in a memory line of 64 bytes (right-aligned). Globe i
+/// has its centre at org + (centre << exp) and the radius radius << exp, in lattice steps. Kinds and the
+/// block at line `base` are those of Node.
 struct GlobeNode {
     Vec3i org{};
     std::uint32_t exp = 0;
@@ -102,7 +104,7 @@ struct GlobeNode {
     }
 };
 
-/// Calls `work` with an empty node of the kind that a structure is made of.
+/// Calls `work` with an empty node of the structure's type.
 template <class Work> decltype(auto) with_node(Structure engine, Work&& work) {
     switch (engine) {
         case Structure::kd: return work(Treelet{});
@@ -115,17 +117,17 @@ inline int node_bits(const Config& c, Structure engine) {
     return with_node(engine, [&]<class N>(const N&) { return bits_of<N>(c); });
 }
 
-/// An instance as it lies in a memory line of 64 bytes (right-aligned): x' = A x + b takes a point of the
-/// scene's lattice to the mesh's. Rows of A sum to 1 at most, in size, so that no operand grows.
+/// An instance in a memory line of 64 bytes (right-aligned). x' = A x + b maps a point of the scene's lattice
+/// to the mesh's. The absolute values in a row of A sum to at most 1, so no operand grows.
 struct Placement {
-    std::uint32_t first = 0;           ///< number of its first primitive
-    std::uint32_t root = 0;            ///< line of the root of its lower structure
-    std::uint32_t here = 0;            ///< its own line: what it is called, if the chip shades
-    std::uint32_t surfaces = 0;        ///< line of the surface that primitive 0 would have; it may wrap
-    std::uint32_t material = 0;        ///< line of a surface whose material all its primitives have; 0: none
-    std::uint32_t same = 0;            ///< A = 1 and b = 0: a ray is in it what it is in the scene
+    std::uint32_t first = 0;      ///< number of its first primitive
+    std::uint32_t root = 0;       ///< line of the root of its lower structure
+    std::uint32_t here = 0;       ///< its own line, which identifies it if the chip shades
+    std::uint32_t surfaces = 0;   ///< line that the surface of primitive 0 would have; it may wrap
+    std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
+    std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
-    Vec3l b{};                         ///< likewise
+    Vec3l b{};                         ///< map_frac() fraction bits
     template <class V> void fields(V& v, const Config& c) {
         v("first", first, c.prim_bits);
         v("root", root, c.addr_bits);
@@ -136,12 +138,13 @@ struct Placement {
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }
-    /// Where a ray that leaves it is at home; 0, no instance's line, if it is the same there.
+    /// Returns the home of a ray that leaves this instance. It is 0, which is not an instance's line, if the
+    /// ray is the same there.
     std::uint32_t home() const { return same ? 0 : here; }
     friend bool operator==(const Placement&, const Placement&) = default;
 };
 
-/// What a line of a structure of two levels holds, by its two highest bits, which nodes leave alone.
+/// The content of a line in a structure of two levels, in its two highest bits. Nodes leave these bits free.
 enum class LineKind : std::uint32_t { scene_node, mesh_node, placement };
 constexpr int line_kind_bits = 2;
 constexpr int line_kind_shift = 32 - line_kind_bits;   // in the last word
@@ -152,10 +155,12 @@ inline void set_line_kind(std::uint32_t* line, LineKind kind) {
 
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
-/// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,
-/// c on the lattice. Plane: the same without edges; b - a and c - a are sides of its checkers' squares,
-/// halved or doubled: model/compile/plane.hpp. Sphere: a is its centre, b[0] and b[1] the lower and the upper
-/// N bits of the square of its radius in lattice steps (radius_squared()).
+/// A primitive in 32 bytes of memory (right-aligned), and its number.
+/// - Triangle: its corners a, b, c on the lattice.
+/// - Plane: a point a; b - a and c - a are the sides of its checkers' squares, halved or doubled:
+///   model/compile/plane.hpp.
+/// - Sphere: a is its centre. b[0] and b[1] are the lower and upper N bits of its squared radius in lattice
+///   steps (radius_squared()).
 struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;
@@ -174,25 +179,25 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
     return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;
 }
 
-/// What shade must know about a primitive: a line of memory (right-aligned), line Frame::surfaces + number.
+/// The shading data of a primitive: a line of memory (right-aligned), number Frame::surfaces + primitive.
 struct Surface {
     std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
-    /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits
-    /// lie 2^-(B + fine) of an edge apart on it.
+    /// For a triangle: all components of its edges are multiples of 2^fine. So points of B fraction bits lie
+    /// 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
-    Vec3i a{}, b{}, c{};                    ///< as in PrimData
-    std::array<std::int32_t, 9> normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if
-                                            ///< smooth.
-    /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells
-    /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0. Of
-    /// a pane [4] is its bit in ShadeState::cell.
-    std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits of fraction
-    std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits of fraction
-    std::uint32_t mirror = 0, transmit = 0;   ///< unit_bits of fraction; 0 only if the material's is 0
-    std::uint32_t r0 = 0;      ///< Schlick's reflectance at normal incidence, unit_bits of fraction
-    std::uint32_t shine = 0;   ///< Phong's exponent, shine_frac of fraction
-    std::uint32_t enter = 0,
-                  leave = 0;   ///< ratio of refractive indices outside / inside, inside / outside; index_frac
+    Vec3i a{}, b{}, c{};   ///< as in PrimData
+    /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
+    /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]
+    /// 2^bary_bits selects the second square of a pair along u; bit normal[3] of v + normal[1] 2^bary_bits
+    /// does so along v. Bit -1 is 0. For a pane: normal[4] is its bit in ShadeState::cell.
+    std::array<std::int32_t, 9> normal{};
+    std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits fraction bits
+    std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits fraction bits
+    std::uint32_t mirror = 0, transmit = 0;   ///< unit_bits fraction bits; 0 only if the material's is 0
+    std::uint32_t r0 = 0;      ///< Schlick's reflectance at normal incidence, unit_bits fraction bits
+    std::uint32_t shine = 0;   ///< Phong's exponent, shine_frac fraction bits
+    /// Ratio of refractive indices outside / inside, and inside / outside; index_frac fraction bits.
+    std::uint32_t enter = 0, leave = 0;
     template <class V> void fields(V& v, const Config& c_) {
         v("kind", kind, 2);
         v("smooth", smooth, 1);
@@ -215,7 +220,7 @@ struct Surface {
         v("enter", enter, ratio_bits);
         v("leave", leave, ratio_bits);
     }
-    /// With the material of another; what only planes have stays.
+    /// Returns this surface with the material of another. Fields that only planes have stay.
     Surface with_material(const Surface& o) const {
         Surface s = *this;
         s.schlick = o.schlick, s.colour = o.colour, s.other = o.other;

@@ -1,7 +1,8 @@
 #pragma once
-// The links between units, one row each, in the order in which a ray meets them. The names in lockstep and
-// reports, the masks, the payloads' structs in rc_pkg.sv, the signals that lockstep reads in the RTL and the
-// table in rtl/README.md come from these rows. A payload describes itself (payloads.hpp).
+// The links between units, one row each, in the order in which a ray meets them. These rows give the names in
+// lockstep and reports, the masks, and the payloads' structs in rc_pkg.sv. They also give the signals that
+// lockstep reads in the RTL, and the table in rtl/README.md. A payload describes its own fields
+// (payloads.hpp).
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -13,9 +14,9 @@
 
 namespace rayclock {
 
-// name, payload, unit that offers, unit that accepts, whether it may refuse (handshake: valid and ready) or
-// must not (fires), when the link exists. Those of a pipeline first, shading ones last of these: lockstep's
-// masks are by this order.
+// Columns: name, payload, source, destination, flow, and when the link exists. With flow `handshake` (valid
+// and ready) the destination may stall; with `fires` it must accept. Links of a pipeline come first, and
+// among these the shading ones come last: the bits of lockstep's masks follow this order.
 #define RAYCLOCK_LINKS(LINK)                                                \
     LINK(tile, Tile, dispatch, sched, fires, always)                        \
     LINK(slot, Slot, sched, raygen, handshake, always)                      \
@@ -56,18 +57,18 @@ namespace rayclock {
 enum class Link : std::uint8_t { RAYCLOCK_LINKS(RAYCLOCK_NAME) };
 #undef RAYCLOCK_NAME
 
-/// Whether what is offered may be refused.
+/// Flow control: `handshake` may stall, `fires` must be accepted.
 enum class Flow : std::uint8_t { handshake, fires };
 
 struct LinkInfo {
     const char* name;
-    const char* from;   ///< unit that offers
-    const char* to;     ///< unit that accepts
+    const char* from;   ///< unit that drives it
+    const char* to;     ///< unit that accepts it
     Flow flow;
     When when;
-    bool carries_ray;   ///< the payload names a context
+    bool carries_ray;   ///< its payload names a context
     constexpr bool of_pipeline() const { return is_of_pipeline(from) || is_of_pipeline(to); }
-    /// Within the engine that walks a ray: no other unit knows it.
+    /// True if the link lies within the engine that walks a ray. No other unit sees it.
     constexpr bool of_engine() const {
         return place_of(from) == Place::engine || place_of(to) == Place::engine;
     }
@@ -79,13 +80,13 @@ template <class Payload> constexpr bool names_ray = requires(Payload p) { p.ray;
 constexpr std::array link_infos{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 
-/// Payload of each link, by its number.
+/// The payload of each link, by its number.
 #define RAYCLOCK_PAYLOAD(name, payload, ...) , std::declval<std::tuple<payload>>()
 using LinkPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCLOCK_PAYLOAD)));
 #undef RAYCLOCK_PAYLOAD
 #undef RAYCLOCK_LINKS
 
-/// The unit that decides nodes, and its links.
+/// A unit that decides nodes, and its links.
 struct NodeUnit {
     Unit unit;
     Link req, rsp;
@@ -99,9 +100,9 @@ constexpr bool decides_nodes(Unit unit) {
         if (u.unit == unit) return true;
     return false;
 }
-/// A unit that takes what node_cache has read.
+/// True if the unit receives what node_cache has read.
 constexpr bool takes_lines(Unit unit) { return decides_nodes(unit) || unit == Unit::xform; }
-/// Whether two units' causes have the same codes.
+/// True if the causes of two units have the same codes.
 constexpr bool same_causes(Unit a, Unit b) {
     for (std::size_t code = 0; code < cause_count; ++code) {
         const Cause &one = unit_infos[index(a)].causes[code], &other = unit_infos[index(b)].causes[code];
@@ -110,7 +111,7 @@ constexpr bool same_causes(Unit a, Unit b) {
     return true;
 }
 static_assert(std::ranges::all_of(node_units, [](const NodeUnit& u) {
-    return same_causes(u.unit, node_units[0].unit);   // the same wiring gives them: rtl/unit/trav/rc_tree.sv
+    return same_causes(u.unit, node_units[0].unit);   // the same wiring drives them: rtl/unit/trav/rc_tree.sv
 }));
 constexpr bool asks_of_node(Link link) {
     for (const NodeUnit& u : node_units)
@@ -122,7 +123,7 @@ constexpr bool tells_of_node(Link link) {
         if (u.rsp == link) return true;
     return false;
 }
-/// That of an engine; box if there are no nodes.
+/// Returns the node unit of an engine; box if there are no nodes.
 constexpr NodeUnit node_unit(Structure engine) {
     switch (engine) {
         case Structure::kd: return node_units[1];
@@ -133,7 +134,7 @@ constexpr NodeUnit node_unit(Structure engine) {
 }
 
 constexpr std::size_t link_count = link_infos.size();
-constexpr std::size_t pipeline_links = [] {   // the others are what all pipelines share
+constexpr std::size_t pipeline_links = [] {   // the others are shared by all pipelines
     std::size_t n = 0;
     while (link_infos[n].of_pipeline()) ++n;
     for (std::size_t i = n; i < link_count; ++i)
@@ -141,11 +142,11 @@ constexpr std::size_t pipeline_links = [] {   // the others are what all pipelin
     return n;
 }();
 constexpr std::size_t index(Link c) { return std::size_t(c); }
-using LinkMask = std::uint64_t;   ///< a bit for each link
+using LinkMask = std::uint64_t;   ///< one bit per link
 constexpr LinkMask bit(Link c) { return LinkMask(1) << index(c); }
 static_assert(link_count <= 64);
 
-/// Whether a chip of this configuration has the link.
+/// True if a chip of this configuration has the link.
 constexpr bool is_there(Link c, const Config& config) { return is_there(link_infos[index(c)].when, config); }
 
 }   // namespace rayclock

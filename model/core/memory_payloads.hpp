@@ -1,6 +1,6 @@
 #pragma once
-// The payloads of links to memory and back: requests of trav, list and shade, what their caches answer, and
-// lines between caches and the DRAM. Symbols as in payloads.hpp.
+// The payloads of links to and from memory: requests of trav, list and shade, the answers of their caches,
+// and lines between caches and the DRAM. payloads.hpp explains the symbols.
 #include <algorithm>
 #include <cstdint>
 
@@ -10,7 +10,7 @@
 
 namespace rayclock {
 
-/// trav -> node memory; address in lines of 64 bytes.
+/// trav -> node memory. The address counts lines of 64 bytes.
 struct NodeReq {
     std::uint32_t ray = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -19,7 +19,7 @@ struct NodeReq {
     }
 };
 
-/// list -> primitive memory; address in half lines of 32 bytes.
+/// list -> primitive memory. The address counts half lines of 32 bytes.
 struct PrimReq {
     std::uint32_t ray = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -28,16 +28,17 @@ struct PrimReq {
     }
 };
 
-/// node memory -> trav, or xform.
+/// node memory -> trav or xform.
 struct NodeRsp {
     std::uint32_t ray = 0;
-    std::uint32_t what = 0;                          ///< LineKind, if there are instances
-    std::array<std::uint32_t, line_bits> beyond{};   ///< bit by bit: what an instance, or a mesh's node, has
-                                                     ///< beyond a node of the scene's tree, which follows
+    std::uint32_t what = 0;   ///< LineKind, if there are instances
+    /// Bit by bit: the bits of an instance, or of a mesh's node, beyond the width of a node of the scene's
+    /// tree. The node follows.
+    std::array<std::uint32_t, line_bits> beyond{};
     Node node;
-    Treelet treelet;    ///< takes the place of node in a kd-tree
-    GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
-    Slant slant;        ///< likewise in a tree of planes in any direction
+    Treelet treelet;    ///< replaces `node` in a kd-tree
+    GlobeNode globes;   ///< replaces `node` in a hierarchy of bounding spheres
+    Slant slant;        ///< replaces `node` in a tree of planes in any direction
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.has_instances()) {
@@ -65,7 +66,7 @@ struct PrimRsp {
     }
 };
 
-/// shade -> surface memory; address in lines.
+/// shade -> surface memory. The address counts lines.
 struct SurfReq {
     std::uint32_t ray = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -84,7 +85,7 @@ struct SurfRsp {
     }
 };
 
-/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see
+/// cache -> memory: a request for one word of a missing line. `id` distinguishes the requests in flight; see
 /// model/mem/cache.hpp.
 template <int (Config::*id_bits)() const> struct LineReq {
     std::uint32_t id = 0, addr = 0;
@@ -93,7 +94,7 @@ template <int (Config::*id_bits)() const> struct LineReq {
         v("addr", addr, c.addr_bits);
     }
 };
-/// Memory -> a cache.
+/// memory -> cache: the word requested with this `id`.
 template <int (Config::*id_bits)() const> struct LineRsp {
     std::uint32_t id = 0;
     Line line{};

@@ -1,6 +1,6 @@
 #pragma once
-// The payloads of the units that decide nodes: what trav asks of each, their answer, and the leaves that come
-// of it. Symbols as in payloads.hpp.
+// The payloads of the units that decide nodes: trav's requests, the answers, and the resulting leaves.
+// payloads.hpp explains the symbols.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +10,7 @@
 
 namespace rayclock {
 
-/// trav -> box: the ray and the node that came from memory.
+/// trav -> box: the ray, and the node from memory.
 struct BoxReq {
     std::uint32_t ray = 0;
     Vec3i o{};   ///< with B fraction bits if the chip shades
@@ -26,7 +26,7 @@ struct BoxReq {
     }
 };
 
-/// trav -> treelet: the same of a kd-tree.
+/// trav -> treelet: the ray, and the node of a kd-tree from memory.
 struct TreeletReq {
     std::uint32_t ray = 0;
     Vec3i o{};
@@ -42,12 +42,12 @@ struct TreeletReq {
     }
 };
 
-/// trav -> slant: the same of planes in any direction, with the ray's direction.
+/// trav -> slant: the ray with its direction, and the node with planes in any direction from memory.
 struct SlantReq {
     std::uint32_t ray = 0;
     Vec3i o{};
     std::array<std::uint32_t, 3> recip{}, len{};
-    Vec3i along{};   ///< direction, moved up to ray_dir_bits: aligned() in model/engine/bsp/slant.hpp
+    Vec3i along{};   ///< direction, shifted up to ray_dir_bits: aligned() in model/engine/bsp/slant.hpp
     Slant slant;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -59,12 +59,13 @@ struct SlantReq {
     }
 };
 
-/// trav -> globe: a ray as its test wants it (globe_ray() in model/engine/globe/globe.hpp), and the node.
+/// trav -> globe: the ray in the form of the globe test (globe_ray() in model/engine/globe/globe.hpp), and
+/// the node.
 struct GlobeReq {
     std::uint32_t ray = 0;
     Vec3i o{};
-    Vec3i toward{};          ///< direction: its largest component fills toward_bits
-    std::uint32_t len = 0;   ///< bits of that component as it came, and as of Ray
+    Vec3i toward{};          ///< direction, scaled so that its largest component fills toward_bits
+    std::uint32_t len = 0;   ///< bits of that component before scaling, as in Ray
     GlobeNode node;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -76,12 +77,12 @@ struct GlobeReq {
 };
 
 /// box, treelet, globe, slant -> trav: the children that the ray's line meets in front of its origin. Inner
-/// children first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for
-/// inner children.
+/// children come first, then leaves, each sorted by (t_near, offset). Entries beyond are zero. `count` is 0
+/// for inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;
-    std::uint32_t inner = 0, leaves = 0;             ///< how many of each
+    std::uint32_t inner = 0, leaves = 0;             ///< number of each
     std::array<std::uint32_t, max_width> t_near{};   ///< rounded down
     std::array<std::uint32_t, max_width> offset{};   ///< from base, in half lines
     std::array<std::uint32_t, max_width> count{};
@@ -96,15 +97,17 @@ struct BoxRsp {
     }
 };
 
-/// trav -> list: the leaves of a node that a ray meets, nearest first; entries beyond are zero. There is at
-/// least one, and it is not beyond the ray's distance to beat.
+/// trav -> list: the leaves of a node that a ray meets, nearest first. Entries beyond are zero. There is at
+/// least one leaf, and it is not beyond the ray's distance to beat.
 struct Leaves {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;
-    std::uint32_t leaves = 0;                        ///< how many
-    std::array<std::uint32_t, max_width> t_near{};   ///< where the ray enters each, rounded down
-    std::array<std::uint32_t, max_width> offset{};   ///< of its first primitive from base, in half lines
-    std::array<std::uint32_t, max_width> count{};    ///< of its primitives
+    std::uint32_t leaves = 0;                        ///< number of leaves
+    std::array<std::uint32_t, max_width> t_near{};   ///< distance at which the ray enters each leaf, rounded
+                                                     ///< down
+    std::array<std::uint32_t, max_width> offset{};   ///< of the leaf's first primitive from base, in half
+                                                     ///< lines
+    std::array<std::uint32_t, max_width> count{};    ///< number of its primitives
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("base", base, c.addr_bits);

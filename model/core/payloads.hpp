@@ -1,10 +1,10 @@
 #pragma once
-// Every payload of the machine, described once: C++ members, widths, and through them rc_pkg.sv. Those of
-// links to memory are in memory_payloads.hpp, those of the units that decide nodes in node_payloads.hpp.
+// Every payload of the machine, described once: its C++ members and their widths. rc_pkg.sv comes from these
+// descriptions. memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of the units
+// that decide nodes.
 //
-// Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp).
-// A distance t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point
-// - o) / d.
+// Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp). A distance
+// t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point - o) / d.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@
 
 namespace rayclock {
 
-/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels; coordinates in such squares.
+/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels. Its coordinates count such squares.
 struct Tile {
     std::uint32_t x = 0, y = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -37,9 +37,9 @@ struct Slot {
     }
 };
 
-/// With two levels: the instance from whose triangle a ray starts, or at which a shadow ray ends, and the
-/// ray in the space of its mesh. There it is not made from o and d, which are rounded, but this is it: it
-/// begins, or ends, exactly in the triangle (docs/motion.md). Camera rays have none.
+/// The home of a ray, with two levels: the instance from whose triangle the ray starts, or at which a shadow
+/// ray ends, and the ray in the space of the instance's mesh. That ray is not computed from o and d, which
+/// are rounded: it begins, or ends, exactly in the triangle (docs/motion.md). Camera rays have no home.
 struct Home {
     std::uint32_t line = 0;   ///< Placement::here
     Vec3i o{}, d{};           ///< as in Ray
@@ -52,8 +52,8 @@ struct Home {
     friend bool operator==(const Home&, const Home&) = default;
 };
 
-/// shade -> raygen: the next ray of a context. A camera ray is made from its pixel and sample, and has
-/// neither o nor d.
+/// shade -> raygen: the next ray of a context. A camera ray comes from its pixel and sample, and uses neither
+/// o nor d.
 struct Spawn {
     std::uint32_t ray = 0;
     std::uint32_t kind = 0;   ///< RayKind
@@ -78,9 +78,10 @@ struct Spawn {
     }
 };
 
-/// A direction as the sheared test uses it (model/unit/isect/sheared.hpp). In no payload of the other tests.
+/// A direction in the form of the sheared test (model/unit/isect/sheared.hpp). Payloads of the other tests do
+/// not carry it.
 struct Shear {
-    std::uint32_t axis = 0;                ///< z: of the largest |d|
+    std::uint32_t axis = 0;                ///< z: the axis of the largest |d|
     std::uint32_t neg = 0;                 ///< d_z < 0
     std::uint32_t size = 0;                ///< |d_z|, M bits: 2^(M-1) is possible
     std::array<std::int32_t, 2> slope{};   ///< d_x / d_z, d_y / d_z, with M - 2 fraction bits
@@ -93,23 +94,27 @@ struct Shear {
 };
 
 /// raygen -> trav, list: a ray with its reciprocal direction.
-/// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0,
-/// recip 1. If the chip shades, o has B fraction bits, all zero except for a bounce; d has ray_dir_bits,
-/// which only a shadow ray fills, and len counts as if those of the others were as long: it is ray_dir_bits -
-/// M more than |d|'s bit length (but 0 for d = 0).
+///
+/// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0
+/// and recip 1.
+///
+/// If the chip shades, o has B fraction bits, all zero except for a bounce. d has ray_dir_bits, which only a
+/// shadow ray fills. len counts as if all directions were that long: it exceeds the bit length of |d| by
+/// ray_dir_bits - M (but is 0 for d = 0).
 struct Ray {
     std::uint32_t ray = 0;
     Vec3i o{};                              ///< origin, lattice point, N bits
     Vec3i d{};                              ///< direction, M bits
     std::array<std::uint32_t, 3> recip{};   ///< R + 1 bits
     std::array<std::uint32_t, 3> len{};     ///< 0..M
-    Shear shear;                            ///< for the sheared test
+    Shear shear;                            ///< with the sheared test
     std::uint32_t kind = 0;                 ///< RayKind
-    std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at;
-                                            ///< whether on a sphere's inside
-    std::uint32_t partial = 0;   ///< asks only some primitives: a ray to or from a light those that have an
-                                 ///< end; a bounce planes, and begins at o 2^far_drop, beyond the lattice
-    Home home;                   ///< if there are instances and this is not a camera ray
+    std::uint32_t self = 0, inside = 0;   ///< primitive that a bounce leaves, or at which a shadow ray ends;
+                                          ///< 1 if on a sphere's inside
+    /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
+    /// meets planes, and begins beyond the lattice, at o 2^far_drop.
+    std::uint32_t partial = 0;
+    Home home;   ///< with instances, if this is not a camera ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
@@ -125,8 +130,8 @@ struct Ray {
     }
 };
 
-/// A ray starts: nothing is hit yet, and its distance to beat is reach_of() its kind. Not the same as a ray
-/// on its way to trav, which could be the same ray with a new direction.
+/// A ray starts: it has no hit yet, and its distance to beat is reach_of() its kind. This event is separate
+/// from the ray's transfer to trav, which could carry the same ray with a new direction.
 struct Start {
     std::uint32_t ray = 0;
     std::uint32_t kind = 0;   ///< RayKind
@@ -136,7 +141,7 @@ struct Start {
     }
 };
 
-/// node_cache -> xform: the ray as it came, and the instance that came from memory.
+/// node_cache -> xform: the ray, and the instance from memory.
 struct XformReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
@@ -153,8 +158,8 @@ struct XformReq {
     }
 };
 
-/// xform -> trav, list: the ray in the space of an instance's mesh. It changes, and does not start: its hit
-/// and its distance to beat stay. Next it visits the mesh's root.
+/// xform -> trav, list: the ray in the space of an instance's mesh. The ray changes but does not start: it
+/// keeps its hit and its distance to beat. Next it visits the mesh's root.
 struct Change {
     std::uint32_t ray = 0;
     std::uint32_t root = 0, first = 0, here = 0;   ///< as in Placement
@@ -176,8 +181,8 @@ struct Change {
 
 __extension__ using Wide = __int128;
 
-/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). Of a sphere, t
-/// rounded up is num and 2^(M-1+F) det.
+/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). For a sphere, num is
+/// t rounded up and det is 2^(M-1+F).
 struct Best {
     std::uint32_t found = 0;
     Wide num = 0, det = 0;
@@ -190,14 +195,14 @@ struct Best {
     }
 };
 
-/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray, tri_ray_bits, follows the number
-/// as it does in Ray.
+/// list -> tri: ray, triangle and the hit to beat. The tri_ray_bits that tri needs of a ray follow the
+/// context's number, as they do in Ray.
 struct TriReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
-    Shear shear{};   ///< takes the place of d for the sheared test
+    Shear shear{};                                               ///< replaces d in the sheared test
     std::uint32_t kind = 0, self = 0, inside = 0, partial = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -213,19 +218,19 @@ struct TriReq {
     }
 };
 
-/// tri -> list: whether this primitive is the closest so far, and if so where. All zero otherwise. Of a
-/// shadow ray `closer` says that the way is blocked, and the rest is zero.
+/// tri -> list: 1 in `closer` if this primitive is the closest so far, with the hit; otherwise all zero. For
+/// a shadow ray `closer` means that the way is blocked, and the rest is zero.
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
     Wide num = 0, det = 0;   ///< as in Best; det > 0
     std::uint32_t prim = 0;
     std::uint32_t t = 0;   ///< ceil(2^(M-1+F) t), saturated
-    std::uint32_t u = 0,
-                  v = 0;   ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible. Of
-                           ///< a plane two's complement of uv_bits, saturated; of a sphere 0
-    std::uint32_t back = 0;   ///< if the chip shades: seen from the side to which (b - a) x (c - a) does not
-                              ///< point, or from inside
+    /// floor(2^bary_bits u / det), the weight of b; v is the weight of c. 2^bary_bits is possible. For a
+    /// plane: two's complement of uv_bits, saturated. For a sphere: 0.
+    std::uint32_t u = 0, v = 0;
+    /// If the chip shades: 1 if seen from inside, or from the side to which (b - a) x (c - a) does not point.
+    std::uint32_t back = 0;
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("closer", closer, 1);
@@ -242,7 +247,7 @@ struct TriRsp {
 /// list -> trav: the leaves of a node are tested.
 struct Tested {
     std::uint32_t ray = 0;
-    std::uint32_t stop = 0;     ///< if the chip shades: the way to a light is blocked, nothing else matters
+    std::uint32_t stop = 0;     ///< if the chip shades: the way to a light is blocked, so the ray ends
     std::uint32_t t_best = 0;   ///< the distance to beat
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -251,20 +256,20 @@ struct Tested {
     }
 };
 
-/// trav -> list: nothing closer can be found for this ray.
+/// trav -> list: the search for this ray is over; nothing closer exists.
 struct Done {
     std::uint32_t ray = 0;
     template <class V> void fields(V& v, const Config& c) { v("ray", ray, c.ray_bits()); }
 };
 
-/// list -> sched, or shade: the closest hit of a finished ray; for a shadow ray whether it was blocked, and
-/// zeros.
+/// list -> sched or shade: the closest hit of a finished ray. For a shadow ray: 1 in `found` if it is
+/// blocked, and zeros.
 struct Closest {
     std::uint32_t ray = 0;
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
-    std::uint32_t back = 0;                        ///< if the chip shades, as in TriRsp
-    std::uint32_t place = 0;   ///< and has instances: line of that which was hit; 0 in a pixel
+    std::uint32_t back = 0;                        ///< if the chip shades; as in TriRsp
+    std::uint32_t place = 0;   ///< if the chip also has instances: line of the instance hit; 0 in a pixel
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         if (c.has_homes()) v_("place", place, c.addr_bits);
@@ -277,17 +282,17 @@ struct Closest {
     }
 };
 
-/// shade -> sched: a finished pixel; what its first camera ray hit, and its colour.
+/// shade -> sched: a finished pixel, with the hit of its first camera ray and its colour.
 struct Pixel {
     Closest first;
-    std::array<std::uint32_t, 3> colour{};   ///< unit_bits of fraction, 0..1
+    std::array<std::uint32_t, 3> colour{};   ///< unit_bits fraction bits, 0..1
     template <class V> void fields(V& v, const Config& c) {
         first.fields(v, c);
         if (c.shading) v("colour", colour, unit_bits + 1, 3);
     }
 };
 
-/// sched -> outside: what the pixel's ray hit, and the pixel's colour if the chip shades.
+/// sched -> outside: the hit of the pixel's ray, and the pixel's colour if the chip shades.
 struct HitOut {
     std::uint32_t x = 0, y = 0;
     Closest closest;

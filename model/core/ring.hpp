@@ -1,4 +1,5 @@
 #pragma once
+// Queues and pipelines of the model, which mirror the cells of the RTL.
 #include <array>
 #include <bit>
 #include <cassert>
@@ -11,12 +12,12 @@
 
 namespace rayclock {
 
-/// What one machine's queues do in a cycle is hard to foretell, and a wrong guess of the host's branch
-/// predictor costs more than the work: so items are put and taken `if` a flag says so, without a branch.
+// A machine's queues behave irregularly, and a wrong guess of the host's branch predictor costs more than the
+// work. So queues push and pop items `if` a flag says so, without a branch.
 
-/// First-in first-out queue of fixed capacity; storage is a power of two and never moves. A small capacity
-/// may be given as `most`: the storage then lies in the queue itself. What goes in during a cycle is seen in
-/// the next: callers take before they put. Mirror of rtl/cells/rc_fifo.sv.
+/// First-in first-out queue of fixed capacity. Its storage is a power of two and never moves. With a small
+/// capacity given as `most`, the storage lies in the queue itself. An item pushed in a cycle is visible in
+/// the next, because callers pop before they push. Mirror of rtl/cells/rc_fifo.sv.
 template <class Item, std::uint32_t most = 0> class Ring {
 public:
     explicit Ring(int capacity) : capacity_(std::uint32_t(capacity)) {
@@ -29,13 +30,13 @@ public:
     bool empty() const { return head_ == tail_; }
     bool full() const { return size() == capacity_; }
     std::uint32_t size() const { return tail_ - head_; }
-    /// The oldest item; of an empty queue any that it has held, or Item{}.
+    /// Returns the oldest item; of an empty queue any item that it has held, or Item{}.
     const Item& front() const { return items_[head_ & mask()]; }
     void pop(bool on = true) {
         assert(!on || !empty());
         head_ += on;
     }
-    /// Fills the next place, which is always there, and takes it in if `on`.
+    /// Writes the next place, which always exists, and accepts the item if `on`.
     void push(const Item& item, bool on = true) {
         assert(!on || !full());
         items_[tail_ & mask()] = item;
@@ -52,30 +53,30 @@ private:
     std::uint32_t mask() const { return most == 0 ? mask_ : std::bit_ceil(most + 1) - 1; }
 
     std::uint32_t mask_ = 0, capacity_;
-    std::uint32_t head_ = 0, tail_ = 0;   // they wrap, and so does their difference
+    std::uint32_t head_ = 0, tail_ = 0;   // both wrap, and so does their difference
     std::conditional_t<most == 0, std::vector<Item>, std::array<Item, std::bit_ceil(most + 1)>> items_{};
 };
 
-/// A number that fits all contexts of a pipeline, and a queue of them.
+/// A number that fits all contexts of a pipeline, and a queue of such numbers.
 using RayNumber = std::uint16_t;
 using RayRing = Ring<RayNumber>;
 
-/// What is on a link in a cycle. If nothing is `there`, `ray` is any number that a context has.
+/// The content of a link in a cycle. If `there` is false, `ray` is an arbitrary context's number.
 struct OnLink {
     bool there = false;
     std::uint32_t ray = 0;
 };
 
-/// One of two numbers, without a branch.
+/// Returns one of two numbers, without a branch.
 inline std::uint32_t select(bool first, std::uint32_t a, std::uint32_t b) {
     return b ^ ((a ^ b) & (0u - std::uint32_t(first)));
 }
 
-/// Two queues on one link: the first goes before the second, but an offer that was not accepted stays.
-/// Mirror of rtl/cells/rc_priority_merge.sv.
+/// Two queues on one link. The first has priority, but an offer that was not accepted stays. Mirror of
+/// rtl/cells/rc_priority_merge.sv.
 class Merge {
 public:
-    /// Whether the second queue is on offer, given which of them have something.
+    /// True if the second queue is on offer. `first_valid`: the first queue is valid.
     bool second(bool first_valid) const { return held_second_ | (!first_valid & !held_first_); }
     void clock(bool valid, bool taken, bool second) {
         held_first_ = valid & !taken & !second;
@@ -86,16 +87,17 @@ private:
     bool held_first_ = false, held_second_ = false;
 };
 
-/// A stall-free pipeline behind a door: a request admitted in cycle c answers from cycle c + latency + 1 on,
-/// in order; `depth` credits bound the answers in flight. Mirror of rc_credit_counter + stages + rc_fifo.
+/// A stall-free pipeline behind a credit gate. A request admitted in cycle c answers from cycle c + latency
+/// + 1 on, in order. `depth` credits bound the answers in flight. Mirror of rc_credit_counter + stages +
+/// rc_fifo.
 template <class Item> class Pipe {
 public:
     Pipe(int latency, int depth) : latency_(std::uint64_t(latency) + 1), entries_(depth) {}
     bool ready() const { return !entries_.full(); }
     bool valid(std::uint64_t now) const { return due_ <= now; }
     const Item& front() const { return entries_.front().item; }
-    /// One clock edge at the end of cycle `now`: whether the first answer is taken, and whether a request is
-    /// admitted, with its answer.
+    /// One clock edge at the end of cycle `now`. `taken`: the first answer was accepted. `admitted`: a
+    /// request with this answer was accepted.
     void clock(std::uint64_t now, bool taken, bool admitted, const Item& answer) {
         entries_.pop(taken);
         entries_.push({now + latency_, answer}, admitted);
@@ -114,12 +116,12 @@ private:
         std::uint64_t due = 0;
         Item item{};
     };
-    std::uint64_t latency_, due_ = never;   // due_: when the first answer can be taken
+    std::uint64_t latency_, due_ = never;   // due_: the first cycle in which an answer can be accepted
     Ring<Entry> entries_;
 };
 
-/// The same for a unit whose answers are always taken: a ray admitted in cycle c answers in c + latency + 1.
-/// Its depth bounds the rays that are under way.
+/// The same for a unit whose answers are always accepted: a ray admitted in cycle c answers in c + latency
+/// + 1. Its depth bounds the rays in flight.
 class Delay {
 public:
     Delay(int latency, int depth)
@@ -128,7 +130,7 @@ public:
           depth_(depth),
           entries_(std::size_t(mask_) + 1, never << number_bits) {}
     bool ready() const { return under_way_ < depth_; }
-    /// What comes out in cycle `now`.
+    /// Returns the output in cycle `now`.
     OnLink answer(std::uint64_t now) const {
         const std::uint64_t entry = entries_[now & mask_];
         return {entry >> number_bits == now, RayNumber(entry)};
@@ -139,7 +141,7 @@ public:
         const std::uint64_t when = due | (std::uint64_t(admitted.there) - 1);   // or never
         entries_[due & mask_] = when << number_bits | admitted.ray;
     }
-    /// Cycle of the first answer from `now` on; never, if there is none.
+    /// Returns the cycle of the first answer from `now` on; never, if there is none.
     std::uint64_t due(std::uint64_t now) const {
         for (std::uint64_t at = now; under_way_ > 0; ++at)
             if (answer(at).there) return at;

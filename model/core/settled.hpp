@@ -3,8 +3,8 @@
 
 namespace rayclock {
 
-/// The configuration with what depends on other parameters: origin_bits at most as wide as the other widths
-/// allow, and no panes or horizon where check_config() refuses them.
+/// Returns the configuration with its dependent parameters adjusted. origin_bits is at most as wide as the
+/// other widths allow; panes and horizon are 0 where check_config() refuses them.
 Config settled(Config config);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Computes the number of stages of each pipeline, and the latencies of the units.
 #include "model/core/stages.hpp"
 
 #include <algorithm>
@@ -6,19 +7,20 @@
 namespace rayclock {
 
 namespace {
-/// Levels of compare and exchange that put n children in order (Batcher 1968).
+/// Returns the levels of compare-exchange that sort n children (Batcher 1968).
 int exchange_levels(int n) {
     const int halvings = index_bits(n);
     return halvings * (halvings + 1) / 2;
 }
 
-/// Levels of the shift that leaves a sphere's discriminant 2 root_bits bits, by pairs of them.
+/// Returns the levels of the barrel shift that leaves a sphere's discriminant 2 root_bits bits. It shifts by
+/// pairs of bits.
 int shift_levels(const Config& config) {
     const int half = std::max(config.dir_bits + config.origin_width(), root_bits);
     return std::bit_width(unsigned(half - root_bits));
 }
 
-/// How many stages make a quotient of so many bits, with `in_each` of them in a stage.
+/// Returns the stages of a divider that makes `in_each` quotient bits in each.
 int stages_of_quotient(int bits, int in_each) { return (bits + in_each - 1) / in_each; }
 }   // namespace
 
@@ -27,7 +29,8 @@ Stages::Stages(const Config& config) {
     cut = fast ? 1 : 0;
     far = config.shading ? cut : 0;
     multiply = fast ? 3 : 0;
-    quotient_bits = fast && !config.shading ? 1 : 2;   // a chip that shades is full: half the registers
+    quotient_bits = fast && !config.shading ? 1 : 2;   // a chip that shades is full; this halves the
+                                                       // registers
     slab_planes = 2 + 2 * cut;
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut + config.box_interval() - 1;
@@ -113,9 +116,8 @@ int Config::xform_latency() const {
     const Stages stages(*this);
     return stages.map + stages.recip + stages.recip_share - 1;
 }
-int Config::pass_latency() const {   // what is held for several cycles is in a register to begin with
-    return Stages(*this).pass * shade_interval + (shade_interval > 1);
-}
+// With an interval above 1, the inputs are held for several cycles and start in a register.
+int Config::pass_latency() const { return Stages(*this).pass * shade_interval + (shade_interval > 1); }
 int Config::shade_latency() const { return pass_latency() + Stages(*this).pass_read; }
 
 }   // namespace rayclock

@@ -1,7 +1,7 @@
 #pragma once
-// The units of the machine, one row each, and what every unit did in every cycle: exactly one of a few
-// causes, in model and RTL alike. The names of the codes in rc_pkg.sv, the counters of the RTL that lockstep
-// compares, the reports and the table in rtl/README.md come from these rows.
+// The units of the machine, one row each, and the causes of their activity. In every cycle each unit has
+// exactly one cause, the same in model and RTL. These rows give the names of the codes in rc_pkg.sv, the
+// counters that lockstep compares, the reports, and the table in rtl/README.md.
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -13,13 +13,13 @@ namespace rayclock {
 
 enum class Kind : std::uint8_t { none, busy, starved, stalled };
 
-/// A cause: whether the unit worked, had nothing to do (and which unit did not deliver), or could not go on
-/// (and what it waited for).
+/// A cause: the unit was busy, starved (by the unit that did not deliver), or stalled (by the unit for which
+/// it waited).
 struct Cause {
     Kind kind = Kind::none;
     const char* name = "";
 };
-constexpr int cause_bits = 3;   ///< of the code that a unit gives in each cycle
+constexpr int cause_bits = 3;   ///< bits of the code that a unit drives in each cycle
 constexpr std::size_t cause_count = 1 << cause_bits;
 constexpr Cause busy(const char* what = "work") { return {Kind::busy, what}; }
 constexpr Cause starved(const char* by) { return {Kind::starved, by}; }
@@ -51,15 +51,17 @@ constexpr bool is_there(When when, const Config& config) {
     }
 }
 
-/// Where a unit lies: in a pipeline, there within the engine that walks a ray, once in the chip, beside it.
+/// The place of a unit: in a pipeline, within a pipeline's engine, shared by all pipelines, or outside the
+/// chip.
 enum class Place : std::uint8_t { pipeline, engine, shared, beside };
 
-// name, place, when it exists, then its causes by the code that the unit gives in each cycle. Units of a
-// pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
+// Columns: name, place, when it exists, then its causes by the code that the unit drives in each cycle. Units
+// of a pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
 #define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
-// Of every unit that decides nodes: the same, since the same wiring gives them (rtl/unit/trav/rc_tree.sv).
+// The causes of every unit that decides nodes: all the same, since the same wiring drives them
+// (rtl/unit/trav/rc_tree.sv).
 #define RAYCLOCK_DECIDE_CAUSES busy(), starved("memory"), starved("trav"), stalled("trav")
 #define RAYCLOCK_UNITS(UNIT)                                                                           \
     UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \
@@ -106,10 +108,10 @@ constexpr std::size_t pipeline_units = [] {
 }();
 constexpr std::size_t index(Unit u) { return std::size_t(u); }
 
-/// Whether a chip of this configuration has the unit.
+/// True if a chip of this configuration has the unit.
 constexpr bool is_there(Unit u, const Config& config) { return is_there(unit_infos[index(u)].when, config); }
 
-/// Where the unit of that name lies; beside the chip, if there is none.
+/// Returns the place of the unit with this name; an unknown name counts as outside the chip.
 constexpr Place place_of(std::string_view unit) {
     for (const UnitInfo& info : unit_infos)
         if (info.name == unit) return info.place;
@@ -119,8 +121,7 @@ constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= 
 
 using CauseCounts = std::array<std::uint64_t, cause_count>;
 
-/// Cycles by cause: [unit], summed over the pipelines, so that a unit of a pipeline has pipelines * cycles in
-/// all.
+/// Cycles by cause and unit, summed over the pipelines: a unit of a pipeline has pipelines * cycles in all.
 struct Accounts {
     std::array<CauseCounts, unit_count> units{};
     Accounts& operator+=(const Accounts& other);

@@ -1,3 +1,4 @@
+// Reads nodes and triangles of a memory image.
 #include "model/layout/decode.hpp"
 
 namespace rayclock {

@@ -10,12 +10,12 @@ namespace rayclock {
 Node read_node(const MemoryImage& image, std::uint32_t line, const Config& config);
 PrimData read_triangle(const MemoryImage& image, std::uint32_t half_line, const Config& config);
 
-/// Every node from the one in `root` down, depth first: f(node, the number of its inner children, that of its
-/// triangles). Inner children lie at the node's base, and triangles behind them.
+/// Calls f(node, number of its inner children, number of its triangles) for every node from `root` down,
+/// depth first. Inner children lie at the node's base, its triangles behind them.
 void for_each_node(const MemoryImage& image, std::uint32_t root, const Config& config,
                    const std::function<void(const Node&, std::uint32_t inner, std::uint32_t triangles)>& f);
 
-/// Every triangle, in depth-first order of the tree.
+/// Calls f for every triangle, in depth-first order of the tree.
 void for_each_triangle(const MemoryImage& image, const Config& config,
                        const std::function<void(const PrimData&)>& f);
 

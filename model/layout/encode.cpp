@@ -1,3 +1,4 @@
+// Quantises the child boxes of a node.
 #include "model/layout/encode.hpp"
 
 namespace rayclock {

@@ -1,9 +1,9 @@
 #pragma once
-// The binary tree over the lattice boxes of a scene's triangles: what the builder makes, the optimiser
-// improves and the collapse reads.
+// The binary tree over the lattice boxes of a scene's triangles. The builder makes it, the optimiser improves
+// it, and the collapse reads it.
 //
-// All decisions are integer or double arithmetic that does not depend on the order of the work: the same tree
-// for every number of threads. Leaves hold one triangle each; larger leaves are formed by the collapse
+// All decisions are integer or double arithmetic that does not depend on the order of the work. So the tree
+// is the same for every number of threads. Each leaf holds one triangle. The collapse forms larger leaves
 // (collapse.hpp).
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rayclock {
 
-/// Box of lattice points, both corners inside; inverted if empty.
+/// A box of lattice points, both corners included. An empty box is inverted.
 struct LatticeBox {
     static constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
     Vec3i lo{far, far, far}, hi{-far, -far, -far};
@@ -26,12 +26,12 @@ struct LatticeBox {
         }
     }
     void add(const Vec3i& point) { add(LatticeBox{point, point}); }
-    /// Half the surface, exact: extents have at most 20 bits. The box must not be empty.
+    /// Returns half the surface area, exact because extents have at most 20 bits. The box must not be empty.
     double area() const {
         const double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         return x * y + y * z + z * x;
     }
-    /// Twice the centre along an axis.
+    /// Returns twice the centre along an axis.
     std::int32_t centre(std::size_t axis) const { return lo[axis] + hi[axis]; }
     friend bool operator==(const LatticeBox&, const LatticeBox&) = default;
 };
@@ -44,7 +44,7 @@ constexpr std::uint32_t no_node = ~0u;
 
 struct BinaryNode {
     LatticeBox box;
-    std::uint32_t left = no_node;    ///< of a leaf: which of the boxes given to the builder
+    std::uint32_t left = no_node;    ///< of a leaf: number of its box among those given to the builder
     std::uint32_t right = no_node;   ///< of a leaf: no_node
     bool is_leaf() const { return right == no_node; }
 };
@@ -54,17 +54,18 @@ struct BinaryTree {
     std::uint32_t root = 0;
 };
 
-/// Top-down SAH build (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies"): binned
-/// for large ranges, every position for small ones; the object median where all centres coincide and below a
-/// depth that no reasonable scene reaches. `boxes` must not be empty.
+/// Builds a tree top-down by the surface area heuristic (Wald 2007, "On fast construction of SAH-based
+/// bounding volume hierarchies"). It bins large ranges and tries every position in small ones. It splits at
+/// the object median where all centres coincide, and below a depth that no reasonable scene reaches. `boxes`
+/// must not be empty.
 BinaryTree build_tree(const std::vector<LatticeBox>& boxes);
 
-/// Moves subtrees to where they add least area (Bittner, Hapala, Havran 2013; batches as in Meister and
+/// Moves subtrees to where they add the least area (Bittner, Hapala, Havran 2013; batches as in Meister and
 /// Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization").
 void optimise_tree(BinaryTree& tree);
 
-/// Every node once, parents before children, level by level; `levels` (if given) gets where each level
-/// begins, and the end.
+/// Returns every node once, parents before children, level by level. `levels`, if given, receives the start
+/// of each level, and the end.
 std::vector<std::uint32_t> top_down(const BinaryTree& tree, std::vector<std::size_t>* levels = nullptr);
 
 }   // namespace rayclock

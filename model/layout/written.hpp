@@ -1,5 +1,5 @@
 #pragma once
-// What a compiler of a tree has written, and what the report says of it.
+// Records the nodes that a compiler has written, for the figures of its report.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace rayclock {
 
-/// The nodes of a tree in the order in which they were written: children after their parents.
+/// The nodes of a tree in the order of their writing: children after their parents.
 class WrittenNodes {
 public:
-    /// A node below `parent`, with `inner` children that are nodes; returns its number. The first is the
-    /// root.
+    /// Adds a node below `parent`, with `inner` children that are nodes, and returns its number. The first
+    /// node is the root.
     std::uint32_t add(std::uint32_t parent, std::uint32_t inner) {
         const auto id = std::uint32_t(nodes_.size());
         nodes_.push_back({parent, inner, id == 0 ? 1 : nodes_[parent].depth + 1});
         return id;
     }
 
-    /// The report's depth, stack_need, nodes and bytes.
+    /// Sets the report's depth, stack_need, nodes and bytes.
     void account(MemoryImage& image) {
         for (std::size_t i = nodes_.size(); i-- > 0;) {
             Node& node = nodes_[i];
-            node.need += node.inner >= 2;   // its siblings wait while a child is walked
+            node.need += node.inner >= 2;   // the siblings wait on the stack while a ray walks one child
             image.report.depth = std::max(image.report.depth, node.depth);
             if (i > 0) nodes_[node.parent].need = std::max(nodes_[node.parent].need, node.need);
         }

@@ -1,3 +1,4 @@
+// Clocks the pipelines and the shared units together.
 #include "model/machine/machine.hpp"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ void Machine::reset() {
     for (int i = 0; i < reset_cycles(config_); ++i) pass_cycle();
 }
 
-// Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the
-// cache that asked. All of it follows from registered state.
+// Settles the shared links: tiles to the pipelines; misses through the arbiter to the shared cache or to
+// memory; answers back to the requesting cache. All of it depends only on registered state.
 void Machine::settle_shared() {
     std::uint32_t want = 0;
     std::uint64_t misses = 0;
@@ -144,10 +145,10 @@ void Machine::clock_shared() {
     if (fire_) moved_at_ = now_;
 }
 
-// In most cycles nothing moves between the pipelines and what they share.
+// In most cycles nothing moves between the pipelines and the shared units.
 inline bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
-    bool asks = false;   // without branches: this is asked in every cycle
+    bool asks = false;   // without branches, because every cycle evaluates this
     for (const Pipeline& pipeline : pipelines_) asks |= pipeline.asks(dispatch_.more());
     return !asks;
 }
@@ -164,7 +165,7 @@ void Machine::step() {
     }
     hits_ += finished_;
     if (still) {
-        last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of units that wait
+        last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of waiting units
         ++shared_counts_[last_shared_];
         valid_ = fire_ = 0;
         memory_.clock(nullptr, finished_);
@@ -194,10 +195,9 @@ void Machine::run(std::uint64_t until) {
     }
 }
 
-// If nothing can change before an answer of a pipe or of memory comes, the cycles until then are like the
-// last one.
+// If nothing can change before an answer of a pipe or of memory, the cycles until then are like the last one.
 void Machine::sleep(std::uint64_t until) {
-    // In the next cycle, an answer is there, or a request that waits is taken.
+    // In the next cycle an answer arrives, or a waiting request is accepted.
     if (memory_.valid() || ((valid_ & bit(Link::mem_req)) && memory_.ready())) return;
     std::uint64_t wake = until;
     for (const Pipeline& pipeline : pipelines_) {

@@ -1,5 +1,5 @@
 #pragma once
-// The machine, cycle by cycle: mirror of rtl/rc_top.sv with the memory that lies under both.
+// The machine, cycle by cycle: mirror of rtl/rc_top.sv with the memory that model and RTL share.
 #include <bit>
 #include <optional>
 #include <vector>
@@ -11,37 +11,37 @@
 
 namespace rayclock {
 
-/// A transfer on a link: whose and what, as far as time goes. What the payload holds beyond that is a
-/// Witness' business.
+/// A transfer on a link, as far as timing needs it. A Witness computes the rest of the payload.
 struct Move {
-    int pipeline = 0;   ///< of the links that all share: 0
+    int pipeline = 0;   ///< 0 for shared links
     Link link{};
-    std::uint32_t id = 0;         ///< ray on a pipeline's links, request on the memory's
-    std::uint32_t addr = 0;       ///< of requests, and of the line that comes back
+    std::uint32_t id = 0;         ///< context on a pipeline's links, request on the memory's
+    std::uint32_t addr = 0;       ///< of requests, and of the line that returns
     std::uint32_t x = 0, y = 0;   ///< tile, pixel
 };
 
+/// Replays a frame's trace cycle by cycle. It holds numbers of contexts and addresses, not payloads.
 class Machine {
 public:
-    /// khz: clock of the chip. `traffic` disturbs memory and sinks, for tests.
+    /// `khz`: clock of the chip. `traffic` disturbs memory and sinks, for tests.
     Machine(const Config& config, int khz, Traffic traffic = {});
 
-    /// A new frame; the machine must be fresh or done. What lies in the caches stays. The trace must outlive
-    /// the frame.
+    /// Starts a frame. The machine must be fresh or done. The caches keep their content. The trace must
+    /// outlive the frame.
     void start(const Frame& frame, const Trace& trace);
 
-    /// Between frames: resets the chip, after which its caches are empty. The memory goes on with what it
-    /// does, for reset_cycles() of the configuration.
+    /// Resets the chip between frames, and empties its caches. The memory continues its work for
+    /// reset_cycles() of the configuration.
     void reset();
-    /// The host begins to write these lines of the memory, beside whatever the chip reads.
+    /// Begins the host's writes of these memory lines, concurrently with the chip's reads.
     void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }
-    /// Between frames: waits until the host has written all of them.
+    /// Waits between frames until the host has written all of them.
     void finish_writes();
 
-    /// One clock cycle.
+    /// Performs one clock cycle.
     void step();
-    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in link order, and the
-    /// masks are set.
+    /// Performs one clock cycle and sets the masks. `observe(Move)` sees every transfer before the clock
+    /// edge, in link order.
     template <class Observer> void step(Observer&& observe) {
         settle_shared();
         settle_pipelines();
@@ -49,28 +49,28 @@ public:
         clock_pipelines();
         clock_shared();
     }
-    /// Clocks until the frame is done, at most up to cycle `until`; passes over idle times.
+    /// Clocks until the frame is done, at most up to cycle `until`. It skips idle times.
     void run(std::uint64_t until);
-    /// One clock cycle with the pipelines' clock edges in another order of units.
+    /// Performs one clock cycle with the pipelines' clock edges in another order of units.
     void step_in_order(const std::array<int, pipeline_units>& order);
 
     const Config& config() const { return config_; }
     bool done() const { return hits_ == pixels_; }
-    std::uint64_t cycle() const { return now_; }               ///< since the machine was made
+    std::uint64_t cycle() const { return now_; }               ///< since construction
     std::uint64_t hits() const { return hits_; }               ///< of the frame
     std::uint64_t quiet() const { return now_ - moved_at_; }   ///< cycles since anything moved
     const Slot& pixel(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].pixel(ray);
     }
     Accounts accounts() const;
-    /// What the units of one pipeline did.
+    /// Returns the account of the units of one pipeline.
     Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
     const Memory& memory() const { return memory_; }
-    /// What a cache of a pipeline, or the l2, did at the last clock edge that was observed.
+    /// Returns the outcome of a pipeline's cache, or of l2, at the last observed clock edge.
     CacheDeed deed(int pipeline, Unit cache) const {
         return cache == Unit::l2 ? l2_deed_ : pipelines_[std::size_t(pipeline)].deed(cache);
     }
-    /// What a ray is for, while its transfer on the link spawn is observed.
+    /// Returns the purpose of a ray. Call it while its transfer on the link spawn is observed.
     RayPurpose purpose(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].purpose(ray);
     }
@@ -78,7 +78,7 @@ public:
         return pipelines_[std::size_t(pipeline)].where(ray, now_);
     }
 
-    /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
+    /// Valid and fire masks of the last observed cycle, of a pipeline and of the shared links.
     LinkMask valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
     LinkMask fire_mask(int pipeline) const { return masks_[std::size_t(pipeline)].fire; }
     LinkMask shared_valid() const { return valid_; }
@@ -98,7 +98,8 @@ private:
     void sleep(std::uint64_t until);
     template <class Observer> void show(Observer& observe) const;
     bool fires(Link c) const { return fire_ >> index(c) & 1; }
-    const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }   ///< of memory
+    /// Returns the request to memory.
+    const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }
 
     Config config_;
     Traffic traffic_;
@@ -106,7 +107,7 @@ private:
     Dispatch dispatch_;
     std::vector<Pipeline> pipelines_;
     std::uint32_t clients_;
-    int client_shift_;   ///< of a cache's number in the id of its request
+    int client_shift_;   ///< position of a cache's number in the id of its request
     Arbiter arbiter_;
     std::optional<Cache> l2_;
     Memory memory_;
@@ -116,14 +117,14 @@ private:
     std::vector<SharedMoves> shared_moves_;   // [pipeline]
     std::vector<Masks> masks_;
     LinkMask valid_ = 0, fire_ = 0;   // of the shared links
-    int granted_ = -1, client_ = -1,
-        fill_client_ = -1;             // pipeline that gets a tile; caches that ask for and that get a word
-    std::uint64_t client_valid_ = 0;   ///< caches that ask
+    // Pipeline that gets a tile; cache whose request is chosen; cache that gets a word.
+    int granted_ = -1, client_ = -1, fill_client_ = -1;
+    std::uint64_t client_valid_ = 0;   ///< caches with requests
     std::uint32_t fill_id_ = 0;
     Cache::Request client_request_{}, l2_miss_{};
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
-    std::uint32_t finished_ = 0;      // pixels, in this cycle
+    std::uint32_t finished_ = 0;      // pixels finished in this cycle
     std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
     CacheDeed l2_deed_{};
     std::array<std::uint64_t, 16> shared_counts_{};

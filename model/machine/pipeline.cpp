@@ -1,3 +1,4 @@
+// The parts of a pipeline outside its inner loop: shading, masks, idle times and accounts.
 #include "model/machine/pipeline.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
-    account_units<true>(moves_);   // what no link carries is not there
+    account_units<true>(moves_);   // safe without shading: absent links are never valid
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
                 shading_ ? clock_sched<true>(moves_, shared.tile) : clock_sched<false>(moves_, shared.tile);
@@ -73,7 +74,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
-            default: break;   // treelet, globe and slant are clocked as box is, which stands for them
+            default: break;   // treelet, globe and slant are clocked as box, which stands for them
         }
     account_caches();
 }
@@ -86,7 +87,7 @@ void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     ++shades_[last_shades_];
 }
 
-/// What the trace says after a ray: what its passes lead to.
+/// Returns the outcome of a ray's passes, as the trace holds it after the ray.
 Shade::Turn Pipeline::turn_of(std::uint32_t ray) {
     Place& place = rays_[ray];
     if (--place.head > 0) return Shade::Turn::again;

@@ -1,4 +1,5 @@
 #pragma once
+// A pipeline, cycle by cycle, and its connection to the shared units.
 #include <string>
 
 #include "model/core/links.hpp"
@@ -12,8 +13,8 @@
 
 namespace rayclock {
 
-/// What a pipeline gets from what all share, in one cycle: a tile, the ids of words that memory sends to its
-/// caches (null if none), and whether the caches' own requests are accepted.
+/// The shared units' inputs to a pipeline in one cycle: a tile, the ids of words that memory sends to its
+/// caches (null if none), and flags that its caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
     const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_fill = nullptr;
@@ -24,8 +25,8 @@ struct SharedMoves {
     }
 };
 
-/// One pipeline, cycle by cycle: *when* its rays, whose doings are in a trace, move from unit to unit. Mirror
-/// of rtl/rc_pipeline.sv.
+/// One pipeline, cycle by cycle: *when* the rays of a trace move from unit to unit. Mirror of
+/// rtl/rc_pipeline.sv.
 class Pipeline {
 public:
     Pipeline(const Config& config, Traffic traffic, int number);
@@ -34,20 +35,20 @@ public:
         sched_.start(frame);
         trace_ = &trace;
         meshes_ = trace.meshes;
-        rays_.assign(rays_.size(), {});   // no word of the last frame's trace is looked at again
+        rays_.assign(rays_.size(), {});   // the last frame's trace is not read again
     }
 
-    /// Cycle `now`: what moves, from registered state, and the clock edge. True if a hit left.
+    /// Performs cycle `now`: settles the links from registered state, and clocks. Returns true if a hit left.
     bool step(std::uint64_t now, const SharedMoves& shared);
-    /// The two halves, for those who want to see the links in between.
+    /// Perform the two halves of step(), so that callers can observe the links in between.
     void settle(std::uint64_t now);
     void clock(std::uint64_t now, const SharedMoves& shared);
-    /// The clock edge with the units in the given order (a permutation of 0..pipeline_units - 1), for the
-    /// test that it does not matter.
+    /// Clocks the units in the given order (a permutation of 0..pipeline_units - 1), for the test that the
+    /// order does not matter.
     void clock_in_order(std::uint64_t now, const SharedMoves& shared,
                         const std::array<int, pipeline_units>& order);
 
-    // ---- What is on the links, between settle() and clock().
+    // ---- The content of the links, between settle() and clock().
 
     LinkMask valid_mask(const SharedMoves& shared) const;
     LinkMask fire_mask(const SharedMoves& shared) const;
@@ -58,9 +59,9 @@ public:
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
     bool surf_miss_valid() const { return shading_ & surf_cache_.miss_valid(); }
     Cache::Miss surf_miss() const { return surf_cache_.miss(); }
-    /// Of links that carry one and move.
+    /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
-    /// Something is to be moved between it and what all share; `more`: there are tiles left.
+    /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
     bool asks(bool more) const {
         return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_miss_valid() |
                (tile_ready() & more);
@@ -71,20 +72,20 @@ public:
     std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
     std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
 
-    // ---- For those who watch it.
+    // ---- For observers.
 
-    /// What a cache did at the last clock edge.
+    /// Returns the outcome of a cache at the last clock edge.
     CacheDeed deed(Unit cache) const {
         return cache == Unit::node_cache ? node_deed_ : cache == Unit::prim_cache ? prim_deed_ : surf_deed_;
     }
-    /// What the ray that is now spawned is for; while its transfer is seen.
+    /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
     RayPurpose purpose(std::uint32_t ray) const {
         return RayPurpose(rays_[ray].at[-2] >> Trace::purpose_shift & 3);
     }
 
     // ---- For idle times.
 
-    /// In the last cycle nothing moved and nothing changed: the next will be the same until `wakes()`.
+    /// True if nothing moved or changed in the last cycle. The following cycles are the same until `wakes()`.
     bool slept() const { return asleep_; }
     std::uint64_t wakes(std::uint64_t now) const;
     void skip(std::uint64_t cycles) {
@@ -95,55 +96,54 @@ public:
     }
 
     Accounts accounts() const;
-    /// The queue or unit that holds a ray, for people.
+    /// Returns the queue or unit that holds a ray, for people.
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
-    /// Where a context's ray is in the trace.
+    /// The position of a context's ray in the trace.
     struct Place {
-        /// Word of the visit, or of the triangle under way; the first after a ray.
+        /// Word of the visit, or of the triangle in flight; after a ray, the first word behind it.
         const std::uint32_t* at = nowhere;
-        /// The visit's word; turns count down. After a ray the passes left.
+        /// The visit's word, in which turns count down. After a ray: the passes left.
         std::uint32_t head = 0;
     };
     static constexpr std::uint32_t nowhere[1] = {0};
-    /// A link in a cycle: whether something is on it, whether it moves, and its ray, which is some context's
-    /// also if nothing is there.
+    /// A link in a cycle. When a link is idle, its ray number is that of an arbitrary context.
     struct LinkInside {
         bool valid, fires;
         std::uint32_t ray;
         operator OnLink() const { return {fires, ray}; }
     };
-    /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
+    /// All inner links in a cycle. SharedMoves has the links to the shared units.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        OnLink boxed, tried;                        // box's and tri's answers as far as trav and list are
-        bool step = false;                          // inside trav, of a ray that was tested or has no leaves
-        bool read = false;                          // node_cache's answer is taken
-        bool placing = false;                       // surf_cache's answer is an instance
-        bool low_asks = false, low_tells = false;   // box's links are those of the lower engine's unit
-        std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // of units.hpp
+        OnLink boxed, tried;    // box's and tri's answers on arrival at trav and list
+        bool step = false;      // trav accepts a step of a ray that was tested or has no leaves
+        bool read = false;      // node_cache's answer is accepted
+        bool placing = false;   // surf_cache's answer is an instance
+        bool low_asks = false, low_tells = false;   // box's links belong to the lower engine's unit
+        std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
             links[index(link)] = {offered, bool(offered & ready), ray};
         }
-        /// Whether one of them moves.
+        /// True if one of these links fires.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links are those of the unit that decides nodes, whichever it is. If there are two, one of them
-    /// is asked in a cycle, and one answers, since the quicker one's answers wait as long as the other's.
+    /// box's links stand for those of the unit that decides nodes. With two such units, at most one gets a
+    /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
     static constexpr Link inside(Link link) {
         return asks_of_node(link) ? Link::box_req : tells_of_node(link) ? Link::box_rsp : link;
     }
-    /// And as they are called outside.
+    /// Returns the link's own name for the outside.
     Link outside(Link link) const {
         return link == Link::box_req   ? (moves_.low_asks ? lower_ : upper_).req
                : link == Link::box_rsp ? (moves_.low_tells ? lower_ : upper_).rsp
                                        : link;
     }
-    /// Whether the lower engine walks the ray's node; false if there is one engine.
+    /// True if the lower engine walks the ray's node; false with one engine.
     bool is_low(std::uint32_t ray) const { return node_addr(ray) >= meshes_; }
-    /// Of one engine, or the upper or lower of two.
+    /// Returns the cause of the deciding unit: of the only one, or of the upper or lower one.
     std::uint32_t decide_code(const Moves& m, bool low) const {
         const LinkInside& req = m[Link::box_req];
         const bool own = m.low_asks == low;
@@ -177,43 +177,44 @@ private:
     template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
     bool shading_, levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
-    NodeUnit upper_, lower_;          // what decides nodes of the scene's tree, and of meshes
-    std::uint32_t meshes_ = ~0u;      // line from which on lower_ does
-    bool box_is_low_;                 // of two units lower_ takes a node every few cycles, not upper_
+    NodeUnit upper_, lower_;          // units that decide nodes of the scene's tree, and of meshes
+    std::uint32_t meshes_ = ~0u;      // first line whose nodes lower_ decides
+    bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
-    std::uint32_t raygen_rests_, raygen_rest_ = 0;   // cycles after a ray in which raygen begins none; left
+    std::uint32_t raygen_rests_, raygen_rest_ = 0;   // cycles after a ray in which raygen begins none; cycles
+                                                     // left
     Trav trav_;
     Cache node_cache_;
-    Delay box_, boxed_;                        // boxed_, tried_: what trav and list look at in a fast chip
-    std::uint32_t box_rests_, box_rest_ = 0;   // as raygen's, after a node
+    Delay box_, boxed_;   // boxed_, tried_: delay the answers to trav and list in a fast chip
+    std::uint32_t box_rests_, box_rest_ = 0;   // the same of box, after a node
     Delay xform_;
-    std::uint32_t xform_rests_, xform_rest_ = 0;   // as tri's
+    std::uint32_t xform_rests_, xform_rest_ = 0;   // the same of xform, after a ray
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
-    std::uint32_t tri_rests_, tri_rest_ = 0;   // likewise of tri, after a primitive
-    bool late_;                                // there are boxed_ and tried_
+    std::uint32_t tri_rests_, tri_rest_ = 0;   // the same of tri, after a primitive
+    bool late_;                                // boxed_ and tried_ are in use
     Cache surf_cache_;
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;
     std::vector<Place> rays_;
 
-    Moves moves_{};   // of the cycle that was settled
+    Moves moves_{};   // of the settled cycle
     CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};
     bool asleep_ = false;
 
-    // Codes of units.hpp, by how far the thing that the unit waits for has come: nothing is there, it is on
-    // offer, it is accepted. Before that, sched's pixel must be there. For box and tri it matters as well
-    // whether memory is asked for something (3 more). For trav it matters whether a step waits, and whether
-    // no ray goes round (2 more), which is work, too.
+    // Codes of units.hpp, by the progress of the thing that the unit waits for: absent, on offer, accepted.
+    // Before that, sched's pixel must be valid. For box and tri it also matters whether memory has a request
+    // in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates (2 more).
+    // Recirculation counts as work, or as a stall if a step waits.
     static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
     static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
     static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
 
-    // Cycles by the units' codes, several units to an index; see account_units().
+    // Cycles by the units' codes, several units per index; see account_units().
     std::uint32_t last_units_ = 0, last_caches_ = 0, last_shades_ = 0;
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};

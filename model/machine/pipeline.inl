@@ -1,13 +1,13 @@
 #pragma once
-// What a pipeline does in a cycle: all links are settled, then every unit sees the clock edge.
+// A cycle of a pipeline: all links are settled, then every unit gets its clock edge.
 #include "model/machine/pipeline.hpp"
 
 namespace rayclock {
 
-// Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
+// Nearly without branches: see ring.hpp. When a link is idle, its ray number is that of an arbitrary context.
 template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
-    // What leaves one unit enters another: noted before either sees the clock edge.
+    // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     const bool begins = raygen_.ready() & (raygen_rest_ == 0);
     m.offer(Link::slot, sched_.slot_valid(), begins & camera, sched_.slot().ray);
@@ -83,7 +83,7 @@ inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     return {visit, bool(valid & again), bool(valid & done)};
 }
 
-/// Of a ray that changed: to the visit of the mesh's root.
+/// Moves a changed ray to the visit of its mesh's root.
 inline void Pipeline::enter(const LinkInside& change) {
     Place& place = rays_[change.ray];
     place.at += change.fires;
@@ -211,7 +211,7 @@ template <bool shades, bool levels>
 }
 
 template <bool shades, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    Moves m;   // not moves_: this lives in registers
+    Moves m;   // a local instead of moves_, so that it stays in registers
     settle<shades, levels>(m, now);
     clock<shades, levels>(m, now, shared);
     return m[Link::hit].fires;

@@ -1,3 +1,4 @@
+// Reports the place of every ray.
 #include "model/machine/where.hpp"
 
 #include "model/machine/machine.hpp"

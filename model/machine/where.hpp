@@ -5,7 +5,7 @@ namespace rayclock {
 
 class Machine;
 
-/// Where every ray of a machine that no longer moves is: a line each, for the watchdog.
+/// Returns the place of every ray of a machine that no longer moves, a line each, for the watchdog.
 std::string where_rays_are(const Machine& machine);
 
 }   // namespace rayclock

@@ -9,8 +9,8 @@
 
 namespace rayclock {
 
-/// What the links must carry: makes the payload of every transfer of a machine, ray by ray, from the units'
-/// pure functions. The machine knows only when.
+/// Computes the payload of every transfer of a machine, ray by ray, from the units' pure functions. The
+/// machine itself holds only timing.
 class Witness {
 public:
     Witness(const MemoryImage& image, const Config& config)
@@ -25,7 +25,7 @@ public:
         words_.clear();
     }
 
-    /// Gives `see(pipeline, link, payload)` the payload of a transfer. Transfers come in the order of the
+    /// Calls `see(pipeline, link, payload)` with the payload of a transfer. Call it in the order of the
     /// machine's cycles.
     template <class See> void operator()(const Move& m, See&& see);
 
@@ -37,7 +37,7 @@ private:
         std::copy_n(image_.line(addr), words.size(), words.begin());
         return words;
     }
-    /// A cache's request is remembered until its answer, which goes by the same id.
+    /// Returns the stored address of a cache's request. It stays until the answer, which has the same id.
     std::uint32_t& asked(const Move& m, Link request) {
         return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id];
     }
@@ -46,9 +46,9 @@ private:
     Config config_;
     Decoder decoder_;
     Frame frame_;
-    std::deque<Walk> walks_;                                   // [pipeline * contexts + context]
-    std::vector<Shader> shaders_;                              // likewise, if the chip shades
-    std::unordered_map<std::uint64_t, std::uint32_t> words_;   // addresses asked for
+    std::deque<Walk> walks_;        // [pipeline * contexts + context]
+    std::vector<Shader> shaders_;   // [pipeline * contexts + context], if the chip shades
+    std::unordered_map<std::uint64_t, std::uint32_t> words_;   // requested addresses
 };
 
 template <class See> void Witness::operator()(const Move& m, See&& see) {
@@ -112,7 +112,7 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
         case Link::box_rsp: {
             tell(walk(m).boxes());
             bool done = false;
-            if (!walk(m).has_leaves()) walk(m).decide(done);   // trav does not ask list
+            if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
             return;
         }
         case Link::leaves:

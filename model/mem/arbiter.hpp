@@ -4,14 +4,14 @@
 
 namespace rayclock {
 
-/// Many valid/ready sources on one link, in turn: the first that offers, from the one after the last that was
-/// served. An offer that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
+/// Round-robin arbiter of many valid/ready sources on one link. It searches from the source after the one
+/// served last. An offer that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
 class Arbiter {
 public:
     explicit Arbiter(int sources)
         : mask_(sources < 64 ? (std::uint64_t(1) << sources) - 1 : ~std::uint64_t(0)) {}
 
-    /// The source on offer, of those set in `valid` (not 0).
+    /// Returns the source on offer, among those set in `valid` (not 0).
     int choose(std::uint64_t valid) const {
         if (held_) return chosen_;
         const std::uint64_t after = valid & ~((std::uint64_t(2) << last_) - 1) & mask_;

@@ -1,3 +1,4 @@
+// The rare events of the cache's model: misses, merges, drains and fills. Hits are in the header.
 #include "model/mem/cache.hpp"
 
 #include <bit>
@@ -64,7 +65,7 @@ CacheDeed Cache::ask(const Request& request, std::uint32_t line, std::uint32_t n
     return CacheDeed::miss;
 }
 
-/// The line is on its way: the request waits behind those that do already.
+/// The line is in flight: the request joins the end of its chain.
 CacheDeed Cache::wait(const Request& request, Set& set, std::uint32_t way) {
     set.recent = touched(set, way);
     Mshr& m = mshrs_[set.mshrs[way] - 1u];

@@ -1,4 +1,5 @@
 #pragma once
+// The caches of the machine, cycle by cycle.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -9,14 +10,13 @@
 
 namespace rayclock {
 
-/// Size of a cache. A word is what memory gives in one answer, 64 bytes.
+/// Size of a cache. A word is one answer of the memory, 64 bytes.
 struct CacheShape {
     int sets = 64, ways = 4;
-    int words = 1;   ///< of a line
-    int mshrs = 8;   ///< lines that may be on their way
-    int queue = 4;   ///< answers that may wait
-    int ids = 64;    ///< requests are told apart by 0..ids-1; one with the same id is made only after the
-                     ///< answer
+    int words = 1;   ///< words per line
+    int mshrs = 8;   ///< most lines in flight
+    int queue = 4;   ///< most waiting answers
+    int ids = 64;    ///< request ids lie in 0..ids-1; an id is used again only after its answer
     int cut = 0;     ///< 1: a register before the look-up, and one after the data
 };
 CacheShape node_cache_shape(const Config& config);
@@ -24,56 +24,57 @@ CacheShape prim_cache_shape(const Config& config);
 CacheShape surf_cache_shape(const Config& config);
 CacheShape l2_shape(const Config& config);
 
-/// What a cache did in a cycle.
+/// The outcome of a cache in a cycle.
 enum class CacheDeed : std::uint8_t {
-    hit,        ///< looked a request up: there
-    miss,       ///< not there: asked for the line
-    merge,      ///< the line is on its way already: the request waits with the others
+    hit,        ///< looked up a request, and the line is present
+    miss,       ///< the line is absent: requested it
+    merge,      ///< the line is in flight: the request joined its chain
     drain,      ///< answered a request that had waited for its line
-    starved,    ///< had nothing to look up
-    mshrs,      ///< could not ask for the line: too many are on their way
-    conflict,   ///< could not ask for the line: all ways of its set wait for others
-    answers,    ///< its answers are not taken
+    starved,    ///< nothing to look up
+    mshrs,      ///< stalled on a miss: no MSHR is free
+    conflict,   ///< stalled on a miss: all ways of the set wait for lines
+    answers,    ///< stalled: the answers are not accepted
 };
 constexpr std::size_t cache_deeds = 8;
 
-/// Non-blocking, set-associative cache: when things happen; what lies in the lines is memory's business.
-/// Misses to a line that is on its way merge, hits pass misses, and any number of requests may wait for one
-/// line: a chain through their ids.
+/// Non-blocking, set-associative cache in time only; the memory image holds the data. Misses to a line in
+/// flight merge. Hits pass misses. Any number of requests may wait for one line, in a chain through their
+/// ids.
 ///
-/// A request enters a queue of two. Its head is looked up, one in every cycle: a hit reads the data memory
-/// and is answered 3 cycles after it was accepted; a miss takes a free MSHR and the set's
-/// pseudo-least-recently-used way (the lowest way that is not waiting for a line, if that one is), and asks
-/// for the line's words one by one. Words come back in any order. When the last is there, those who wait are
-/// answered first, in the order of their requests, one a cycle, from the cycle after; a way is not given away
-/// before. A look-up that cannot go on stays at the head. With `cut` the head waits for its look-up in a
-/// register, and an answer takes two cycles more. Mirror of rtl/mem/rc_cache.sv.
+/// A request enters a queue of two. The cache looks up the queue's head, one in every cycle:
+/// - A hit reads the data memory, and answers 3 cycles after the request was accepted.
+/// - A miss takes a free MSHR and the set's pseudo-least-recently-used way. If that way waits for a line, it
+///   takes the lowest way that does not. It requests the line's words one by one.
+///
+/// Words come back in any order. From the cycle after the last word, the cache answers the waiting requests,
+/// one per cycle, in the order of the requests. This has priority over look-ups, and the way stays until
+/// then. A look-up that stalls stays at the head. With `cut` the head waits for its look-up in a register,
+/// and an answer takes two cycles more. Mirror of rtl/mem/rc_cache.sv.
 class Cache {
 public:
     struct Request {
         std::uint32_t id = 0;
         std::uint32_t addr = 0;   ///< in words
     };
-    /// A word asked of memory. Its id is mshr * words + word of the line.
+    /// A word requested from memory. Its id is mshr * words + word of the line.
     using Miss = Request;
 
     explicit Cache(const CacheShape& shape);
 
     bool ready() const { return !(shape_.cut ? before_.full() : in_.full()); }
     bool valid() const { return answers_.size() > std::uint32_t(read_) + std::uint32_t(reading_); }
-    std::uint32_t answer() const { return answers_.front(); }   ///< id of the request that is answered
+    std::uint32_t answer() const { return answers_.front(); }   ///< id of the answered request
     bool miss_valid() const { return !misses_.empty(); }
     Miss miss() const {
         const std::uint32_t m = misses_.front();
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
     }
 
-    /// One clock edge: the request that came in, if it is there, the id of the word
-    /// that came (null if none), and which outputs were taken.
+    /// One clock edge. `asked`: `request` was accepted. `fill_id`: the id of the word that came, or null.
+    /// `answer_taken`, `miss_taken`: these outputs were accepted.
     CacheDeed clock(bool asked, const Request& request, bool answer_taken, const std::uint32_t* fill_id,
                     bool miss_taken) {
-        // What is looked up or drained was there at the beginning of the cycle; a place in the answers'
-        // queue, too.
+        // Look-ups, drains and the room for answers depend on the state at the beginning of the cycle.
         const bool room = !answers_.full();
         CacheDeed deed;
         if (!filled_.empty()) [[unlikely]]
@@ -91,10 +92,10 @@ public:
         return deed;
     }
 
-    bool answers() const { return !answers_.empty(); }   ///< if not now, then in the next cycle
-    bool loaded() const { return loaded_; }              ///< a request came to its look-up just now
-    bool waits() const { return busy_ > 0; }             ///< lines are on their way
-    /// Where a request is, for people; empty if not here.
+    bool answers() const { return !answers_.empty(); }   ///< now or in the next cycle
+    bool loaded() const { return loaded_; }              ///< a request has just reached its look-up
+    bool waits() const { return busy_ > 0; }             ///< lines are in flight
+    /// Returns the place of a request, for people; empty if it is not here.
     std::string where(std::uint32_t id) const;
 
 private:
@@ -105,8 +106,8 @@ private:
     static constexpr std::uint32_t most_ways = 8;
     /// The lines that a set's ways hold, and the MSHRs that these wait for.
     struct Set {
-        std::array<std::uint32_t, most_ways> lines{};   ///< + 1; 0: nothing
-        std::array<std::uint8_t, most_ways> mshrs{};    ///< + 1; 0: the line is there
+        std::array<std::uint32_t, most_ways> lines{};   ///< + 1; 0: none
+        std::array<std::uint8_t, most_ways> mshrs{};    ///< + 1; 0: the line is present
         std::uint8_t recent = 0;                        ///< bits of the tree, node 1 at bit 1
     };
     CacheDeed look_up(bool room, bool answer_taken);
@@ -117,7 +118,7 @@ private:
         reading_ = read_ & (shape_.cut != 0);
         read_ = given;
     }
-    /// The head of the queue goes on to its look-up, if that is free.
+    /// Moves the head of the queue to its look-up, if that is free.
     void load(bool asked, const Request& request) {
         loaded_ = in_.empty() & !before_.empty();
         in_.push(before_.front(), loaded_);
@@ -130,7 +131,7 @@ private:
     void fill(std::uint32_t id);
     int victim(const Set& set) const;
 
-    // A bit of the tree points to the half that was used longer ago: using a way turns the bits above it away
+    // A bit of the tree points to the half that was used longer ago. Using a way turns the bits above it away
     // from it.
     std::uint8_t touched(const Set& set, std::uint32_t way) const {
         return std::uint8_t((set.recent & keep_[way]) | turn_[way]);
@@ -143,8 +144,8 @@ private:
     std::array<std::uint8_t, most_ways> keep_{}, turn_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
-    std::vector<std::uint32_t> next_;   ///< [id]: who waits after it
-    Ring<Request, 2> in_, before_{2};   // with `cut` the queue lies before the one that is looked up
+    std::vector<std::uint32_t> next_;   ///< [id]: the next request in its chain
+    Ring<Request, 2> in_, before_{2};   // with `cut`, the queue lies before the request that is looked up
     Ring<std::uint32_t> misses_, filled_;
     std::uint32_t miss_word_ = 0;
     bool loaded_ = false;
@@ -157,7 +158,7 @@ inline CacheDeed Cache::look_up(bool room, bool answer_taken) {
     const bool some = !in_.empty();
     const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
     Set& set = sets_[number];
-    std::uint32_t place = 0;   // + 1, of the way that holds the line: at most one does
+    std::uint32_t place = 0;   // way that holds the line, + 1; at most one way does
     for (std::uint32_t w = 0; w < most_ways; ++w) place |= set.lines[w] == line + 1 ? w + 1 : 0;
     const bool found = place != 0;
     const std::uint32_t way = place - found;

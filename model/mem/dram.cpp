@@ -1,3 +1,4 @@
+// The DRAM's controller, driven by events: the next arrival, refresh or command.
 #include "model/mem/dram.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::uint64_t Dram::quiet_until() const {
     if (valid_) return now_ + 1;
     std::uint64_t until = answers_.empty() ? never : answers_.front().cycle;
     if (queue_.empty()) return until;
-    // A read that is still to be given comes no earlier than the next event.
+    // The data of a future read come no earlier than the next event.
     const std::uint64_t data_ps =
         std::uint64_t(part_.cl + part_.burst_clocks()) * tck_ + std::uint64_t(part_.answer_ps);
     until = std::min(until, cycle_from(event_ps_ + data_ps));
@@ -90,7 +91,7 @@ void Dram::accept(const Answer& request) {
     entry.what = request;
     const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes),
                         groups = std::uint32_t(part_.bank_groups),
-                        banks = std::uint32_t(part_.banks) / groups;   // of a group
+                        banks = std::uint32_t(part_.banks) / groups;   // banks per group
     const bool has_groups = groups > 1;
     const std::uint32_t group = has_groups ? request.addr % groups : 0,
                         word = has_groups ? request.addr / groups : request.addr;
@@ -104,7 +105,7 @@ void Dram::accept(const Answer& request) {
     event_ps_ = std::min(event_ps_, arrival * tck_);
 }
 
-// Events of one clock of the DRAM: a request arrives, then a refresh comes due, then a command is given.
+// The order of events in one clock of the DRAM: a request arrives, a refresh falls due, a command is given.
 void Dram::run() {
     while (event_ps_ <= time_) {
         clock_ = std::int64_t(event_ps_ / tck_);
@@ -135,18 +136,19 @@ void Dram::plan() {
     event_ps_ = std::uint64_t(clock) * tck_;
 }
 
-/// The earliest command wins, of those at the same time the one considered first.
+/// Proposes a command. The earliest one wins; among equals, the one considered first.
 void Dram::consider(DramCommand command, int bank, int entry) {
     const std::int64_t clock = std::max(banks_.earliest(command, bank), clock_);
     if (clock < choice_.clock) choice_ = {clock, command, bank, entry};
 }
 
-/// Reads and writes first, each kind by age. All requests of a bank for its open row that read, that write,
-/// or for another row could have their command at the same time: only the oldest is considered.
+/// Considers reads and writes first, then other commands, each by age. All requests of a bank that read its
+/// open row could have their command at the same time. The same holds for those that write it, and for those
+/// that need another row. So only the oldest of each kind is considered.
 void Dram::choose() {
-    std::array<std::uint32_t, 2> wanted{};   // banks whose open row a request waits to read, or to write
-    std::uint32_t turned = 0;                // banks that a request waits to open or to close,
-    std::array<int, 32> turns;               // and the oldest such request of each, by age
+    std::array<std::uint32_t, 2> wanted{};   // banks with a request to read, or to write, their open row
+    std::uint32_t turned = 0;                // banks with a request to open or to close them
+    std::array<int, 32> turns;               // the oldest such request of each bank, by age
     std::size_t n = 0;
     for (std::size_t i = 0; i < arrived_; ++i) {
         const Entry& e = queue_[i];
@@ -158,7 +160,7 @@ void Dram::choose() {
             turned |= bit;
             turns[n++] = int(i);
         }
-        if (e.overtaken >= part_.age_cap) break;   // later ones wait
+        if (e.overtaken >= part_.age_cap) break;   // later requests wait
     }
     for (std::size_t k = 0; k < n; ++k) {
         const int bank = queue_[std::size_t(turns[k])].bank;
@@ -200,7 +202,7 @@ void Dram::transfer(Entry& entry) {
     if (until > time_)
         data_.push({from, until});
     else
-        busy_ = true;   // all of it in the cycle that is ending
+        busy_ = true;   // all in the cycle that is ending
     if (--entry.left > 0) return;
     ++(entry.what.is_write ? statistics_.writes : statistics_.reads);
     if (entry.kind == Kind::hit)
@@ -221,9 +223,9 @@ void Dram::transfer(Entry& entry) {
     current_ = -1;
 }
 
-/// Of the cycle that ends at time_.
+/// Returns the cause of the cycle that ends at time_.
 DramCause Dram::cause(std::uint64_t begin) {
-    // Without branches, as which of them it is changes often.
+    // Without branches, because the cause changes often.
     const bool busy = busy_ | (!data_.empty() & (data_.front().from < time_));
     const bool starved = !waiting_ & data_.empty();
     const bool refresh = (refresh_.from < time_) & (refresh_.until > begin);

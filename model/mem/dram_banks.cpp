@@ -1,3 +1,4 @@
+// The gates between the commands of a DRAM.
 #include "model/mem/dram_banks.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ DramBanks::DramBanks(const DramPart& part)
       trrd_l_(std::max(trrd_, clocks(part.trrd_l))),
       tfaw_(clocks(part.tfaw)),
       trtp_(clocks(part.trtp)),
-      // All reads have one latency: a burst apart, their data never meet.
+      // All reads have one latency, so reads a burst apart never collide on the bus.
       tccd_(std::max(clocks(part.tccd), Clock(part.burst_clocks()))),
       tccd_l_(std::max(tccd_, clocks(part.tccd_l))),
       trfc_(clocks(part.trfc)),

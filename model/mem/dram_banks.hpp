@@ -1,4 +1,5 @@
 #pragma once
+// The timing gates of a DRAM's banks and buses.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,9 +10,9 @@ namespace rayclock {
 
 enum class DramCommand { activate, read, write, precharge, precharge_all, refresh };
 
-/// The banks of a DRAM and its buses: which command may come when. Time is counted in clocks of the DRAM;
-/// every gate of the part is a whole number of them, rounded up. One command per clock. It knows no requests:
-/// that is Dram.
+/// The banks of a DRAM and its buses: the earliest time of each command. Time is counted in clocks of the
+/// DRAM; every gate of the part is rounded up to whole clocks. One command per clock. Dram handles the
+/// requests.
 class DramBanks {
 public:
     using Clock = std::int64_t;
@@ -19,20 +20,21 @@ public:
 
     bool is_open(int bank) const { return banks_[std::size_t(bank)].open; }
     bool has_open() const { return open_ > 0; }
-    std::uint32_t row(int bank) const { return banks_[std::size_t(bank)].row; }   ///< if it is open
+    /// Returns the open row; valid only if the bank is open.
+    std::uint32_t row(int bank) const { return banks_[std::size_t(bank)].row; }
 
-    /// First clock at which the command keeps every gate, given the commands so far. Whether the command
-    /// makes sense (a read of an open row, a refresh of closed banks) is for the caller to know.
-    /// precharge_all and refresh take no bank.
+    /// Returns the first clock at which the command keeps every gate, given the commands so far. The caller
+    /// must make sure that the command makes sense (a read of an open row, a refresh of closed banks).
+    /// precharge_all and refresh ignore the bank.
     Clock earliest(DramCommand command, int bank) const;
     bool allows(DramCommand command, int bank, Clock clock) const { return clock >= earliest(command, bank); }
 
-    /// Gives the command; asserts that it is allowed.
+    /// Issues the command; asserts that it is allowed.
     void issue(DramCommand command, int bank, std::uint32_t row, Clock clock);
 
 private:
     struct Bank {
-        Clock activate = 0, column = 0, precharge = 0;   // first clock that its own gates allow
+        Clock activate = 0, column = 0, precharge = 0;   // first clock that the bank's own gates allow
         std::uint32_t row = 0;
         bool open = false;
     };
@@ -41,12 +43,12 @@ private:
 
     int tck_;
     Clock trcd_, trp_, tras_, trc_, trrd_, trrd_l_, tfaw_, trtp_, tccd_, tccd_l_, trfc_;
-    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read and a
+    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read, and to a
                                                 // precharge
     struct Group {
-        Clock activate = 0, column = 0;   // first clock that its own gates allow
+        Clock activate = 0, column = 0;   // first clock that the group's own gates allow
     };
-    // Most memories have no groups: they shall not divide.
+    // Most memories have no groups, and skip the division.
     std::size_t group_index(int bank) const {
         return groups_.size() == 1 ? 0 : std::size_t(bank) % groups_.size();
     }
@@ -57,8 +59,8 @@ private:
     std::vector<Group> groups_;
     int open_ = 0;                                              // banks with an open row
     Clock command_ = 0, activate_ = 0, read_ = 0, write_ = 0;   // first clock that the shared gates allow
-    std::array<Clock, 4> activates_{};                          // the last four, plus tFAW
-    unsigned oldest_ = 0;                                       // of those
+    std::array<Clock, 4> activates_{};                          // the last four activates, plus tFAW
+    unsigned oldest_ = 0;                                       // the oldest of these
 };
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Distributes requests over channels and merges their answers.
 #include "model/mem/dram_channels.hpp"
 
 #include <algorithm>

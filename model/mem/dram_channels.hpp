@@ -5,10 +5,10 @@
 
 namespace rayclock {
 
-/// DRAMs of one kind side by side behind one port, with the face of a single one: neighbouring words of 64
-/// bytes lie in different channels. A request is taken while every channel has room. Answers of several
-/// channels in one cycle come one after the other, that of the lowest channel first. One channel is exactly a
-/// Dram.
+/// DRAMs of one kind side by side behind one port, with the interface of a single one. Neighbouring words of
+/// 64 bytes lie in different channels. A request is accepted while every channel has room. If several
+/// channels answer in one cycle, the answers leave one per cycle, lowest channel first. One channel behaves
+/// exactly like a Dram.
 class DramChannels {
 public:
     DramChannels(const DramPart& part, int channels, int khz, int ids);
@@ -27,24 +27,24 @@ public:
     std::uint64_t quiet_until() const;
     void skip(std::uint64_t cycles);
 
-    DramStatistics statistics() const;   ///< of all of them together
+    DramStatistics statistics() const;   ///< summed over the channels
     /// Cycles by the first cause that holds in any channel.
     std::uint64_t cycles(DramCause cause) const {
         return count_ == 1 ? channels_[0].cycles(cause) : causes_[std::size_t(cause)];
     }
 
-    /// The commands of a channel as they are given, for tests.
+    /// Logs the commands of a channel as they are issued, for tests.
     void record(int channel, std::vector<Dram::Issued>* log) { channels_[std::size_t(channel)].record(log); }
 
 private:
-    void gather();   // what the channels offer and how they stand, after a clock edge
-    void mirror();   // the same of a single channel
+    void gather();   // collects the channels' answers and state after a clock edge
+    void mirror();   // does so for a single channel
 
     std::vector<Dram> channels_;
     std::uint32_t count_;
     bool ready_ = true, valid_ = false;
     Answer answer_{};
-    Ring<Answer> waiting_;   // answers that came beside others
+    Ring<Answer> waiting_;   // answers that came in the same cycle as others
     std::array<std::uint64_t, dram_causes> causes_{};
 };
 

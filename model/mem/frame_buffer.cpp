@@ -1,3 +1,4 @@
+// Schedules the frame buffer's reads and writes.
 #include "model/mem/frame_buffer.hpp"
 
 #include <bit>

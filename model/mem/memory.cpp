@@ -1,3 +1,4 @@
+// Arbitrates between chip, picture and host, and applies the tests' traffic.
 #include "model/mem/memory.hpp"
 
 namespace rayclock {
@@ -26,7 +27,7 @@ void Memory::write(const std::vector<std::uint32_t>& lines) {
     if (left_ > 0 && dram_) pay(), sleeping_ = false;
 }
 
-/// Whose turn it is to ask: the chip's, if it could and did; then the picture's; then the host's.
+/// Chooses the next request: the chip's if it was accepted, then the picture's, then the host's.
 Memory::Turn Memory::take_turn(const Answer* request, Dram::Answer& what) {
     if (request) {
         what = {request->id, request->addr};
@@ -89,7 +90,7 @@ void Memory::pay() {
     owed_ = 0;
 }
 
-/// The oldest answer that is due is on offer.
+/// Offers the oldest answer that is due.
 void Memory::disturb() {
     offer_ = -1;
     for (std::size_t i = 0; i < late_.size() && offer_ < 0; ++i)

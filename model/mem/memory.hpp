@@ -1,4 +1,5 @@
 #pragma once
+// The memory outside the chip, and its account.
 #include <array>
 #include <optional>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace rayclock {
 
-/// What the memory did in a cycle of the chip.
+/// The memory's activity in a cycle of the chip.
 enum class MemoryDeed : std::uint8_t {
     busy,      ///< moved data
     latency,   ///< has requests, and waits for rows and columns
@@ -19,15 +20,15 @@ enum class MemoryDeed : std::uint8_t {
 };
 constexpr std::size_t memory_deeds = 4;
 
-/// What the memory has done.
+/// Totals of the memory.
 struct MemoryStats {
-    std::uint64_t reads = 0;                         ///< of 64 bytes, the screen's too
-    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these and the writes: the row was open; another
-                                                     ///< row was
+    std::uint64_t reads = 0;                         ///< of 64 bytes, including the screen's
+    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of the reads and writes: the row was open; another
+                                                     ///< row was open
     std::uint64_t refreshes = 0;
     std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels
-    std::uint64_t scanned = 0, pixel_writes = 0;   ///< of the reads, the screen's; of the writes, pixels'
-    std::uint32_t backlog = 0;   ///< most words that the screen waited for at once, from the beginning
+    std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels
+    std::uint32_t backlog = 0;   ///< most words for which the screen waited at once, since the beginning
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
         return {a.reads - b.reads,
                 a.row_hits - b.row_hits,
@@ -41,8 +42,8 @@ struct MemoryStats {
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
 
-/// The memory beside the chip as a configuration names it, with the traffic that a test puts on it. The same
-/// class lies under the model and under the RTL. Answers are always taken; at most one comes in a cycle.
+/// The memory outside the chip, as a configuration names it, with the traffic that a test adds. The same
+/// class serves the model and the RTL. Answers must be accepted; at most one comes per cycle.
 class Memory {
 public:
     Memory(const Config& config, int khz, Traffic traffic);
@@ -52,13 +53,13 @@ public:
     bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
     Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
 
-    /// The host begins to write these lines, one after the other: one in every cycle in which the memory has
-    /// room for it and takes no request of the chip. So the chip's reads go first.
+    /// Begins to write these lines for the host, in order. It writes one in every cycle in which the memory
+    /// has room and accepts no request of the chip, so the chip's reads have priority.
     void write(const std::vector<std::uint32_t>& lines);
-    /// Some of them are not written yet.
+    /// True until all these lines are written.
     bool writes() const { return left_ > 0 || (dram_ && dram_->writes()); }
 
-    /// One clock edge: the request that was accepted, null if none, and how many pixels were finished.
+    /// One clock edge, with the accepted request (or null) and the number of pixels finished.
     void clock(const Answer* request, std::uint32_t pixels = 0) {
         ++now_;
         if (!request && sleeping_)
@@ -78,7 +79,7 @@ public:
                                               : ideal_.quiet_until();
         return frame_buffer_ ? std::min(until, picture_is_quiet_until()) : until;
     }
-    /// The same as so many clock(nullptr), not beyond quiet_until().
+    /// Has the effect of that many calls of clock(nullptr); must not go beyond quiet_until().
     void skip(std::uint64_t cycles);
 
 private:
@@ -88,7 +89,7 @@ private:
     };
     bool has_room() const { return dram_ ? dram_->ready() : ideal_.ready(); }
     bool answers() const { return dram_ ? dram_->valid() : ideal_.valid(); }
-    /// An answer for the chip.
+    /// True if there is an answer for the chip.
     bool comes() const { return answers() && !is_for_screen(); }
     bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
     std::uint64_t picture_is_quiet_until() const;
@@ -101,24 +102,24 @@ private:
     void pay();
     void disturb();
 
-    std::uint32_t first_screen_id_;   // ids from here on are the frame buffer's
+    std::uint32_t first_screen_id_;   // ids from here on belong to the frame buffer
     Memport ideal_;
-    std::optional<DramChannels> dram_;   // what lies there, if not the ideal memory
+    std::optional<DramChannels> dram_;   // absent with the ideal memory
     std::optional<FrameBuffer> frame_buffer_;
     Traffic traffic_;
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
-    bool sleeping_ = false;    // the DRAM has nothing to do, and is told of the cycles that pass when it has
-                               // again:
-    std::uint64_t owed_ = 0;   // so many
+    bool sleeping_ = false;    // the DRAM is idle; it catches up on the cycles that pass when it has work
+                               // again
+    std::uint64_t owed_ = 0;   // number of these cycles
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_deeds> ideal_deeds_{};
-    std::vector<std::uint32_t> written_;   // lines that the host writes, and how many of them are left
+    std::vector<std::uint32_t> written_;   // lines that the host writes; the last left_ of them remain
     std::size_t left_ = 0;
-    std::uint64_t writes_ = 0;   // of the ideal memory
-    std::vector<Late> late_;     // answers that traffic holds back, oldest first
-    int offer_ = -1;             // of these, the one on offer
+    std::uint64_t writes_ = 0;   // by the ideal memory
+    std::vector<Late> late_;     // answers that the traffic delays, oldest first
+    int offer_ = -1;             // the one of these on offer, or -1
 };
 
 }   // namespace rayclock

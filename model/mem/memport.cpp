@@ -1,3 +1,4 @@
+// The ideal memory's clock edge.
 #include "model/mem/memport.hpp"
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The ideal memory, and the traffic that tests add to memory and sinks.
 #include <cstdint>
 #include <vector>
 
@@ -8,19 +9,20 @@
 
 namespace rayclock {
 
-/// Traffic that tests put on the memory port and on the sinks, on top of their fixed figures. Seeded: two
+/// Traffic that tests add to the memory port and the sinks, on top of their fixed figures. It is seeded: two
 /// machines that make the same requests in the same cycles see the same traffic.
 struct Traffic {
-    int jitter = 0;   ///< extra cycles of latency, 0..jitter, drawn per answer: they overtake each other
-    int stall_percent = 0;   ///< share of cycles in which no request is accepted
+    int jitter = 0;   ///< extra cycles of latency, 0..jitter, drawn per answer, so that answers overtake each
+                      ///< other
+    int stall_percent = 0;   ///< percentage of cycles in which no request is accepted
     std::uint64_t seed = 1;
     bool none() const { return jitter == 0 && stall_percent == 0; }
 };
 
-/// The ideal memory: a request accepted in cycle c is answered in cycle c + mem_latency, at most one request
-/// every mem_interval cycles, at any clock. It keeps only who asked for which address; whoever owns the port
-/// reads the memory image. Requests are told apart by id, and one with the same id is made only after the
-/// answer. Answers are always taken. The same class lies under the model and under the RTL.
+/// The ideal memory, at any clock. A request accepted in cycle c is answered in cycle c + mem_latency, with
+/// at most one request every mem_interval cycles. It holds ids and addresses only; the port's owner reads the
+/// memory image. An id may be used again only after its answer. Answers must be accepted. The same class
+/// serves the model and the RTL.
 class Memport {
 public:
     Memport(const Config& config, int ids);
@@ -33,13 +35,14 @@ public:
     Answer answer() const { return pending_.front().what; }
     bool waits() const { return !pending_.empty(); }
 
-    /// One clock edge: the request that was accepted, null if none. An answer on offer goes.
+    /// One clock edge, with the accepted request or null. An answer on offer leaves.
     void clock(const Answer* request);
-    /// In the place of a request, before clock(nullptr): a write, which has no answer and is done at once.
+    /// Performs a write, which has no answer and is done at once. Call it before clock(nullptr), in place of
+    /// a request.
     void write() { next_free_ = now_ + interval_; }
 
-    /// The first cycle, in calls of clock(), in which ready() or valid() could change without a request; and
-    /// the same as clock(nullptr) `cycles` times up to there.
+    /// Returns the first cycle, in calls of clock(), in which ready() or valid() could change without a
+    /// request. skip() has the effect of `cycles` calls of clock(nullptr), up to that cycle.
     std::uint64_t quiet_until() const {
         const std::uint64_t answer = pending_.empty() ? ~std::uint64_t(0) : pending_.front().due;
         return now_ < next_free_ && next_free_ < answer ? next_free_ : answer;
@@ -55,7 +58,8 @@ private:
     Ring<Pending> pending_;
 };
 
-/// Where hits go: always ready, or not in a share of the cycles. Each sink draws from a stream of its own.
+/// The receiver of hits: always ready, or stalled in a share of the cycles. Each sink draws from its own
+/// random stream.
 class Sink {
 public:
     Sink(Traffic traffic, int number)

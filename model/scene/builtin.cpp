@@ -1,4 +1,4 @@
-// The list of built-in scenes, and `name:size`. The geometry is in generate/, one file per scene.
+// The list of built-in scenes, and the parser of `name:size`. generate/ has the geometry, one file per scene.
 #include "model/scene/builtin.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace rayclock {
 namespace {
 
-/// A scene without spheres is the same in both forms.
+/// For scenes without spheres, which are the same in both forms.
 template <std::uint64_t (*triangles)(int)> PrimitiveCounts all_triangles(int size, Primitives) {
     return {.triangles = triangles(size)};
 }
@@ -27,7 +27,7 @@ template <PlacedScene (*make)(int)> Scene one_flat_form(int size, Primitives) {
 PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
 PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
 
-/// Cones and cylinders as Haines' package cuts them.
+/// With cones and cylinders cut as in Haines' package.
 template <PrimitiveCounts (*counts)(int, Primitives, int)>
 PrimitiveCounts usual_counts(int size, Primitives p) {
     return counts(size, p, cone_sectors);
@@ -75,7 +75,7 @@ constexpr std::array<Builtin, 19> all{{
      all_triangles<flight_triangles>, one_flat_form<make_flight>},
 }};
 
-/// Scenes that are made of instances.
+/// Scenes made of instances.
 struct Placed {
     std::string_view name;
     PlacedScene (*make)(int size);
@@ -89,12 +89,12 @@ constexpr std::array<Placed, 6> placed{{{"gearbox", make_gearbox},
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
 
-/// Throws UserError with the nearest known name.
+/// Returns the scene of a spec. Throws UserError with the nearest known name.
 const Builtin& named(std::string_view spec) {
     return by_name(all, name_of(spec), "no built-in scene", " (`rayclock scenes` lists them)");
 }
 
-/// Scenes whose cones and cylinders may be cut into another number of sides.
+/// Scenes whose cones and cylinders may have another number of sides.
 struct Cut {
     std::string_view name;
     PrimitiveCounts (*counts)(int size, Primitives primitives, int sides);
@@ -104,7 +104,7 @@ constexpr std::array<Cut, 2> cut{{{"rings", rings_counts, make_rings}, {"tree", 
 constexpr int least_sides = 3, most_sides = 1000;
 constexpr std::uint64_t most_triangles = 20'000'000;
 
-/// A whole number from `least` to `most`; `what` begins the sentence.
+/// Returns a whole number from `least` to `most`. Otherwise throws UserError; `what` begins the sentence.
 int number_of(std::string_view digits, int least, int most, const std::string& what) {
     int number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -114,10 +114,10 @@ int number_of(std::string_view digits, int least, int most, const std::string& w
     return number;
 }
 
-/// name, name:size or name:size:sides.
+/// A parsed `name`, `name:size` or `name:size:sides`.
 struct Spec {
     int size = 0, sides = cone_sectors;
-    const Cut* cut = nullptr;   ///< if the sides were named
+    const Cut* cut = nullptr;   ///< set if the number of sides was given
 };
 Spec parsed(const Builtin& builtin, std::string_view spec) {
     const std::string scene = " of the built-in scene '" + std::string(builtin.name) + "'";
@@ -126,7 +126,7 @@ Spec parsed(const Builtin& builtin, std::string_view spec) {
     const std::size_t colon = digits.find(':');
     const auto way =
         std::find_if(cut.begin(), cut.end(), [&](const Cut& c) { return c.name == builtin.name; });
-    // Of other scenes what follows is a typing mistake in the size.
+    // For other scenes the rest is a typing mistake in the size.
     const bool has_sides = colon != digits.npos && way != cut.end();
     Spec out;
     out.size =
@@ -160,7 +160,7 @@ PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
 PlacedScene make_placed(std::string_view text, Primitives primitives) {
     const Builtin& builtin = named(text);
     const Spec spec = parsed(builtin, text);
-    builtin_counts(text, primitives);   // not too many
+    builtin_counts(text, primitives);   // throws if there are too many
     const auto instanced =
         std::find_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.name == builtin.name; });
     PlacedScene scene;

@@ -1,4 +1,5 @@
 #pragma once
+// The built-in scenes: their list, their counts and their generation.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace rayclock {
 
-/// How round things are made: cut into triangles, or spheres as spheres. Cones and cylinders are always cut;
-/// so is all that a scene has beside spheres. The newer scenes (spheres, plane, mirrors, square) have only
-/// one form, which is native.
+/// The form of round shapes: cut into triangles, or native spheres. Cones and cylinders are always cut, and
+/// so is everything else except spheres. The newer scenes (spheres, plane, mirrors, square) have only one
+/// form, which is native.
 enum class Primitives { triangles, native };
 
 struct PrimitiveCounts {
@@ -21,8 +22,8 @@ struct PrimitiveCounts {
 /// A scene that the program makes itself.
 struct Builtin {
     std::string_view name;
-    int default_size;           ///< size factor when none is given
-    int max_size;               ///< largest accepted (keeps to about 10 million triangles)
+    int default_size;           ///< size factor if none is given
+    int max_size;               ///< largest accepted size (at most about 10 million triangles)
     std::string_view purpose;   ///< one line for `rayclock scenes`
     PrimitiveCounts (*counts)(int size, Primitives primitives);   ///< exact, by formula
     Scene (*generate)(int size, Primitives primitives);
@@ -33,14 +34,15 @@ struct Builtin {
     }
 };
 
-/// All of them, in the order they are listed.
+/// Returns all built-in scenes, in the order of their listing.
 std::span<const Builtin> builtins();
 
-/// `name` or `name:size`, for example "gears:8". Throws UserError for an unknown name (with the nearest known
-/// one) and for a size that is not a number in 1..max_size.
+/// Makes the scene of a spec `name` or `name:size`, for example "gears:8"; some scenes take
+/// `name:size:sides`. Throws UserError for an unknown name (with the nearest known one) and for a size that
+/// is not a number in 1..max_size.
 Scene make_builtin(std::string_view spec, Primitives primitives = Primitives::triangles);
 
-/// What make_builtin() would make of it, without making it. Throws as it does.
+/// Returns the counts of make_builtin() without making the scene. Throws as make_builtin() does.
 PrimitiveCounts builtin_counts(std::string_view spec, Primitives primitives);
 
 /// True if `spec` up to a colon is the name of a built-in scene.

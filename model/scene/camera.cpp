@@ -1,6 +1,6 @@
-// Pixel to ray, and a camera for scenes that come without one. Everything here is done once a frame, in
-// double precision; vectors are scaled before they are squared, so no size that a double can hold overflows
-// on the way.
+// Maps pixels to rays, and finds a camera for scenes without one. All this happens once per frame, in double
+// precision. Vectors are scaled before they are squared, so no size that a double can hold overflows on the
+// way.
 #include "model/scene/camera.hpp"
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Moves the eye back until all that it is shown is inside the picture; lengths in units of `scale`.
+/// Moves the eye back until all given points and spheres are inside the picture. Lengths are in units of
+/// `scale`.
 class Fitting {
 public:
     Fitting(const View& view, const glm::dvec3& middle, double scale, double aspect)
@@ -35,7 +36,7 @@ public:
             distance_, std::max({x / half_width_, y / half_height_, nearest}) - glm::dot(p, view_.forward));
     }
 
-    /// A sphere is inside the four planes through the eye if its centre is a radius away from each.
+    /// Adds a sphere. It is inside the four planes through the eye if its centre is a radius away from each.
     void sphere(const Sphere& sphere) {
         const glm::dvec3 p = (sphere.centre - middle_) / scale_;
         const double r = sphere.radius / scale_;
@@ -49,13 +50,13 @@ public:
 
 private:
     static constexpr double margin = 1.05;   // the scene fills at most 1/1.05 of the picture
-    static constexpr double nearest = 0.1;   // and nothing comes nearer to the eye than this
+    static constexpr double nearest = 0.1;   // least distance from the eye
     View view_;
     glm::dvec3 middle_;
     double scale_, half_height_, half_width_, distance_ = 0;
 };
 
-/// Of planes, only what bounds() counts is to be seen whole.
+/// Adds the scene. Of planes, only the part in bounds() must be visible.
 void show(Fitting& fitting, const Scene& scene, const Bounds& box) {
     for (const Triangle& triangle : scene.triangles)
         for (const std::uint32_t index : triangle.vertex) fitting.point(scene.vertices[index]);
@@ -143,8 +144,8 @@ Camera fit_camera(const Scene& scene, double aspect) {
     Camera camera;
     camera.at = 0.5 * box.lo + 0.5 * box.hi;
     const glm::dvec3 towards_eye = unit_of({0.6, 0.5, 1});
-    // A mesh smaller than the rounding of its coordinates is looked at as if it were larger; a point, as if
-    // it were 1.
+    // A mesh smaller than the rounding of its coordinates is treated as larger; a point is treated as of size
+    // 1.
     double scale = std::max(largest(box.hi - box.lo), 1e-9 * std::max(largest(box.lo), largest(box.hi)));
     if (scale < 1e-200) scale = 1;
     const View view = view_of({towards_eye, glm::dvec3(0), camera.up, camera.fov_degrees}, "camera");

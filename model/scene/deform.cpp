@@ -1,3 +1,4 @@
+// Evaluates shapes, joints and normals at a time.
 #include "model/scene/deform.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace rayclock {
 namespace {
 
-/// What a joint does to a point of the mesh at rest.
+/// Returns for each joint the matrix that it applies to a point of the mesh at rest.
 std::vector<glm::dmat4> joint_matrices(const Deforming& deforming, const std::vector<glm::dmat4>& places) {
     std::vector<glm::dmat4> all;
     all.reserve(deforming.joints.size());
@@ -33,8 +34,8 @@ glm::dmat4 blended(const Deforming& deforming, std::size_t vertex, const std::ve
     return sum;
 }
 
-/// By cofactors, as normals go by the inverse transpose; a mirror image is not turned inside out here,
-/// because its corners keep their order.
+/// Transforms a normal by cofactors, because normals follow the inverse transpose. A mirror image is not
+/// turned inside out here, because its corners keep their order.
 glm::dvec3 turned(const glm::dmat3& m, const glm::dvec3& normal) {
     const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return cofactors * normal;
@@ -66,8 +67,8 @@ glm::dvec3 facet_normal(const SharedMesh& mesh, const Triangle& t) {
     return unit_or_zero(glm::cross(unit_or_zero(b - a), unit_or_zero(c - a)));
 }
 
-/// Unit vectors again; where shapes cancel each other the normal at rest stays, and any will do for a facet
-/// without area, since no ray meets it.
+/// Normalises the normals. Where shapes cancel each other, the normal at rest stays. A facet without area
+/// gets an arbitrary normal, since no ray meets it.
 void finish_normals(const Deforming& deforming, SharedMesh& mesh) {
     for (const std::uint32_t facet : deforming.facets) {
         const Triangle& t = mesh.triangles[facet];
@@ -96,7 +97,7 @@ void deform(const Deforming& deforming, double time, const std::vector<glm::dmat
     mesh.normals = deforming.normals;
     add_targets(deforming, time, mesh);
     carry(deforming, places, mesh);
-    constexpr double most = std::numeric_limits<float>::max();   // as for all that files hold
+    constexpr double most = std::numeric_limits<float>::max();   // as for all coordinates from files
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(mesh.vertices[i][k]) <= most))
@@ -107,7 +108,7 @@ void deform(const Deforming& deforming, double time, const std::vector<glm::dmat
 }
 
 // Each weight rises from 0 to 1 and falls again, so two of them sum to 1 between two keys. The shape at rest
-// is a point: nothing is added to a shape that is not in it.
+// is a point, so it adds nothing to a shape.
 std::vector<MorphTarget> keyed_shapes(const std::vector<double>& times,
                                       std::vector<std::vector<glm::dvec3>> shapes,
                                       std::vector<std::vector<glm::dvec3>> normals) {
@@ -130,7 +131,9 @@ void make_faceted(const std::vector<std::uint32_t>& facets, Deforming& deforming
     constexpr std::uint32_t none = ~0U;
     std::vector<bool> is_facet(mesh.triangles.size(), false);
     for (const std::uint32_t facet : facets) is_facet[facet] = true;
-    std::vector<std::uint32_t> from, shared(deforming.rest.size(), none);   // new vertices, and of old ones
+    std::vector<std::uint32_t> from, shared(deforming.rest.size(), none);   // from: old vertex of each new
+                                                                            // one; shared: new vertex of each
+                                                                            // old one
     from.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (std::uint32_t& v : mesh.triangles[i].vertex) {

@@ -1,3 +1,4 @@
+// Scenes whose instances are not written out.
 #include "model/scene/folded.hpp"
 
 #include <algorithm>

@@ -1,34 +1,34 @@
 #pragma once
-// Scenes of so many placed triangles that nobody writes them out: their instances stay as they are. A machine
-// of two levels walks them, and the reference moves its rays into them, in double precision.
+// Scenes with too many placed triangles to write out. Their instances stay as they are. A machine of two
+// levels walks them, and the reference moves its rays into them, in double precision.
 #include "model/scene/placed.hpp"
 
 namespace rayclock {
 
-/// More placed triangles than this stay folded.
+/// A scene with more placed triangles stays folded.
 constexpr std::uint64_t most_unfolded = 100'000'000;
 
-/// The scene with its own triangles alone, and the instances in `placed`.
+/// Returns the scene with only its own triangles, and the instances in `placed`.
 Scene folded(PlacedScene scene);
-/// Whether the scene has instances that are not written out.
+/// True if the scene has instances that are not written out.
 bool is_folded(const Scene& scene);
-/// Of all primitives, as they are numbered: those of instances as well.
+/// Returns the number of all primitives, including those of instances.
 std::uint64_t numbered_primitives(const Scene& scene);
 
-/// Of these, the triangles.
+/// Returns the number of triangles among these.
 inline std::uint64_t triangle_count(const Scene& scene) {
     return numbered_primitives(scene) - scene.spheres.size() - scene.planes.size();
 }
 
-/// One triangle as it would stand in the flat scene.
+/// One triangle as it would be in the flat scene.
 struct PlacedTriangle {
     std::array<glm::dvec3, 3> vertices{};
-    std::array<glm::dvec3, 3> normals{};   ///< unit; 0 if the scene has none
+    std::array<glm::dvec3, 3> normals{};   ///< unit vectors; 0 if the scene has none
     bool is_smooth = false;
     std::uint32_t material = 0;
 };
 
-/// Finds triangles of a folded scene by their numbers. The scene must stay.
+/// Finds triangles of a folded scene by their numbers. The scene must outlive it.
 class Unfolder {
 public:
     explicit Unfolder(const PlacedScene& scene);
@@ -36,11 +36,11 @@ public:
 
 private:
     const PlacedScene& scene_;
-    std::vector<std::uint64_t> firsts_;   ///< of the instances
+    std::vector<std::uint64_t> firsts_;   ///< first numbers of the instances
 };
 
-/// Throws UserError unless a folded scene can be drawn: as check_scene(), mesh by mesh; and it must have a
-/// camera, since finding one needs all triangles.
+/// Throws UserError unless a folded scene can be drawn. It checks each mesh as check_scene() does. The scene
+/// must have a camera, since finding one needs all triangles.
 void check_folded(const Scene& scene, const std::string& where);
 
 }   // namespace rayclock

@@ -1,4 +1,5 @@
 #pragma once
+// Hits of primary rays, in the terms of the scene as given.
 #include <cstdint>
 #include <vector>
 
@@ -8,14 +9,15 @@ namespace rayclock {
 
 constexpr std::uint32_t no_primitive = 0xffff'ffffu;
 
-/// What a primary ray found, in the terms of the scene as given; produced by every engine.
+/// The hit of a primary ray, in the terms of the scene as given. Every engine produces it.
 struct Hit {
     std::uint32_t primitive = no_primitive;   ///< number in the scene (model/scene/scene.hpp), or
                                               ///< no_primitive
     float depth = 0;                          ///< distance from the eye, scene units
-    float u = 0, v = 0;   ///< of a triangle: barycentric weights of the second and third vertex; of a plane:
-                          ///< how many of its u and v from its point (of a
-                          ///< machine's: of its sides on the lattice, from its point there); of a sphere: 0
+    /// For a triangle: barycentric weights of the second and third vertex. For a plane: multiples of its u
+    /// and v from its point; a machine counts the plane's sides on the lattice, from its point there. For a
+    /// sphere: 0.
+    float u = 0, v = 0;
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 

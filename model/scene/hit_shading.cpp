@@ -1,3 +1,4 @@
+// Shades plain hits, on all cores.
 #include "model/scene/hit_shading.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace rayclock {
 namespace {
 
-/// Where a hit lies on the scene as given, and the normal there, on the eye's side.
+/// The point of a hit on the scene as given, and the normal there, on the eye's side.
 struct SurfacePoint {
     glm::dvec3 position;
     glm::dvec3 normal;
@@ -23,21 +24,22 @@ struct SurfacePoint {
     glm::dvec3 colour;
 };
 
-/// Unit vector along v, or `otherwise` where v has no direction.
+/// Returns the unit vector along v, or `otherwise` where v has no direction.
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
-/// `outside` turned to the eye.
+/// Sets the direction to the eye, and the normal: `outside` turned to the eye.
 void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outside) {
     point.to_eye = unit_or(eye - point.position, {0, 0, 1});
     point.normal = unit_or(outside, point.to_eye);
     if (glm::dot(point.normal, point.to_eye) < 0) point.normal = -point.normal;
 }
 
-/// Smooth normals can face away from the eye near a silhouette although the triangle faces it; the triangle
-/// decides which side is seen, and its normal stands in where the smooth one vanishes.
+/// Returns a point on a triangle. Smooth normals can face away from the eye near a silhouette although the
+/// triangle faces it. So the triangle decides which side is seen, and its normal replaces a smooth one that
+/// vanishes.
 SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
                          const glm::dvec3& eye) {
     const auto& [a, b, c] = triangle.vertices;
@@ -56,7 +58,7 @@ SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, con
     return point;
 }
 
-/// A hit says how far it is, so the point lies that far along the pixel's ray.
+/// Returns a point on a sphere: at the hit's depth along the pixel's ray.
 SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
                        const glm::dvec3& direction) {
     SurfacePoint point;
@@ -67,7 +69,7 @@ SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit,
     return point;
 }
 
-/// A hit says how many squares it is from the plane's point.
+/// Returns a point on a plane: the hit counts squares from the plane's point.
 SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
     SurfacePoint point;
     point.material = &scene.materials.at(plane.material);
@@ -80,7 +82,7 @@ SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, co
     return point;
 }
 
-/// A triangle of a flat scene.
+/// Returns a triangle of a flat scene.
 PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
     const Triangle& triangle = scene.triangles[number];
     PlacedTriangle out;
@@ -103,9 +105,9 @@ SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const H
     return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
 }
 
-/// Phong 1975, "Illumination for computer generated pictures", in Haines' terms: the ambient term, and for
-/// every light Lambert's cosine and the cosine between the light's mirrored direction and the eye to the
-/// power `shine`.
+/// Phong 1975, "Illumination for computer generated pictures", in Haines' terms. It sums the ambient term and
+/// two terms per light: Lambert's cosine, and the cosine between the light's mirrored direction and the eye
+/// to the power `shine`.
 glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
     const Material& material = *point.material;
     glm::dvec3 sum = material.ambient * point.colour;

@@ -1,3 +1,4 @@
+// Evaluates tracks, nodes and poses at a time.
 #include "model/scene/motion.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ glm::dquat mixed(const glm::dquat& a, const glm::dquat& b, double s) { return gl
 template <class Value> Value tidy(const Value& value) { return value; }
 glm::dquat tidy(const glm::dquat& turn) { return glm::normalize(turn); }
 
-/// Cubic Hermite spline between two keys `span` seconds apart, as glTF 2.0 has it (appendix C).
+/// Returns a cubic Hermite spline between two keys `span` seconds apart, as in glTF 2.0 (appendix C).
 template <class Value> Value spline(const Value* from, const Value* to, double s, double span) {
     const double s2 = s * s, s3 = s2 * s;
     const Value &value = from[1], &leaves = from[2], &arrives = to[0], &end = to[1];
@@ -120,7 +121,7 @@ void pose(PlacedScene& scene, double time) {
             camera.eye = point_at(place, camera.eye);
             camera.at = point_at(place, camera.at);
         }
-        view_of(camera, "the camera at " + text_of(time) + " s");   // refuses what cannot look anywhere
+        view_of(camera, "the camera at " + text_of(time) + " s");   // refuses a camera without a view
         scene.own.camera = camera;
     }
     for (const LightMotion& moving : motion.lights) {
@@ -131,8 +132,8 @@ void pose(PlacedScene& scene, double time) {
     }
 }
 
-// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
-// beyond any use are refused with it: their products would leave the range of a double.
+// The three directions, scaled to unit length, span a volume of 1 for a rotation and 0 for a flat map.
+// Extreme lengths are refused too, because their products would leave the range of a double.
 bool is_singular(const glm::dmat4& m) {
     glm::dmat3 directions(m);
     for (int i = 0; i < 3; ++i) {

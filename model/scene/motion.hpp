@@ -1,4 +1,4 @@
-// What moves in a scene, and how: nodes over time, and what hangs at them. scenes/README.md has the form in
+// The motion of a scene: nodes over time, and the objects attached to them. scenes/README.md has its form in
 // files.
 #pragma once
 #include <cstdint>
@@ -16,14 +16,14 @@
 
 namespace rayclock {
 
-/// A space that moves in another one, which is a node before it or the scene. It is scaled first, then
-/// turned, then moved, as objects are; or it has one matrix.
+/// A space that moves in another one, which is an earlier node or the scene. It scales first, then rotates,
+/// then moves, as objects do. Alternatively it has one matrix.
 struct MotionNode {
-    std::string name;                        ///< in sentences
+    std::string name;                        ///< for messages
     std::optional<std::uint32_t> parent{};   ///< an earlier node
-    glm::dmat4 matrix{1};   ///< if none of translate, turn and scale moves, this or `matrices`
+    glm::dmat4 matrix{1};                    ///< used unless is_parts; `matrices` overrides it over time
     Track<glm::dmat4> matrices{};
-    bool is_parts = false;   ///< the next three, and their tracks, instead of a matrix
+    bool is_parts = false;   ///< use the next three and their tracks instead of a matrix
     glm::dvec3 translate{0};
     glm::dquat turn{1, 0, 0, 0};
     glm::dvec3 scale{1};
@@ -31,13 +31,13 @@ struct MotionNode {
     Track<glm::dquat> turns{};
 };
 
-/// An instance that hangs at a node: where it stands in the node's space.
+/// An instance attached to a node, with its place in the node's space.
 struct Hung {
     std::uint32_t instance = 0, node = 0;
     glm::dmat4 place{1};
 };
 
-/// The scene's camera over time: each of its values has a track, or the whole hangs at a node.
+/// The scene's camera over time. Each of its values has a track, or the whole camera is attached to a node.
 struct CameraMotion {
     Track<glm::dvec3> eye{}, at{}, up{};
     Track<double> fov{};   ///< degrees
@@ -54,30 +54,30 @@ struct LightMotion {
     glm::dvec3 point{0};   ///< with a node: the light in its space
 };
 
-/// Everything that moves in a PlacedScene.
+/// All motion in a PlacedScene.
 struct Motion {
     std::vector<MotionNode> nodes;   ///< parents before children
     std::vector<Hung> hung;          ///< instances that move
     CameraMotion camera;
     std::vector<LightMotion> lights;
-    std::vector<Deforming> deforming;   ///< meshes whose corners move; each mesh once at most
+    std::vector<Deforming> deforming;   ///< meshes whose corners move; each mesh at most once
 
     bool empty() const { return hung.empty() && camera.empty() && lights.empty() && deforming.empty(); }
-    /// Time of the last key of all tracks, seconds; 0 without any.
+    /// Returns the time of the last key of all tracks, in seconds; 0 without keys.
     double length() const;
 };
 
-/// Where every node stands in the scene at a time.
+/// Returns the place of every node in the scene at a time.
 std::vector<glm::dmat4> node_places(const Motion& motion, double time);
 
 struct PlacedScene;
 
-/// Sets the places of instances that move, the corners of meshes that deform, the camera and the lights to
-/// where they are at a time. An instance may become flat. Throws UserError with the node's name and the time
-/// if a number has become infinite, or larger than any use.
+/// Sets the places of moving instances, the corners of deforming meshes, the camera and the lights for a
+/// time. An instance may become flat. Throws UserError with the node's name and the time if a number is
+/// infinite or extreme.
 void pose(PlacedScene& scene, double time);
 
-/// A map that makes solids flat, or has lengths that are beyond any use, or is not finite.
+/// True if a map makes solids flat, has extreme lengths, or is not finite.
 bool is_singular(const glm::dmat4& m);
 
 }   // namespace rayclock

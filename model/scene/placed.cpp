@@ -1,3 +1,4 @@
+// Writes instances out as triangles.
 #include "model/scene/placed.hpp"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
 
-/// Room for `more`, at least doubled when it is not there: an exact reserve() for each of many copies would
-/// move all of them.
+/// Makes room for `more` items, and at least doubles the capacity. An exact reserve() for each of many copies
+/// would move all items each time.
 template <class Item> void make_room(std::vector<Item>& list, std::size_t more) {
     if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.size()));
 }
 
-/// `Part` has vertices, normals and triangles: a Scene, or a SharedMesh.
+/// `Part` has vertices, normals and triangles: a Scene or a SharedMesh.
 template <class Part> void append_triangles(Scene& scene, const Part& part, const glm::dmat4& place,
                                             std::optional<std::uint32_t> material,
                                             std::uint32_t material_base) {
@@ -53,7 +54,7 @@ template <class Part> void append_triangles(Scene& scene, const Part& part, cons
 
 }   // namespace
 
-// Scaled first: no square over- or underflows.
+// Scaled first, so no square overflows or underflows.
 glm::dvec3 unit_or_zero(glm::dvec3 v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);

@@ -1,5 +1,5 @@
-// A scene that places meshes without copying them: what the second level of the machine walks, and what
-// everything else gets as a flat scene (docs/motion.md).
+// A scene that places meshes without copying them. The machine's second level walks it; everything else gets
+// a flat scene (docs/motion.md).
 #pragma once
 #include <optional>
 #include <string>
@@ -13,51 +13,53 @@
 
 namespace rayclock {
 
-/// Triangles that any number of instances share, in a space of their own.
+/// Triangles that any number of instances share, in their own space.
 struct SharedMesh {
     std::string name;
     std::vector<glm::dvec3> vertices;
     std::vector<glm::dvec3> normals;   ///< as in Scene
-    std::vector<Triangle> triangles;   ///< their materials are the scene's
+    std::vector<Triangle> triangles;   ///< with the scene's materials
 };
 
 /// A mesh in its place.
 struct Instance {
-    std::string name;         ///< in sentences
+    std::string name;         ///< for messages
     std::uint32_t mesh = 0;   ///< index in PlacedScene::meshes
     glm::dmat4 place{1};      ///< from the mesh's space to the scene's; the last row is 0 0 0 1
-    std::optional<std::uint32_t> material;   ///< of all its triangles; else each has its own
+    std::optional<std::uint32_t> material;   ///< of all its triangles; without it each keeps its own
 };
 
-/// A scene, and instances beside its own primitives. A graph of any depth has become one level of instances
-/// here. Primitives are numbered as in the flat scene: triangles of the scene itself, then those of each
+/// A scene with instances in addition to its own primitives. A graph of any depth is reduced to one level of
+/// instances. Primitives are numbered as in the flat scene: triangles of the scene itself, then those of each
 /// instance in turn, then spheres and planes.
 struct PlacedScene {
     Scene own;
     std::vector<SharedMesh> meshes;
     std::vector<Instance> instances;
-    Motion motion{};   ///< instances, camera and lights are where they are at one of its times
+    Motion motion{};   ///< instances, camera and lights hold the state of one of its times
 };
 
-/// Of the flat scene.
+/// Returns the number of primitives of the flat scene.
 std::uint64_t primitive_count(const PlacedScene& scene);
 
-/// Every instance becomes triangles. Without instances and motion, the scene itself. Throws UserError if they
-/// are more than a vertex number can tell.
+/// Returns the scene with every instance as triangles. Without instances and motion it is the scene itself.
+/// Throws UserError beyond 2^32 - 1 vertices.
 Scene flattened(PlacedScene scene);
-/// The same triangles, without what was written out to make them.
+/// Returns the same triangles, without a copy of the placed scene.
 Scene flat_copy(const PlacedScene& scene);
 
 /// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
-/// image is turned inside out again; normals go by the inverse transpose. Materials: `material` for all, or
-/// the part's own plus `material_base`. Both must have normals or both none, unless `scene` is still empty.
+/// image is turned inside out again; normals follow the inverse transpose. All primitives get `material`, or
+/// the part's own plus `material_base`. Both scenes must have normals or neither, unless `scene` is still
+/// empty. Throws UserError beyond 2^32 - 1 vertices.
 void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
             std::uint32_t material_base);
 
-/// The unit vector, or 0 for a vector without a direction.
+/// Returns the unit vector, or 0 for a vector without a direction.
 glm::dvec3 unit_or_zero(glm::dvec3 v);
 
-/// A built-in scene with its instances, if it is made of some: make_builtin() is this one, flattened.
+/// Returns a built-in scene with its instances, if it has some. make_builtin() returns the same scene,
+/// flattened.
 PlacedScene make_placed(std::string_view spec, Primitives primitives = Primitives::triangles);
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// What every scene must fulfil, whoever made it. Comparisons are written so that NaN fails them.
+// The conditions for every scene, whatever its source. Comparisons are written so that NaN fails them.
 #include "model/scene/scene.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace rayclock {
 namespace {
 
-/// A property of a material and the range that it must lie in.
+/// A property of a material and its range.
 struct Range {
     const char* name;
     double Material::*value;
@@ -158,7 +158,7 @@ struct Judge {
     }
 };
 
-/// Grows with every point; empty at first.
+/// Bounds that grow with every point; empty at first.
 struct Growing {
     Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
                glm::dvec3(-std::numeric_limits<double>::infinity())};

@@ -1,4 +1,5 @@
 #pragma once
+// A scene as given, in double precision, and its checks.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -22,10 +23,10 @@ struct Material {
     double mirror = 0;        ///< weight of the reflected ray (Ks)
     double transmit = 0;      ///< weight of the refracted ray (T)
     double index = 1;         ///< refractive index of the inside; the surrounding medium is 1
-    bool checkered = false;   ///< of a plane: every second square has the colour `other`
+    bool checkered = false;   ///< for a plane: every second square has the colour `other`
     glm::dvec3 other{0.2};
-    bool schlick = false;   ///< mirror and transmit are weighted by Fresnel's term, as Schlick 1994
-                            ///< approximates it
+    bool schlick = false;   ///< mirror and transmit are weighted by Fresnel's term, in the approximation of
+                            ///< Schlick 1994
 };
 
 /// Point light without attenuation; `colour` is its strength (spd: 1/sqrt(number of lights)).
@@ -34,8 +35,8 @@ struct Light {
     glm::dvec3 colour{1};
 };
 
-/// Pin-hole camera. `fov_degrees` is the full vertical angle between the top and bottom edges of the
-/// picture; a pixel is square, so the horizontal angle follows from the picture's aspect.
+/// Pin-hole camera. `fov_degrees` is the full vertical angle between the top and bottom edges of the picture.
+/// A pixel is square, so the horizontal angle follows from the picture's aspect.
 struct Camera {
     glm::dvec3 eye{0, 0, 5};
     glm::dvec3 at{0};
@@ -56,16 +57,16 @@ struct Sphere {
     std::uint32_t material = 0;
 };
 
-/// The points point + s u + t v for all s and t, without end. u and v, at right angles, are the sides of a
-/// square of its checkers: square (floor s, floor t) has the material's `other` colour if floor s + floor t
-/// is odd. Seen from both sides.
+/// The infinite plane of points point + s u + t v for all s and t. u and v, at right angles, are the sides of
+/// a checker square: square (floor s, floor t) has the material's `other` colour if floor s + floor t is odd.
+/// Seen from both sides.
 struct Plane {
     glm::dvec3 point{0}, u{1, 0, 0}, v{0, 0, -1};
     std::uint32_t material = 0;
 };
 
-/// A scene as given: double precision, scene units, nothing snapped. Every engine reports hits by a
-/// primitive's number: its index in `triangles`, then, going on from there, in `spheres` and in `planes`.
+/// A scene as given: double precision, scene units, without snapping. Every engine reports hits by a
+/// primitive's number: its index in `triangles`, continued in `spheres` and then in `planes`.
 struct Scene {
     std::string name;
     std::vector<glm::dvec3> vertices;
@@ -75,9 +76,9 @@ struct Scene {
     std::vector<Plane> planes;
     std::vector<Material> materials;
     std::vector<Light> lights;
-    std::optional<Camera> camera;   ///< absent: found by fit_camera()
+    std::optional<Camera> camera;   ///< if absent, fit_camera() finds one
     glm::dvec3 background{0.078, 0.361, 0.753};
-    /// What was written out to make it, if it has instances: a machine of two levels walks these.
+    /// The source of a scene with instances; a machine of two levels walks it.
     std::shared_ptr<const struct PlacedScene> placed;
 };
 
@@ -85,24 +86,26 @@ inline std::size_t primitive_count(const Scene& scene) {
     return scene.triangles.size() + scene.spheres.size() + scene.planes.size();
 }
 
-/// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes have no end and do not
-/// count; a scene of planes alone has the bounds of 10 x 10 squares around the first one's point.
+/// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes are infinite and do not
+/// count. A scene with only planes has the bounds of 10 x 10 squares around the first plane's point.
 struct Bounds {
     glm::dvec3 lo{0}, hi{0};
 };
+/// Returns the bounds. Throws UserError if the scene has no primitive.
 Bounds bounds(const Scene& scene);
 
 constexpr std::size_t most_lights = 64;
 constexpr double most_light = 16;   ///< largest component of a light's colour
 
-/// Throws UserError unless the scene can be traced: it has primitives and materials, indices are in range,
-/// coordinates are finite, radii above 0, sides of planes not parallel; colours and weights lie within 0 and
-/// 1, an index of what transmits is above 0; the camera looks somewhere and its angle lies in (0, 180). No
-/// light is fine. `where` begins the sentence.
+/// Throws UserError unless the scene can be traced. It needs primitives and materials, and indices in range.
+/// Coordinates must be finite, radii above 0, and sides of planes not parallel. Colours and weights must lie
+/// within 0 and 1. A refractive index must be above 0 if the material transmits. The camera must have a view,
+/// with an angle in (0, 180). A scene may have no light. `where` begins the sentence.
 void check_scene(const Scene& scene, const std::string& where);
 
-/// A camera that sees the whole scene from front, right and above, looking at the middle of its bounds.
-/// The angle is 45 degrees; `aspect` is width over height.
+/// Returns a camera that sees the whole scene from front, right and above, and looks at the middle of its
+/// bounds. The angle is 45 degrees; `aspect` is width over height. Throws UserError if the scene is too large
+/// to be seen whole.
 Camera fit_camera(const Scene& scene, double aspect);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The samples of a pixel.
 #include "model/scene/whitted.hpp"
 
 #include <array>
@@ -6,11 +7,10 @@ namespace rayclock {
 
 namespace {
 
-/// Prime to n * n, and such that the first four cells lie in three quarters of the pixel at least, for an
-/// even n.
+/// Prime to n * n. For an even n the first four cells lie in at least three quarters of the pixel.
 constexpr std::array<std::uint32_t, most_aa + 1> stride{0, 1, 3, 4, 7, 7, 13, 18, 29};
 
-/// Jenkins 1997, "one at a time", over three words: only adds, shifts and exclusive ors.
+/// Jenkins 1997, "one at a time", over three words: only additions, shifts and exclusive ors.
 std::uint32_t hash(std::uint32_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t s) {
     std::uint32_t h = seed;
     for (const std::uint32_t word : {x, y, s}) {

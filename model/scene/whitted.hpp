@@ -1,6 +1,6 @@
 #pragma once
-// What all engines share about the finished picture: how far the tree of rays is followed, and where a
-// pixel's samples lie.
+// The definition of the finished picture that all engines share: the depth of the tree of rays, and the
+// places of a pixel's samples.
 #include <array>
 #include <cstdint>
 
@@ -11,26 +11,26 @@ constexpr int most_depth = 15, most_aa = 8;
 /// Whitted 1980, "An improved illumination model for shaded display": local light, shadow rays, reflection,
 /// refraction.
 struct Whitted {
-    int depth = 5;   ///< bounces of a camera ray, 0..15; at a hit of that depth nothing is reflected or
-                     ///< refracted
+    int depth = 5;   ///< bounces of a camera ray, 0..15; a hit at this depth does not reflect or refract
     double threshold = 0;   ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg
                             ///< 1983); 0: all are
     int aa = 1;             ///< a pixel has aa x aa samples, 1..8
-    bool jitter = false;    ///< each sample anywhere in its cell (Cook 1986), and not in the middle
-    double contrast = 0;   ///< if not 0: after 4 samples, the rest only if some channel differs by more among
-                           ///< them
+    bool jitter = false;    ///< 1: each sample lies anywhere in its cell (Cook 1986), not in the middle
+    double contrast = 0;   ///< if not 0: after 4 samples, trace the rest only if some channel differs by more
+                           ///< among them
     std::uint32_t seed = 1;   ///< of the jitter
 };
 
-/// A weight that is not below the threshold is traced. Both are meant as the decimal numbers that were
-/// written: products of those may come out low by a few of 2^-53, so 2^-46 is forgiven.
+/// True if a weight is not below the threshold, so that its ray is traced. Both stand for the decimal numbers
+/// as written. Products of those may come out low by a few units of 2^-53, so 2^-46 is forgiven.
 inline bool weighs_enough(double weight, double threshold) { return weight >= threshold * (1 - 0x1p-46); }
 
-/// What a ray is for.
+/// The purpose of a ray.
 enum class RayPurpose : std::uint8_t { camera, shadow, reflection, refraction };
 constexpr std::array<const char*, 4> purpose_names{"camera", "shadow", "reflection", "refraction"};
 
-/// Rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule 6).
+/// Numbers of rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule
+/// 6).
 struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t primary_hits = 0;
@@ -43,9 +43,9 @@ struct RayCounts {
     friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };
 
-/// What a pixel's rays met, as one number: two engines whose numbers are the same have made the same
-/// decisions all the way. Rays in the order of the tree, depth first: a surface, its lights, what it
-/// reflects, what it refracts.
+/// The hits of a pixel's rays as one number. Two engines with equal numbers have made the same decisions
+/// throughout. Rays come in the order of the tree, depth first: a surface, its lights, its reflection, its
+/// refraction.
 class PathSignature {
 public:
     void start() { state_ = 0xcbf29ce484222325u; }
@@ -61,20 +61,20 @@ private:
     std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-/// Samples that decide whether a pixel gets the rest of them.
+/// Number of samples that decide whether a pixel gets the rest.
 constexpr std::uint32_t first_samples = 4;
 
-/// From one sample's cell to the next one's, of n x n: prime to n * n.
+/// Returns the step from one sample's cell to the next one's, of n x n cells; prime to n * n.
 std::uint32_t sample_stride(int n);
 
-/// From the pixel's middle to a sample, right and down, in 1/256 of a pixel: -128..127.
+/// Offset from the pixel's middle to a sample, right and down, in 1/256 of a pixel: -128..127.
 struct SampleOffset {
     std::int32_t x = 0, y = 0;
     friend bool operator==(const SampleOffset&, const SampleOffset&) = default;
 };
-/// Sample s, 0..n * n - 1, of pixel (x, y). The pixel has n x n cells; s goes through them in strides, so
-/// that the first few lie far apart. Part of the camera's definition, the same for every engine. Mirror of
-/// rtl/unit/raygen/rc_sample.sv.
+/// Returns the offset of sample s, 0..n * n - 1, of pixel (x, y). The pixel has n x n cells; s visits them in
+/// strides, so that the first few lie far apart. This is part of the camera's definition, the same for every
+/// engine. Mirror of rtl/unit/raygen/rc_sample.sv.
 SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter,
                            std::uint32_t seed);
 

@@ -9,8 +9,8 @@
 
 namespace rayclock {
 
-/// Lines of the memory image in the model's own form, each unpacked when it is first read, by any thread. A
-/// speed-up only: nothing is known here that the bytes do not say.
+/// Lines of the memory image in the model's own form. Each is unpacked when it is first read, by any thread.
+/// This only saves time: all data come from the image's bytes.
 class Decoder {
 public:
     Decoder(const MemoryImage& image, const Config& config)
@@ -30,31 +30,31 @@ public:
     const WideNode& node(std::uint32_t line) const {
         return nodes_.get(line, [&] { return read_node_(image_.line(line)); });
     }
-    /// With two levels: what a line holds, and an instance.
+    /// With two levels: kind() returns the kind of a line, placement() an instance.
     LineKind kind(std::uint32_t line) const { return line_kind(image_.line(line)); }
-    /// The engine that walks the tree of the node in a line.
+    /// Returns the engine that walks the tree of the node in a line.
     Structure engine(std::uint32_t line) const {
         return config_.has_instances() && kind(line) == LineKind::mesh_node ? lower_ : upper_;
     }
     const Placement& placement(std::uint32_t line) const {
         return placements_.get(line, [&] { return unpack<Placement>(image_.line(line), config_); });
     }
-    /// Of a kd-tree.
+    /// Returns a node of a kd-tree.
     const WideTreelet& treelet(std::uint32_t line) const {
         return treelets_.get(
             line, [&] { return widen(unpack<Treelet>(image_.line(line), config_), config_.node_width); });
     }
-    /// Of a hierarchy of globes.
+    /// Returns a node of a hierarchy of globes.
     const WideGlobes& globes(std::uint32_t line) const {
         return globes_.get(
             line, [&] { return widen(unpack<GlobeNode>(image_.line(line), config_), config_.node_width); });
     }
-    /// Of a tree of planes in any direction.
+    /// Returns a node of a tree of planes in any direction.
     const WideSlant& slant(std::uint32_t line) const {
         return slants_.get(
             line, [&] { return widen(unpack<Slant>(image_.line(line), config_), config_.node_width); });
     }
-    /// Of any tree: what the node in a line says of its children, where they lie and how many there are.
+    /// Returns the children of the node in a line, of any tree: their places and their number.
     const WideNode& below(std::uint32_t line) const {
         switch (engine(line)) {
             case Structure::kd: return treelet(line).exits;
@@ -63,12 +63,13 @@ public:
             default: return node(line);
         }
     }
-    /// How many children or exits the node in a line has; an instance has none.
+    /// Returns the number of children or exits of the node in a line. An instance has none.
     std::uint32_t children(std::uint32_t line) const {
         if (config_.has_instances() && kind(line) == LineKind::placement) return 0;
         return below(line).children;
     }
-    /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
+    /// For a list: page() returns the page that begins in a line, next_page() the line of the next one, 0
+    /// after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
     std::uint32_t next_page(std::uint32_t line) const {
         const std::uint32_t next = line + page_lines(config_.node_width);

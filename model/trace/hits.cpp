@@ -1,3 +1,4 @@
+// Converts hits to scene units.
 #include "model/trace/hits.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #pragma once
+// Hits in scene units, and digests.
 #include <cstdint>
 
 #include "model/layout/memory_image.hpp"
@@ -7,7 +8,7 @@
 
 namespace rayclock {
 
-/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d * pitch|, weights u, v /
+/// Converts the chip's answers to scene units: depth = t / 2^(M-1+F) * |d * pitch|, weights u, v /
 /// 2^bary_bits.
 class HitScale {
 public:
@@ -21,13 +22,13 @@ private:
     double depth_, weight_;
 };
 
-/// Depth of a hit on a plane that is further away than t can say: by u and v; infinite where they end as
-/// well.
+/// Returns the depth of a hit on a plane beyond the range of t, from u and v. It is infinite where these
+/// saturate as well.
 float depth_on_plane(const Closest& hit, const Surface& plane, const Vec3i& eye, const Lattice& lattice,
                      const Config& config);
 
-/// 64-bit digest of a sequence of numbers (one multiplication and one fold a number, after FNV-1a and
-/// SplitMix64): the same on every machine.
+/// 64-bit digest of a sequence of numbers: one multiplication and one fold per number, after FNV-1a and
+/// SplitMix64. It is the same on every machine.
 class Digest {
 public:
     void add(std::uint64_t value) {

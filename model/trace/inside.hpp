@@ -5,20 +5,19 @@
 
 namespace rayclock {
 
-/// A ray in the space of the instance that it entered last. For the walk the line of an instance is a node
-/// with one child, the root of its mesh, which every ray meets at once. In which space a later node lies is
-/// said by its line, not by what the ray did before: a ray that comes back from an instance needs nothing to
-/// be put right.
+/// A ray in the space of the instance that it entered last. For the walk an instance's line is a node with
+/// one child, the root of its mesh, which every ray meets at once. A later node's line determines its space,
+/// whatever the ray did before. So a ray that returns from an instance needs no restoring.
 struct InsideRay {
     Change change;
     BoxRay from;
-    GlobeRay toward;   ///< if there are globes
-    Vec3i along{};     ///< if there are slants
-    Ray moved{};       ///< as any_test() wants it
+    GlobeRay toward;   ///< with globes
+    Vec3i along{};     ///< with slants
+    Ray moved{};       ///< the ray in the form of any_test()
     WideNode entry;
-    bool enters = false;   ///< the line that was read last is an instance
+    bool enters = false;   ///< the line read last is an instance
 
-    /// The ray changes, and goes on: its best hit and its distance to beat stay.
+    /// Moves the ray into the instance. Its best hit and its distance to beat stay.
     const WideNode& enter(const Ray& ray, const Placement& placement, const Config& config,
                           std::uint32_t* t_near, std::uint32_t& hits) {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);

@@ -8,9 +8,9 @@
 
 namespace rayclock {
 
-/// What is made of the places of a memory, each when it is first asked for, by any thread. Things lie side by
-/// side in the order in which they were made, and neither they nor the table's empty parts are touched
-/// before: most of a big scene's image is never read, and the system gives pages only to what is.
+/// Objects decoded from the places of a memory, each on its first request, by any thread. Objects lie in the
+/// order of their creation. Neither they nor the table's empty parts are touched before, so the system
+/// allocates pages only for the part of the image that is read. Most of a big scene's image is never read.
 template <class T> class LineCache {
     static_assert(std::is_trivially_destructible_v<T>);
 
@@ -21,7 +21,7 @@ public:
         if (!table_) throw std::bad_alloc();
     }
 
-    /// `make()` gives the thing at a place; called once.
+    /// Returns the object at a place. `make()` creates it, and is called once.
     template <class Make> const T& get(std::uint32_t place, Make&& make) const {
         const std::uint32_t state = std::atomic_ref(table_[place]).load(std::memory_order_acquire);
         return things_[(state >= first ? state : fill(place, make)) - first];
@@ -29,7 +29,7 @@ public:
 
 private:
     static constexpr std::uint32_t claimed = 1,
-                                   first = 2;   // of a state: 0 empty, from `first` on where the thing lies
+                                   first = 2;   // states: 0 empty, from `first` on the position of the object
     static constexpr std::align_val_t align{alignof(T)};
     struct Free {
         void operator()(std::uint32_t* table) const { std::free(table); }
@@ -38,7 +38,7 @@ private:
         void operator()(T* things) const { ::operator delete(things, align); }
     };
 
-    /// One thread makes, the others wait for it.
+    /// One thread creates the object; the others wait.
     template <class Make>
     [[gnu::noinline, gnu::cold]] std::uint32_t fill(std::uint32_t place, Make& make) const {
         const std::atomic_ref state(table_[place]);

@@ -1,3 +1,4 @@
+// Compiles the recorder for the baseline and for AVX2.
 #include "model/trace/record.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace rayclock {
 
 namespace {
 
-/// The rule for a ray through an edge, which needs the triangle itself.
+/// Decides for a ray through an edge, which needs the triangle itself.
 [[gnu::noinline, gnu::cold]] bool takes_on_edge(const RecordJob& job, std::uint32_t half_line,
                                                 const Vec3i& d) {
     TriRsp rsp;
@@ -21,7 +22,7 @@ namespace {
     return rsp.closer;
 }
 
-/// Bits 0, 2, 4 ... of a number below 2^8, side by side.
+/// Returns bits 0, 2, 4, ... of a number below 2^8, side by side.
 std::uint32_t every_second_bit(std::uint32_t bits) {
     return (bits & 1) | (bits >> 1 & 2) | (bits >> 2 & 4) | (bits >> 3 & 8);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// One block of pixels, recorded: the inside of record_trace(). The walk is TreeWalk, as everywhere; boxes and
-// primitives are met in a faster way, which makes use of it that all rays begin at the frame's eye.
+// Records one block of pixels: the inner part of record_trace(). The walk is TreeWalk, as everywhere. Boxes
+// and primitives are tested in a faster way, because all rays begin at the frame's eye.
 #include "model/layout/memory_image.hpp"
 #include "model/unit/isect/facet.hpp"
 #include "model/unit/isect/primitive.hpp"
@@ -18,7 +18,7 @@ struct SeenNode {
     alignas(32) std::array<double, 4> distance{};   ///< org - eye; the fourth is 0
 };
 
-/// What all rays of a frame share; for any number of threads.
+/// Data that all rays of a frame share, for any number of threads.
 class RecordJob {
 public:
     RecordJob(const MemoryImage& image, const Frame& frame, const Config& config)
@@ -33,7 +33,7 @@ public:
 
     const Frame& frame() const { return frame_; }
     const Config& config() const { return config_; }
-    const Decoder& decoder() const { return decoder_; }   ///< of structures without eye's tables
+    const Decoder& decoder() const { return decoder_; }   ///< for structures without tables for the eye
     const SeenNode& node(std::uint32_t line) const {
         return nodes_.get(line, [this, line] { return see(line); });
     }
@@ -41,7 +41,7 @@ public:
         return facets_.get(half_line,
                            [this, half_line] { return make_facet(triangle(half_line), frame_.eye); });
     }
-    /// The configuration's test, for those that have no facets.
+    /// Performs the configuration's test, for tests without facets.
     void test(std::uint32_t half_line, const Vec3i& d, const Best& best, TriRsp& out) const {
         test_(frame_.eye, d, triangle(half_line), best, config_, out);
     }
@@ -70,35 +70,36 @@ struct RecordTotals {
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
 };
 
-/// Memory that a thread keeps from block to block.
+/// Memory that a thread reuses from block to block.
 struct RecordScratch {
     explicit RecordScratch(const Config& config) : stack(config) {}
     Stack stack;
     std::vector<std::uint32_t> words;   ///< of the block's rays, in any order
-    std::vector<std::size_t> starts;    ///< where each ray's words begin, row by row
+    std::vector<std::size_t> starts;    ///< start of each ray's words, row by row
     std::size_t used = 0;               ///< words
 };
 
 /// Pixels x0..x1-1 of the rows y0..y1-1.
 struct RecordBlock {
-    static constexpr std::uint32_t side = 16;   ///< most of x1 - x0 and y1 - y0: its rays read the same nodes
+    static constexpr std::uint32_t side = 16;   ///< maximum of x1 - x0 and y1 - y0; rays of a block read the
+                                                ///< same nodes
     std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Fills `scratch` and the block's part of `hits` ([y * width + x]), adds to `totals`.
+/// Fills `scratch` and the block's part of `hits` ([y * width + x]), and adds to `totals`.
 using RecordFunction = void(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch,
                             Closest* hits, RecordTotals& totals);
 RecordFunction record_block_plain;
-/// The same, faster, if this processor can; plain otherwise.
+/// Returns the faster version if this processor supports it, otherwise the plain one.
 RecordFunction* record_block();
 
-/// One ray of any kind, of a chip that shades. Its words begin at `at` in scratch.words, which grows as it
-/// must; returns where they end.
+/// Records one ray of any kind, for a chip that shades. Its words begin at `at` in scratch.words, which grows
+/// as necessary. Returns the end of its words.
 using RecordRayFunction = std::size_t(const Decoder& decoder, const Config& config, std::uint32_t root,
                                       const Ray& ray, std::size_t at, RecordScratch& scratch,
                                       RecordTotals& totals, Closest& hit);
 RecordRayFunction record_any_plain;
-/// Likewise, the faster one if this processor can.
+/// Returns the faster version if this processor supports it, otherwise the plain one.
 RecordRayFunction* record_any();
 
 }   // namespace rayclock

@@ -1,10 +1,11 @@
-// Included inside a namespace, once for each instruction set, after slab.inl and walk.inl.
+// The recorder's inner loops. Included inside a namespace, once per instruction set, after slab.inl and
+// tree_walk.inl.
 
-/// The best hit of the exact test so far. u and v are edge functions yet: they are divided when the ray is
-/// done.
+/// The best hit of the exact test so far. u and v are still edge functions; the division follows when the ray
+/// is done.
 struct RecordBest {
     bool found = false;
-    std::uint32_t prim = 0, t = 0;   ///< t: beyond all if nothing is found
+    std::uint32_t prim = 0, t = 0;   ///< t: all ones if nothing is found
     std::int64_t num = 0, det = 0, u = 0, v = 0;
 };
 
@@ -22,7 +23,7 @@ RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_li
     best = {true, facet.prim, distance(e.num, e.det, job.config()), e.num, e.det, e.u, e.v};
 }
 
-/// How a frame's camera rays meet boxes: all begin at the eye.
+/// Tests boxes for a frame's camera rays, which all begin at the eye.
 struct FromEye {
     using Order = ByDistance;
     const RecordJob& job;
@@ -46,7 +47,7 @@ struct FromEye {
     static constexpr bool stop() { return false; }
 };
 
-/// And triangles, by the exact test.
+/// Tests triangles exactly.
 struct ExactFromEye : FromEye {
     RecordBest best{};
     RAYCLOCK_INLINE ExactFromEye(const RecordJob& job_, const Ray& from_) : FromEye(job_, from_) {
@@ -67,7 +68,7 @@ struct ExactFromEye : FromEye {
     }
 };
 
-/// Or by any test.
+/// Tests triangles with any test.
 struct AnyFromEye : FromEye {
     BestHit hit;
     AnyFromEye(const RecordJob& job_, const Ray& from_)
@@ -81,7 +82,7 @@ struct AnyFromEye : FromEye {
     RAYCLOCK_INLINE Closest closest() const { return hit.closest(); }
 };
 
-/// How any ray of a chip that shades does.
+/// Tests boxes and primitives for any ray of a chip that shades.
 struct FromAnywhere {
     using Order = ByDistance;
     const Decoder& decoder;
@@ -112,7 +113,7 @@ struct FromAnywhere {
     RAYCLOCK_INLINE Closest closest() const { return hit.closest(); }
 };
 
-/// How any ray does in a structure that has no faster way than the units' own.
+/// Tests any ray with the units' own functions, in structures without a faster way.
 struct FromUnits : UnitWay {
     FromUnits(const Decoder& decoder_, const Config& config_, const Ray& from_)
         : UnitWay{config_, decoder_, tri_test_of(config_)} {
@@ -126,7 +127,7 @@ struct WordWriter {
     static constexpr std::size_t most = 1 + max_width * ((1u << count_bits) - 1);   // words of a visit
     std::vector<std::uint32_t>& words;
     RecordTotals& totals;
-    std::uint32_t *word, *head = nullptr;   // the next; that of the visit
+    std::uint32_t *word, *head = nullptr;   // next word; first word of the visit
     std::uint32_t line = 0;
     bool enters = false;
 
@@ -159,7 +160,7 @@ struct WordWriter {
     RAYCLOCK_INLINE std::size_t end() const { return std::size_t(word - words.data()); }
 };
 
-/// Walks one ray. Its words begin at `at` in scratch.words; returns where they end.
+/// Walks one ray. Its words begin at `at` in scratch.words. Returns their end.
 template <class Way, class... Parts>
 RAYCLOCK_INLINE std::size_t record_ray(std::uint32_t root, std::size_t at, RecordScratch& scratch,
                                        RecordTotals& totals, Closest& hit, const Parts&... parts) {
@@ -180,7 +181,7 @@ template <class Way, class... Parts> static void record_rays(const RecordJob& jo
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
     std::size_t at = 0;
-    // In Morton order: neighbours read the same nodes, and the processor foretells its branches better.
+    // In Morton order: neighbours read the same nodes, and the processor predicts branches better.
     for (std::uint32_t i = 0; i < RecordBlock::side * RecordBlock::side; ++i) {
         const std::uint32_t column = every_second_bit(i), row = every_second_bit(i >> 1);
         if (column >= columns || row >= rows) continue;

@@ -1,3 +1,4 @@
+// Records all rays of the pixels of a block.
 #include "model/trace/record_shaded.hpp"
 
 #include "model/unit/raygen/raygen.hpp"

@@ -1,16 +1,18 @@
 #pragma once
+// The recorder for a chip that shades.
 #include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 
 namespace rayclock {
 
-/// What the word after a ray says of the next one.
+/// Returns the purpose of the next ray, as the word after a ray holds it.
 inline std::uint32_t purpose_word(const Shader& shader) {
     return std::uint32_t(shader.purpose()) << Trace::purpose_shift;
 }
 
-/// Shading frames: one block of pixels, all rays of each; as record_block() does for camera rays alone.
+/// Records frames with shading: one block of pixels, all rays of each. record_block() does this for camera
+/// rays alone.
 class ShadedRecorder {
 public:
     ShadedRecorder(const MemoryImage& image, const Frame& frame, const Config& config, const Decoder& decoder)
@@ -23,12 +25,12 @@ public:
     void block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals);
     const RayCounts& counts() const { return shader_.counts(); }
 
-    /// One pixel again, seen by `watch`; as it was recorded.
+    /// Walks one pixel again, exactly as it was recorded, and reports it to `watch`.
     const Pixel& follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch, ShadeWatch& watch);
     std::uint64_t signature() const { return shader_.signature(); }   ///< of that pixel
 
 private:
-    /// Their words begin at `at` in scratch.words; return where they end.
+    /// Records a pixel. Its words begin at `at` in scratch.words. Returns their end.
     std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch,
                       RecordTotals& totals);
 

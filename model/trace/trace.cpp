@@ -1,3 +1,4 @@
+// Records a frame's rays on all cores.
 #include "model/trace/trace.hpp"
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace rayclock {
 
-/// Threads take blocks in order, so that a machine that replays beside them finds the rays that it wants
-/// next.
+/// The state that the threads share. They take blocks in order, so that a machine that replays at the same
+/// time finds its next rays.
 struct Recording::Work {
     static constexpr std::uint32_t block = RecordBlock::side;
 
@@ -92,7 +93,7 @@ struct Recording::Work {
     const MemoryImage& image;
     RecordJob job;
     RecordFunction* record;
-    std::unique_ptr<Decoder> decoder;   // of a chip that shades
+    std::unique_ptr<Decoder> decoder;   // for a chip that shades
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::uint64_t finished = 0;
@@ -110,8 +111,8 @@ Recording::Recording(const MemoryImage& image, const Frame& frame, const Config&
         for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i)
             work_->threads.emplace_back([work = work_.get()] { work->run(); });
     } catch (const std::system_error&) {
-        // The system gives no more threads. The threads that were made do all the work. If there are none,
-        // the caller's thread does it now.
+        // The system provides no more threads. Existing threads do all the work. Without any, the caller's
+        // thread does it now.
         if (work_->threads.empty()) work_->run();
     }
 }

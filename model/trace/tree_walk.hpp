@@ -1,4 +1,5 @@
 #pragma once
+// The arrays of a walk through a tree.
 #include <type_traits>
 #include <utility>
 
@@ -11,10 +12,10 @@ namespace rayclock {
 /// Arrays of a walk.
 template <class Order> struct WalkRoom {
     alignas(32) std::array<typename Order::Time, max_width> t_near;   ///< by child
-    alignas(32) std::array<typename Order::Key, max_width> leaves;    ///< that the ray meets, in order
+    alignas(32) std::array<typename Order::Key, max_width> leaves;    ///< leaves that the ray meets, in order
 };
 
-/// The leaves of a node that a ray meets, in order: for LeafCursor.
+/// The leaves of a node that a ray meets, in order: the `Met` of LeafCursor.
 template <class Order> struct MetLeaves {
     const WideNode* node = nullptr;
     const typename Order::Key* keys = nullptr;

@@ -1,23 +1,24 @@
-// A ray's walk through the tree of boxes. Included inside a namespace, once for each instruction set; for
-// whoever needs no more than the baseline, walk.hpp has it.
+// A ray's walk through the tree. Included inside a namespace, once per instruction set. tree_walk.hpp has it
+// for the baseline.
 
-/// What happens to one ray, step by step, or in one go by run(). This is the only place that says in which
-/// order nodes are visited and primitives are tested.
+/// The course of one ray, step by step, or as a whole by run(). Only this class defines the order in which
+/// nodes are visited and primitives are tested.
 ///
-/// In each visit the boxes of the node's children are tested. Of the children that the ray meets, leaves come
-/// first, nearest first, and their primitives are tested one by one, none beyond the best hit; then the stack
+/// Each visit tests the boxes of the node's children. Among the children that the ray meets, leaves come
+/// first, nearest first. Their primitives are tested one by one, none beyond the best hit. Then the stack
 /// decides where the ray goes. A blocked light ends the ray.
 ///
-/// `Way` knows what boxes and primitives are, and the best hit. It has
-///   - `Order`, as GroupStack has it;
-///   - `const WideNode& boxes(line, Time* t_near, uint32_t& hits)`: bit i of `hits` says that child i is met,
-///     and t_near[i] where;
-///   - `void test(half_line)`, of a primitive;
-///   - if there may be no nodes, but a list of all primitives, `bool is_list()`, and `uint32_t
-///     next_page(line)`, 0 after the last: boxes() then gives a page of it;
-///   - if there may be instances, `bool enters()`: what boxes() gave is one, and no node;
-///   - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
-/// Way, stack and arrays are the caller's, so that the rest can stay in registers.
+/// `Way` tests boxes and primitives, and holds the best hit. It has
+/// - `Order`, as in GroupStack;
+/// - `const WideNode& boxes(line, Time* t_near, uint32_t& hits)`: sets bit i of `hits` if child i is met, and
+///   t_near[i];
+/// - `void test(half_line)`, for a primitive;
+/// - `bool is_list()` and `uint32_t next_page(line)`, 0 after the last, if the structure may be a list of all
+///   primitives; boxes() then returns a page of it;
+/// - `bool enters()`, if there may be instances: true if the last boxes() returned an instance;
+/// - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
+///
+/// The caller owns way, stack and arrays, so that the rest can stay in registers.
 template <class Way> class TreeWalk {
 public:
     using Order = typename Way::Order;
@@ -30,10 +31,11 @@ public:
         line_ = root;
         stack_.clear();
     }
-    std::uint32_t line() const { return line_; }   ///< of the next node; between visit() and decide() of this
-    const WideNode& node() const { return *node_; }   ///< that is visited
-    std::uint32_t hits() const { return hits_; }      ///< its children that the ray meets, bit by bit
-    bool enters() const {                             ///< it is no node but an instance
+    /// Returns the line of the next node; between visit() and decide(), the line of this one.
+    std::uint32_t line() const { return line_; }
+    const WideNode& node() const { return *node_; }   ///< the node visited
+    std::uint32_t hits() const { return hits_; }   ///< children of this node that the ray meets, one bit each
+    bool enters() const {                          ///< true if an instance was visited
         if constexpr (requires { way_.enters(); })
             return way_.enters();
         else
@@ -42,7 +44,7 @@ public:
     const Time* t_near() const { return room_.t_near.data(); }
     int stack_height() const { return stack_.height(); }
 
-    /// Tests a node's boxes. True if there is a primitive to be tested.
+    /// Tests a node's boxes. Returns true if there is a primitive to test.
     RAYCLOCK_INLINE bool visit() {
         node_ = &way_.boxes(line_, room_.t_near.data(), hits_);
         met_.node = node_;
@@ -54,11 +56,11 @@ public:
         cursor_.enter(met_);
         return true;
     }
-    /// The half line of the primitive to be tested.
+    /// Returns the half line of the primitive to test.
     std::uint32_t prim() const { return cursor_.half_line; }
-    /// After its test. True if there is another.
+    /// Advances after a test. Returns true if there is another primitive.
     RAYCLOCK_INLINE bool advance() { return !way_.stop() && cursor_.advance(met_, way_.t()); }
-    /// To the next node, or the ray's end. Returns how many groups were dropped on the way.
+    /// Moves to the next node, or to the ray's end. Returns the number of groups dropped on the way.
     RAYCLOCK_INLINE std::uint32_t decide(bool& done) {
         const bool stop = way_.stop();
         if constexpr (requires { way_.next_page(line_); })
@@ -77,8 +79,8 @@ public:
         return dropped;
     }
 
-    /// All of it. `watch` is told of each visit when its boxes are tested, of each primitive, and of each
-    /// decision: visit(walk), test(half_line), decided(dropped, done).
+    /// Walks the whole ray. It calls `watch` after each test of boxes, before each test of a primitive, and
+    /// after each decision: visit(walk), test(half_line), decided(dropped, done).
     template <class Watch> RAYCLOCK_INLINE void run(std::uint32_t root, Watch&& watch) {
         start(root);
         for (bool done = false; !done;) {

@@ -1,3 +1,4 @@
+// Starts a ray's walk.
 #include "model/trace/walk.hpp"
 
 #include "model/unit/raygen/raygen.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// One ray's walk by the units' pure functions.
 #include "model/trace/tree_walk.hpp"
 #include "model/unit/isect/any.hpp"
 #include "model/unit/isect/primitive.hpp"
@@ -7,7 +8,7 @@
 
 namespace rayclock {
 
-/// How any ray meets nodes and primitives, of any structure: by the units' pure functions.
+/// Tests nodes and primitives of any structure for any ray, by the units' pure functions.
 struct UnitWay {
     using Order = ByDistance;
     const Config& config;
@@ -15,9 +16,9 @@ struct UnitWay {
     TriTest* primitive_test;
     Ray ray{};
     BoxRay from{};
-    GlobeRay toward{};    ///< if there are globes
-    Vec3i along{};        ///< the direction as slants want it
-    InsideRay inside{};   ///< if there are instances
+    GlobeRay toward{};    ///< with globes
+    Vec3i along{};        ///< the direction in the form of slants
+    InsideRay inside{};   ///< with instances
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
     WideNode page{};
@@ -62,14 +63,14 @@ struct UnitWay {
         }
     }
     bool enters() const { return inside.enters; }
-    /// The ray as the units that decide nodes want it, in the space of the node in a line.
+    /// Return the ray in the form of the units that decide nodes, in the space of the node in a line.
     const BoxRay& from_at(std::uint32_t line) const { return in_mesh(line) ? inside.from : from; }
     const GlobeRay& toward_at(std::uint32_t line) const { return in_mesh(line) ? inside.toward : toward; }
     const Vec3i& along_at(std::uint32_t line) const { return in_mesh(line) ? inside.along : along; }
     bool in_mesh(std::uint32_t line) const {
         return config.has_instances() && decoder.kind(line) == LineKind::mesh_node;
     }
-    /// A primitive, numbered as the scene does it.
+    /// Returns a primitive, numbered as in the scene.
     PrimData primitive(std::uint32_t half_line) const {
         PrimData prim = decoder.prim(half_line);
         if (config.has_instances()) prim.prim += inside.change.first;
@@ -95,56 +96,56 @@ struct UnitWay {
     bool stop() const { return hit.stop(); }
 };
 
-/// *What* one ray does, and what every link of the machine must carry for it. The sequence of nodes, tests
-/// and results does not depend on *when* anything happens.
+/// *What* one ray does, and the values that every link of the machine must carry for it. The sequence of
+/// nodes, tests and results does not depend on *when* anything happens.
 class Walk {
 public:
     Walk(const Frame& frame, const Config& config, const Decoder& decoder)
         : frame_(frame), way_{config, decoder, tri_test_of(config)}, stack_(config) {}
     Walk(const Walk&) = delete;
 
-    /// raygen: the camera ray of a pixel; the next node is the root.
+    /// raygen: starts the camera ray of a pixel; the next node is the root.
     const Ray& start(const Slot& slot);
-    /// Any ray, made as raygen would.
+    /// Starts any ray, in the form in which raygen would send it.
     const Ray& start_at(const Ray& ray);
-    /// To its end; see TreeWalk::run().
+    /// Walks to the ray's end; see TreeWalk::run().
     template <class Watch> void run(Watch&& watch) { steps_.run(frame_.root, watch); }
 
-    std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
+    std::uint32_t node() const { return steps_.line(); }   ///< the next node, or the one in flight
 
-    /// box (treelet, globe, slant), on the next node, and trav on its answer; of a list, trav on the next
-    /// page. True if list has a triangle to be tested.
+    /// Performs box (treelet, globe, slant) on the next node, and trav on its answer; for a list, trav on the
+    /// next page. Returns true if list has a triangle to test.
     bool test_node() { return has_leaves_ = steps_.visit(); }
-    bool has_leaves() const { return has_leaves_; }   ///< what it returned
-    std::uint32_t met() const {
-        return steps_.hits();
-    }   ///< that node's children that the ray meets, as bits
+    bool has_leaves() const { return has_leaves_; }   ///< result of test_node()
+    /// Returns that node's children that the ray meets, one bit each.
+    std::uint32_t met() const { return steps_.hits(); }
     BoxRsp boxes() const { return box_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node()); }
-    Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav gave to list
+    Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav sent to list
     std::uint32_t prim() const { return steps_.prim(); }
-    /// tri, on the next triangle, and list on its answer.
+    /// Performs tri on the next triangle, and list on its answer.
     const TriRsp& test_triangle() {
         way_.test(prim());
         return tri();
     }
-    /// True if there is another triangle.
+    /// Advances. Returns true if there is another triangle.
     bool advance() { return steps_.advance(); }
 
     /// list -> trav, when no triangle is left.
     Tested tested() const { return {ray().ray, way_.stop(), way_.t()}; }
-    /// trav: to the next node, or the ray's end. Returns how many groups were dropped on the way.
+    /// trav: moves to the next node, or the ray's end. Returns the number of groups dropped on the way.
     std::uint32_t decide(bool& done) { return steps_.decide(done); }
-    /// Groups on the ray's stack now.
+    /// Returns the number of groups on the ray's stack.
     int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return way_.ray; }
     const Vec3i& along() const { return way_.along_at(node()); }     ///< for the next node
     const BoxRay& box_ray() const { return way_.from_at(node()); }   ///< for the next node
-    bool enters() const { return way_.enters(); }                    ///< what was visited last is an instance
-    const Change& change() const { return way_.inside.change; }      ///< xform's answer there
-    const Vec3i& o() const { return way_.o(); }                      ///< of the ray as tri sees it
+    bool enters() const { return way_.enters(); }   ///< true if the node visited last is an instance
+    const Change& change() const { return way_.inside.change; }   ///< xform's answer there
+    const Vec3i& o() const { return way_.o(); }                   ///< of the ray as tri sees it
     const Vec3i& d() const { return way_.d(); }
-    PrimData primitive() const { return way_.primitive(prim()); }          ///< the next, or that under way
+    /// Returns the next primitive, or the one in flight.
+    PrimData primitive() const { return way_.primitive(prim()); }
     const GlobeRay& globe_ray() const { return way_.toward_at(node()); }   ///< for the next node
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }

@@ -1,4 +1,4 @@
-// compile_levels: lattices and maps, a lower structure for each class, the scene's tree above them.
+// compile_levels: lattices and maps, a lower structure for each class, and the scene's tree above them.
 #include <bit>
 #include <map>
 
@@ -15,7 +15,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
+constexpr int most_groups = 62;   // a Trace reserves larger counts of dropped groups for instances
 
 class LevelsCompiler {
 public:
@@ -29,7 +29,7 @@ public:
         out_.rooms.assign(lowers_.size(), 0), out_.surfaces.assign(lowers_.size(), 0);
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
-        if (buffers > 0) {   // room for as many trees, whatever they look like
+        if (buffers > 0) {   // each buffer has room for any tree of the film
             out_.upper_lines = aligned(room(out_.entries));
             image_.words.resize(std::size_t(out_.upper_lines) * std::size_t(buffers) * words_per_line, 0);
         }
@@ -54,7 +54,7 @@ public:
 private:
     std::uint32_t class_of(std::uint32_t instance) const { return out_.maps.instances[instance].mesh_class; }
 
-    /// Instances of which something is left.
+    /// Collects the instances that have primitives left on the lattice.
     void gather_entries() {
         std::uint64_t& number = triangles_;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
@@ -76,7 +76,7 @@ private:
                             " bits; a larger coord_bits or an eye closer to the scene would help");
     }
 
-    /// Whole lines of every cache: none that holds a line of one tree holds one of another.
+    /// Rounds up to whole lines of every cache, so that no cache line holds lines of two trees.
     std::uint32_t aligned(std::uint32_t lines) const {
         const auto step = std::uint32_t(
             std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) /
@@ -93,7 +93,7 @@ private:
         if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_.lower(), name_);
     }
 
-    /// Lower structures behind the scene's tree.
+    /// Appends the lower structures after the scene's tree.
     void append_lowers() {
         for (std::size_t c = 0; c < lowers_.size(); ++c) {
             out_.roots.push_back(lowers_[c].words.empty() ? 0 : image_.lines());
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    /// For any tree over what deforms, in each buffer.
+    /// Reserves lines for any tree over a mesh that deforms, in each buffer.
     void make_room(std::size_t c, std::uint32_t root) {
         if (out_.rooms[c] == 0) return;
         const std::uint64_t lines = root + std::uint64_t(out_.rooms[c]) * std::uint64_t(buffers_);
@@ -115,7 +115,7 @@ private:
         image_.words.resize(std::size_t(lines) * words_per_line, 0);
     }
 
-    /// What an entry can say once the lower structures lie in memory.
+    /// Fills an entry's addresses once the lower structures lie in memory.
     void complete(UpperEntry& entry, std::uint32_t instance) {
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
@@ -123,14 +123,14 @@ private:
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 
-    /// Line of the first surface of an instance's mesh; instances of a class share them.
+    /// Returns the line of the first surface of an instance's mesh. Instances of a class share surfaces.
     std::uint32_t surfaces_of(std::uint32_t instance) {
         const auto [found, is_new] = surfaces_.try_emplace(class_of(instance), image_.lines());
         if (is_new) write_surfaces_of(class_of(instance));
         return found->second;
     }
 
-    /// Line of a surface that has a material and no corners.
+    /// Returns the line of a surface with a material but without corners.
     std::uint32_t material_of(std::uint32_t material) {
         const auto [found, is_new] = materials_of_.try_emplace(material, image_.lines());
         if (!is_new) return found->second;
@@ -150,7 +150,7 @@ private:
         for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
     }
 
-    /// The scene's own spheres and planes; the lattice is the scene's.
+    /// Writes the surfaces of the scene's own spheres and planes, on the scene's lattice.
     void write_round(const Lattice& lattice) {
         Scene scene;
         scene.spheres = parts_.round->spheres, scene.planes = parts_.round->planes;
@@ -158,7 +158,7 @@ private:
         write(scene, lattice);
     }
 
-    /// Surfaces of a scene whose unit is a step.
+    /// Writes the surfaces of a scene whose unit is a lattice step.
     void write(const Scene& scene) { write(scene, {glm::dvec3(0), glm::dvec3(1), config_.coord_bits}); }
     void write(const Scene& scene, const Lattice& lattice) {
         MemoryImage surfaces;
@@ -168,8 +168,7 @@ private:
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
 
-    /// Nodes of a lower structure that was compiled from line 0 on and now begins at `root`; `Line` is what
-    /// they are.
+    /// Moves the nodes of a lower structure, compiled from line 0 on, to `root`. `Line` is their type.
     template <class Line> void move_nodes(std::uint32_t root) {
         std::vector<std::uint32_t> pending{root};
         while (!pending.empty()) {
@@ -205,7 +204,8 @@ private:
 
 std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
     std::vector<PrimData> all;
-    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
+    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // a mirrored mesh is inside out:
+                                                                           // swap two corners
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto corner = [&](std::size_t k) {
             return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
@@ -228,8 +228,8 @@ std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, co
     return all;
 }
 
-// Corner normals are turned as planes are: by the transpose of what takes steps to the class's space. In the
-// scene each has unit length again; the map's transpose takes all three there together, so their lengths are
+// Corner normals transform as planes do: by the transpose of the map from steps to the class's space. In the
+// scene each has unit length again. The map's transpose takes all three there together, so their lengths are
 // set here.
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
     Scene part, scene;

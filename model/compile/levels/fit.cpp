@@ -1,3 +1,4 @@
+// Computes instance maps, their boxes, and the bounds on a hit's error.
 #include "model/compile/levels/fit.hpp"
 
 #include <algorithm>
@@ -14,10 +15,10 @@
 namespace rayclock {
 namespace {
 
-// Of a mesh with more corners, the box of an instance that moves is not exact.
+// If a mesh has more corners than this, the box of a moving instance is not exact.
 constexpr std::size_t most_exact = 64;
 
-/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids
+/// Extents of the class's corners along a row of the stored map's inverse: of all corners, or of solids
 /// around them.
 struct Extent {
     double lo = 0, hi = 0;
@@ -39,14 +40,14 @@ Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dve
     return extent;
 }
 
-/// How far off its own triangles a hit may be for all rays of a chip that shades, bounce after bounce:
-/// docs/motion.md, Secondary rays. Where a ray leaves the instance again, it begins as far off as it was when
-/// it met it, and a little more.
+/// Returns the largest distance of a hit from its own triangles, over all rays of a chip that shades, bounce
+/// after bounce (docs/motion.md, Secondary rays). A ray that leaves the instance again starts as far off as
+/// it was when it met it, and a little more.
 double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, const Config& config) {
     const double frac = std::ldexp(1, -config.origin_bits), slope = is_whole ? 0 : 0.5,
                  camera = std::ldexp(1, config.dir_bits - 2),
                  bounce = config.refraction ? shortest_held(config) : 0.57 * camera;
-    const auto reach = [&](double begin, double shortest) {   // S, of a ray that begins so far off
+    const auto reach = [&](double begin, double shortest) {   // S, for a ray that begins this far off
         return (2 * largest_of(config) + 2 + stretch * (1.25 + begin)) / (shortest - slope * stretch);
     };
     const double anew = std::ldexp(1, -config.t_frac_bits) + frac + 1.25 + 2.5 * frac * made.longest;
@@ -58,8 +59,8 @@ double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, co
     return off;
 }
 
-/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a
-/// triangle lies within its corners' box, and so do the triangle's points, each with that around it.
+/// Sets the box of the mesh's corners as the stored map places them, enlarged by the error of a hit around
+/// each. A triangle lies within its corners' box, and so do its points, each with that error around it.
 void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3& moved, const Config& config,
                bool by_reach, Fitted& fitted) {
     const double largest = largest_of(config);
@@ -68,13 +69,14 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
     glm::dvec3 reach(0);   // of a step in the mesh
     for (int i = 0; i < 3; ++i) reach[i] = std::abs(back[0][i]) + std::abs(back[1][i]) + std::abs(back[2][i]);
     const double stretch = std::max({reach.x, reach.y, reach.z});   // alpha
-    const double shortest = std::ldexp(1, config.dir_bits - 2);     // of a direction's largest component
+    const double shortest = std::ldexp(1, config.dir_bits - 2);     // least size of a direction's largest
+                                                                    // component
     fitted.stretched = !(stretch <= most_stretch);
     if (fitted.stretched) return;
     const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);
     map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
     if (config.shading && !map.is_same) map.off = off_of_secondary(made, map.is_whole, stretch, config);
-    const double slack = map.is_whole && !by_reach ? 0 : 1.0 / 64;   // of double arithmetic here
+    const double slack = map.is_whole && !by_reach ? 0 : 1.0 / 64;   // covers the double arithmetic here
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 row(back[0][i], back[1][i], back[2][i]);
         const Extent extent = by_reach ? extent_of(made, row, moved) : exact_extent(made, row, moved);

@@ -1,3 +1,4 @@
+// Sorts instances into classes and fits lattices and maps.
 #include "model/compile/levels/fit.hpp"
 
 #include <algorithm>
@@ -13,24 +14,24 @@
 namespace rayclock {
 namespace {
 
-constexpr std::uint64_t most_corners = 20'000'000;   // of all instances: of more, no box is exact
+constexpr std::uint64_t most_corners = 20'000'000;   // corners of all instances; with more, no box is exact
 
-/// What a class's members need of its lattice.
+/// The requirements of a class's members on its lattice.
 struct Needs {
     glm::dvec3 least{0}, most{0};   ///< steps of the members
     glm::dvec3 lo{0}, hi{0};
-    bool is_one = true;   ///< all members see the same
+    bool is_one = true;   ///< all members see the same lattice
     Seen seen;
 };
 
-/// Normals go by the cofactors of a place; what these make of a length is told by their square.
+/// Returns the cofactors of a place, which transform normals. Their square gives the change of lengths.
 glm::dmat3 cofactors_of(const glm::dmat4& place) {
     const glm::dmat3 m(place);
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-/// Whether two maps stretch all directions alike, to 2^-12, up to a common factor. With a square of trace 1
-/// no eigenvalue is below the determinant.
+/// True if two maps stretch all directions alike, to 2^-12, up to a common factor. For a square of trace 1 no
+/// eigenvalue is below the determinant.
 bool stretch_alike(const glm::dmat3& one, const glm::dmat3& other) {
     const auto square_of = [](const glm::dmat3& m) {
         const glm::dmat3 square = glm::transpose(m) * m;
@@ -62,8 +63,8 @@ public:
         is_large_ = corners > most_corners;
     }
 
-    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves
-    /// would have to be written out.
+    /// Computes everything. Rounding may push boxes beyond the lattice; the lattice then gets a margin.
+    /// Returns false if a moving instance would have to be written out.
     bool run() {
         find_bounds();
         for (double margin = 0;;) {
@@ -74,8 +75,7 @@ public:
             if (beyond <= 0) return true;
             margin += beyond + 1;
             if (margin < largest_ / 4) continue;
-            // Not seen yet. What is written out rounds nothing, and needs no margin but that of secondary
-            // rays.
+            // Never observed. Written-out instances round nothing, and need a margin only for secondary rays.
             if (all_out_)
                 throw UserError("two levels need more origin_bits than " +
                                 std::to_string(config_.origin_bits) + " for secondary rays on this lattice");
@@ -120,7 +120,7 @@ private:
             hi = glm::max(hi, point);
         }
     };
-    /// Planes do not count, if there is anything else.
+    /// Adds spheres. Planes count only if there is nothing else.
     void add_round(Growing& box) const {
         Scene round;
         round.spheres = parts_.round->spheres;
@@ -130,7 +130,7 @@ private:
         box.add(glm::dmat4(1), all.lo);
         box.add(glm::dmat4(1), all.hi);
     }
-    /// Of a mesh's bounds: they hold it, and so do their images.
+    /// Returns the corners of a mesh's bounds. Their images bound the mesh's image.
     const std::array<glm::dvec3, 8>& corners_of(std::uint32_t number) {
         const auto [found, is_new] = corners_.try_emplace(number);
         if (!is_new) return found->second;
@@ -159,7 +159,8 @@ private:
                            parts_.round ? room_around_planes(*parts_.round, config_) : 1);
     }
 
-    /// All of it; returns by how many steps boxes reach beyond what a node can say, at the worst time.
+    /// Computes lattice, classes and maps. Returns the number of steps by which boxes reach beyond the range
+    /// of a node, at the worst time.
     double map(double margin) {
         maps_ = {};
         maps_.lattice = scene_lattice(margin);
@@ -167,7 +168,8 @@ private:
         make_lattices();
         double beyond = 0;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i)
-            for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)   // the first time is what stays
+            for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)   // the first time comes last, and
+                                                                            // its map stays
                 beyond = std::max(beyond, map_one(i, t));
         return beyond;
     }
@@ -250,7 +252,8 @@ private:
         needs.hi = glm::max(needs.hi, more.hi);
     }
 
-    /// The smallest lattice that covers what all members see; to the bit theirs, if all see the same.
+    /// Sets each class's lattice: the smallest one that covers the members' lattices. If all members see the
+    /// same lattice, it is theirs to the bit.
     void make_lattices() {
         for (std::size_t c = 0; c < needs_.size(); ++c) {
             const Needs& needs = needs_[c];
@@ -268,7 +271,7 @@ private:
         }
     }
 
-    /// The corners of a box around spheres; planes are everywhere.
+    /// Sets the corners of a box around the spheres. Planes are everywhere.
     void hold_round(MeshClass& made) const {
         LatticeBox box;
         for (const PrimData& prim : snapped(parts_, made, config_)) box.add(box_of(prim, config_.coord_bits));
@@ -276,8 +279,8 @@ private:
         made.reach = reach_of(made);
     }
 
-    /// Of a mesh that deforms: the corners of its bounds at all times, and what they may be off on the
-    /// lattice.
+    /// Sets, for a mesh that deforms, the corners of its bounds at all times, enlarged by the corners' error
+    /// on the lattice.
     void take_room(MeshClass& made) {
         const std::int32_t off = config_.shading ? 1 << most_fine : 1;
         LatticeBox box;
@@ -301,7 +304,7 @@ private:
     std::vector<bool> moves_;
     bool is_large_ = false;
     std::map<std::uint32_t, std::array<glm::dvec3, 8>> corners_;   // by mesh
-    bool written_out_ = false;                                     // one more was found
+    bool written_out_ = false;                                     // another one was found
     bool all_out_ = false;
     Bounds bounds_;
     LevelMaps maps_;
@@ -309,7 +312,7 @@ private:
     std::vector<Needs> needs_;
 };
 
-/// As in a flat scene; see there.
+/// Aligns large triangles as in a flat scene; see aligned() in surfaces.hpp.
 void align(MeshClass& made, const SharedMesh& mesh) {
     Scene scene;
     for (const glm::dvec3& at : mesh.vertices)

@@ -1,3 +1,4 @@
+// Writes the trees of a film's frames, and collects the differences.
 #include "model/compile/levels/moving.hpp"
 
 #include <algorithm>
@@ -15,16 +16,17 @@ std::string name_of(const PlacedScene& scene) {
     return scene.own.name.empty() ? "the scene" : scene.own.name;
 }
 
-/// Meshes of the parts before those of the scene: its own triangles. Spheres and planes come last.
+/// Returns the number of meshes of the parts before those of the scene: its own triangles. Spheres and planes
+/// come last.
 std::uint32_t before_meshes(const LevelParts& parts, const PlacedScene& scene) {
     return std::uint32_t(parts.meshes.size() - scene.meshes.size() - (parts.round ? 1 : 0));
 }
 
-/// With what is said of meshes of the scene as of those of the parts.
+/// Returns the parts, with the shapes' bounds moved from the scene's mesh numbers to those of the parts.
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own, const ShapeBounds& shapes) {
     LevelParts parts = parts_of(scene, own);
     if (shapes.empty()) return parts;
-    parts.deforming.resize(before_meshes(parts, scene));   // the scene's own does not deform
+    parts.deforming.resize(before_meshes(parts, scene));   // the scene's own triangles do not deform
     parts.deforming.insert(parts.deforming.end(), shapes.begin(), shapes.end());
     return parts;
 }
@@ -48,10 +50,11 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
     return made;
 }
 
-/// A tree of boxes or globes has a bound. Of planes those of all frames are made: the largest is the room.
+/// Returns the room for the scene's tree. A tree of boxes or globes has a bound. For planes, the trees of all
+/// frames are built, and the largest gives the room.
 std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::span<const Places> times) {
     if (!config_.upper().has_planes()) return most_upper_lines(entries.size());
-    std::vector<InstanceMap>& maps = levels_.maps.instances;   // of which the entries tell
+    std::vector<InstanceMap>& maps = levels_.maps.instances;   // the entries refer to these
     const std::vector<InstanceMap> now = maps;
     std::uint32_t most = 0;
     for (const Places& places : times) {
@@ -84,7 +87,7 @@ MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<c
         parts, scene.own.materials, config_, name_, buffers,
         [&](const std::vector<UpperEntry>& entries) { return room(entries, times); }, levels_);
     levels_.image.report.seconds = watch.seconds();
-    // What is there now comes with the first frame.
+    // The first frame brings the content of these lines.
     std::fill_n(levels_.image.words.begin(), std::size_t(levels_.upper_lines) * words_per_line, 0u);
 }
 
@@ -128,7 +131,7 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
     return upload;
 }
 
-/// What the memory holds where the frame's trees will lie.
+/// Records the memory's content where the frame's trees will lie.
 void MovingLevels::hold(std::size_t buffer) {
     const bool is_new = frame_ < std::size_t(buffers_);
     const auto part = [&](std::uint32_t first, std::uint32_t lines, Follower* follower) {
@@ -149,8 +152,9 @@ void MovingLevels::hold(std::size_t buffer) {
               [](const Region& a, const Region& b) { return a.first < b.first; });
 }
 
-/// What follows a mesh comes whole with the first frame that reads it, whatever the memory held: a line of it
-/// may be all zeros. So do lines that only a longer tree reaches.
+/// The tree and surfaces of a deforming mesh come whole with the first frame that reads them. They do so
+/// whatever the memory held, because a line of them may be all zeros. The same holds for lines that only a
+/// longer tree reaches.
 void MovingLevels::take_region(const Region& region, std::size_t buffer, Upload& upload) const {
     std::uint32_t lines = region.lines;
     if (Follower* const follower = region.follower) {
@@ -175,7 +179,7 @@ void MovingLevels::follow(const PlacedScene& scene, double rebuild, std::size_t 
     }
 }
 
-/// Writes what follows a mesh into a buffer, and lets the instances of the class find it there.
+/// Writes the tree and surfaces of a mesh into a buffer, and points the class's instances to them.
 void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::vector<Material>& materials,
                         std::size_t buffer) {
     const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c],

@@ -1,3 +1,4 @@
+// Writes the scene's tree of two levels.
 #include "model/compile/levels/upper.hpp"
 
 #include <algorithm>
@@ -10,13 +11,13 @@
 namespace rayclock {
 namespace {
 
-/// The tree with an entry for each leaf.
+/// Returns the configuration of a tree with one entry per leaf.
 Config single(Config config) {
     config.leaf_size = 1;
     return config;
 }
 
-/// How a node over subtrees is written: as boxes,
+/// Writes a node over subtrees as boxes.
 class Boxes {
 public:
     Boxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const Collapse&, const Config& config)
@@ -32,7 +33,7 @@ private:
     const Config& config_;
 };
 
-/// or as globes, which hold the corners of boxes, and so all of them.
+/// Writes a node over subtrees as globes, which hold the corners of boxes and so the boxes.
 class Globes {
 public:
     Globes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const Collapse& collapse,
@@ -62,7 +63,7 @@ public:
                const Collapse& collapse)
         : tree_(tree), lines_(lines), totals_(totals), as_(as), collapse_(collapse) {}
 
-    /// Returns how many groups of siblings a ray may have to keep below the node.
+    /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
     int write(std::uint32_t node, std::uint32_t line, int depth) {
         std::vector<WideChild> found;
         collapse_.children(node, found);

@@ -7,19 +7,19 @@
 namespace rayclock {
 namespace {
 
-/// `Line` is what a node is: a treelet or a slant.
+/// `Line` is the type of a node: a treelet or a slant.
 template <class Line> class CellWriter {
 public:
     CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
 
-    /// Returns how many groups of siblings a ray may have to keep below the node.
+    /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
     int write(const kd::Place& place, std::uint32_t at, int depth) {
         Line line;
         const int width = lines_.config().node_width;
         const std::array<kd::Place, max_width> exits = kd::Exits<Line>(1).of(place, width, line);
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < std::size_t(width); ++i) {
-            line.kind[i] = !exits[i].is_empty();   // an instance stands where an inner child would
+            line.kind[i] = !exits[i].is_empty();   // an instance takes the place of an inner child
             count += line.kind[i];
         }
         line.base = lines_.take(count);
@@ -45,7 +45,7 @@ private:
 UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std::vector<LatticeBox>& boxes,
                               UpperLines& lines, std::uint32_t root, std::vector<PlacedEntry>& placed) {
     Config config = lines.config();
-    config.leaf_size = 1;   // of an octree
+    config.leaf_size = 1;   // for an octree
     const kd::Pieces pieces(boxes, config);
     const kd::CellPtr cells =
         config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, {}, config);

@@ -1,5 +1,5 @@
 #pragma once
-// What all writers of the scene's tree do with lines.
+// The use of lines, shared by all writers of the scene's tree.
 #include "model/compile/emit.hpp"
 #include "model/layout/encode.hpp"
 #include "model/compile/levels/upper.hpp"
@@ -8,7 +8,7 @@ namespace rayclock {
 
 class UpperLines {
 public:
-    /// Lines from `line` on; the root has the first.
+    /// Takes lines from `line` on; the first is the root's.
     UpperLines(std::uint32_t line, const Config& config, const std::string& name,
                std::vector<std::uint32_t>& words)
         : first_(line), next_(line), config_(config), name_(name), words_(words) {
@@ -17,7 +17,7 @@ public:
     const Config& config() const { return config_; }
     std::uint32_t taken() const { return next_ - first_; }
 
-    /// So many lines more; returns the first.
+    /// Takes `count` more lines and returns the first. Throws UserError if they cannot be addressed.
     std::uint32_t take(std::size_t count) {
         const std::uint32_t first = next_;
         next_ += std::uint32_t(count);
@@ -40,13 +40,13 @@ private:
     Words scratch_;
 };
 
-/// What became of it: how deep, and how many groups of siblings a ray may have to keep.
+/// The totals of a tree: its depth, and the sibling groups that a ray may have to keep.
 struct UpperTotals {
     const std::vector<UpperEntry>& entries;
     std::vector<PlacedEntry>& placed;
     UpperReport report{};
 
-    /// An entry stands in a line, in a node at this depth; returns how many groups are kept below.
+    /// Records an entry in a line, in a node at this depth. Returns the number of groups kept below.
     int place(std::uint32_t entry, std::uint32_t line, int depth) {
         placed.push_back({entry, line});
         report.depth = std::max(report.depth, depth + 1 + entries[entry].depth);
@@ -55,7 +55,7 @@ struct UpperTotals {
     }
 };
 
-/// The tree of a structure of planes over boxes.
+/// Writes the tree of a structure of planes over boxes.
 UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std::vector<LatticeBox>& boxes,
                               UpperLines& lines, std::uint32_t root, std::vector<PlacedEntry>& placed);
 

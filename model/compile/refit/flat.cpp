@@ -1,3 +1,4 @@
+// Refits the tree of a scene in one level, frame by frame.
 #include "model/compile/refit/flat.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 std::string name_of(const Scene& scene) { return scene.name.empty() ? "the scene" : scene.name; }
 
-/// As compile_scene() finds it, but for the bounds and eyes of all frames.
+/// Returns the lattice as compile_scene() computes it, with the bounds and eyes of all frames.
 Lattice lattice_of(const Scene& scene, Bounds bounds, std::span<const glm::dvec3> eyes,
                    const Config& config) {
     for (const glm::dvec3& eye : eyes) bounds = {glm::min(bounds.lo, eye), glm::max(bounds.hi, eye)};
@@ -37,7 +38,7 @@ RefittedScene::RefittedScene(const Scene& scene, Bounds bounds, std::span<const 
     image_.lattice = lattice_of(scene, bounds, eyes, config_);
 }
 
-/// All primitives: one that has no area in this frame may have some in the next.
+/// Returns all primitives: one without area in this frame may have area in the next.
 std::vector<PrimData> RefittedScene::snapped(const Scene& scene) const {
     std::vector<PrimData> all(primitive_count(scene));
     tbb::parallel_for(std::size_t(0), all.size(),
@@ -82,8 +83,8 @@ Upload RefittedScene::next(const Scene& given) {
     return upload;
 }
 
-/// What is not as it was. A tree leaves out the room behind it: nobody reads there, and the memory may hold
-/// anything there until a tree reaches so far.
+/// Collects the changed lines. The room behind a tree is left out: nothing reads it, and the memory may hold
+/// anything there until a tree reaches that far.
 void RefittedScene::take_changes(const std::vector<std::uint32_t>& held, Upload& upload) {
     const bool is_first = held.empty();
     const auto part = [&](std::uint32_t line) {

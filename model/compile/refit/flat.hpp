@@ -1,5 +1,5 @@
 #pragma once
-// A film of one level with meshes that deform: one lattice for all frames, and a tree that is refitted.
+// A film in one level with deforming meshes: one lattice for all frames, and a tree that is refitted.
 #include <span>
 #include <string>
 
@@ -10,16 +10,16 @@ namespace rayclock {
 
 class RefittedScene {
 public:
-    /// `scene` as it is in any frame; `bounds` of its triangles in all frames, and the eye of each. The first
-    /// eye is a lattice point. Throws UserError as compile_scene() does.
+    /// `scene` in the shape of any frame; `bounds` of its triangles over all frames, and the eye of each
+    /// frame. The first eye is a lattice point. Throws UserError as compile_scene() does.
     RefittedScene(const Scene& scene, Bounds bounds, std::span<const glm::dvec3> eyes, double rebuild,
                   const Config& config);
 
-    /// The next frame: what the host writes for it. The scene has the same primitives in every frame. Throws
-    /// UserError as compile_scene() does.
+    /// Makes the next frame, and returns what the host writes for it. The scene must have the same primitives
+    /// in every frame. Throws UserError as compile_scene() does.
     Upload next(const Scene& scene);
 
-    /// The memory as the frame that was made last finds it.
+    /// Returns the memory as the last frame finds it.
     const MemoryImage& image() const { return image_; }
 
 private:
@@ -30,8 +30,8 @@ private:
     std::string name_;
     double rebuild_;
     Refit tree_;
-    std::uint32_t tree_lines_ = 0;   ///< room for any tree, so that surfaces stay where they are
-    std::uint32_t written_ = 0;      ///< lines from the first on that the memory has of trees
+    std::uint32_t tree_lines_ = 0;   ///< room for any tree, so that the surfaces stay in place
+    std::uint32_t written_ = 0;      ///< lines of trees, from the first on, that the memory holds
     MemoryImage image_;
     std::size_t frame_ = 0;
 };

@@ -1,3 +1,4 @@
+// Refits and rebuilds a tree of boxes.
 #include "model/compile/refit/refit.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ void Refit::build() {
     built_cost_ = cost();
 }
 
-/// What was written, as it lies in memory: the boxes are left out.
+/// Reads a compiled tree as it lies in memory, without its boxes.
 void Refit::read(const MemoryImage& image) {
     nodes_.reserve(report_.nodes), leaves_.reserve(report_.leaves), content_.reserve(report_.references);
     nodes_.push_back({});
@@ -65,7 +66,7 @@ LatticeBox Refit::box_of(const Leaf& leaf) const {
     return box;
 }
 
-/// From the leaves up: all children of a node lie behind it.
+/// Recomputes the boxes from the leaves up. All children of a node come after it.
 void Refit::fit() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         WideNode& node = nodes_[n];
@@ -75,7 +76,7 @@ void Refit::fit() {
     }
 }
 
-/// What a ray that meets the root's box may expect: every node it visits and every primitive that it tests,
+/// Returns the expected cost of a ray that meets the root's box: every node visit and every primitive test,
 /// in proportion to the surfaces of their boxes.
 double Refit::cost() const {
     double sum = 0;
@@ -109,8 +110,8 @@ void Refit::write_node(const WideNode& node, std::uint32_t root, bool in_mesh, s
     if (in_mesh) set_line_kind(at, LineKind::mesh_node);
 }
 
-// Each node but the root has two children or more, so over n primitives there are n - 1 nodes at most, or one
-// if n is 1. A node takes a line, and its leaves' c primitives (c + 1) / 2 lines.
+// Each node except the root has at least two children. So over n primitives there are at most n - 1 nodes, or
+// one if n is 1. A node takes a line, and its leaves' c primitives take (c + 1) / 2 lines.
 std::uint64_t Refit::most_lines(std::uint64_t prims) {
     const std::uint64_t nodes = std::max<std::uint64_t>(1, prims - 1);
     return nodes + (prims + nodes) / 2;

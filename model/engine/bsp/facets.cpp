@@ -1,3 +1,4 @@
+// Proposes and scores planes in any direction for the cells of a bsp tree.
 #include "model/engine/bsp/facets.hpp"
 
 #include <algorithm>
@@ -75,7 +76,8 @@ void Facets::consider_at(std::span<const kd::Clipper::Reach> reaches, const Soli
     }
     const std::size_t all = reaches.size();
     if (stops_ && below + above + flat > all) return;
-    // Both surfaces together are not less than the whole: no need to look, if that is too dear.
+    // The two parts' surfaces sum to at least the cell's. So this is a lower bound on the cost; if it is too
+    // high, skip the exact areas.
     if (oblique_factor * kd::cost_of(0.5, std::min(below, above), 0.5, std::min(below, above)) >= best.cost)
         return;
     const Solid::Halves halves = solid.halves(point(normal), double(at));
@@ -99,7 +101,7 @@ void Facets::best_split(const kd::Items& items, const kd::Region& region, kd::Sp
     kd::Split across = best;
     across.cost = 2 * best.cost;
     kd::try_axes(items, region.box, most, across);
-    if (across.is_there()) {   // as the others are scored
+    if (across.is_there()) {   // scored like the other planes
         glm::dvec3 normal(0);
         normal[int(across.axis)] = 1;
         const Solid::Halves halves = solid.halves(normal, across.plane);

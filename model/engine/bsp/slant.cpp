@@ -1,3 +1,4 @@
+// The unit slant: crossings of planes, and the exits that a ray meets.
 #include "model/engine/bsp/slant.hpp"
 
 #include <algorithm>
@@ -7,13 +8,13 @@ namespace rayclock {
 
 namespace {
 
-/// The highest crossing_bits of a number.
+/// Returns the highest crossing_bits of a number.
 std::int64_t cut_off(std::int64_t a, int len) {
     return len > crossing_bits ? a >> (len - crossing_bits) : a << (crossing_bits - len);
 }
 int length(std::int64_t a) { return int(std::bit_width(std::uint64_t(a))); }
 
-/// floor(a 2^x), but no more than `most`.
+/// Returns floor(a 2^x), at most `most`.
 std::uint32_t moved(std::int64_t a, int x, std::uint32_t most) {
     if (x <= 0) return std::uint32_t(std::min<std::int64_t>(x > -63 ? a >> -x : 0, most));
     return length(a) + x > length(most) ? most : std::uint32_t(a << x);

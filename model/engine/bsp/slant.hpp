@@ -1,5 +1,5 @@
 #pragma once
-// Planes in any direction.
+// The unit slant: nodes with planes in any direction.
 #include "model/engine/kd/treelet.hpp"
 
 namespace rayclock {
@@ -12,27 +12,26 @@ struct WideSlant : WideExits {
 };
 WideSlant widen(const Slant& slant, int node_width);
 
-/// A ray's direction as slants want it: moved up by ray_dir_bits - dir_bits, so that what it is worth does
-/// not depend on what the ray is for; a shadow ray's has ray_dir_bits as it is.
+/// Returns a ray's direction in the form that slants use. It is shifted up by ray_dir_bits - dir_bits, so
+/// that its scale does not depend on the ray's kind. A shadow ray's direction already has ray_dir_bits.
 Vec3i aligned(const Ray& ray, const Config& config);
 
-/// What the plane n . x = at says of a ray, conservative (docs/bsp.md).
+/// Returns the position of a ray relative to the plane n . x = at, conservatively (docs/bsp.md).
 ///
-/// Both `num` = at - n . o, with the origin's fraction bits, and `den` = n . d are whole numbers, so on which
-/// side the origin lies, and whether the ray goes towards the upper side, is decided exactly. If it moves and
-/// comes from the near side, it is on the plane at T = 2^S num / den, S = F + M - 1 - B. Both are cut off to
-/// crossing_bits, and q = floor(2^17 num / den) of these: T lies strictly between (q - 2) 2^x and (q + 2)
-/// 2^x, x = S - 17 + the difference of their lengths. The far side is entered at floor((q - 2) 2^x) at the
-/// earliest, the near side left at floor((q + 2) 2^x) + 1 at the latest. Mirror of
-/// rtl/engine/bsp/rc_crossing.sv.
+/// `num` = at - n . o, with the origin's fraction bits, and `den` = n . d are both whole numbers. So the
+/// origin's side, and the side towards which the ray goes, are exact. A ray that moves and starts on the near
+/// side is on the plane at T = 2^S num / den, S = F + M - 1 - B. Both numbers are cut to crossing_bits, and
+/// q = floor(2^17 num / den) of these. Then T lies strictly between (q - 2) 2^x and (q + 2) 2^x, where x = S
+/// - 17 + the difference of their lengths. The ray enters the far side at floor((q - 2) 2^x) at the earliest,
+/// and leaves the near side at floor((q + 2) 2^x) + 1 at the latest. Mirror of rtl/engine/bsp/rc_crossing.sv.
 PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std::int32_t at,
                     const Config& config);
 
-/// Which exits of a slant a ray meets, as treelet_exits() of a treelet. Mirror of rtl/engine/bsp/rc_slant.sv,
-/// latency Config::slant_latency() + 1, one slant per cycle.
+/// Returns the exits of a slant that a ray meets, as treelet_exits() does for a treelet. Mirror of
+/// rtl/engine/bsp/rc_slant.sv, latency Config::slant_latency() + 1, one slant per cycle.
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
-/// The unit's answer.
+/// Returns the unit's answer.
 BoxRsp slant(const SlantReq& req, const Config& config);
 
 }   // namespace rayclock

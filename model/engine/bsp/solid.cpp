@@ -1,3 +1,4 @@
+// Areas and cuts of a convex solid.
 #include "model/engine/bsp/solid.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@ namespace rayclock::bsp {
 
 namespace {
 
-/// Calls add() with the corners of what of a polygon is not above a plane, and met() where its edges cross
-/// it.
+/// Calls add() with the corners of the part of a polygon that is not above a plane, and met() where its edges
+/// cross the plane.
 template <class Add, class Met>
 void clip(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal, double at, Add&& add, Met&& met) {
     glm::dvec3 a = corners.back();
@@ -56,7 +57,7 @@ void Solid::measure() {
     for (const Face& face : faces_) area_ += glm::length(face.outward);
 }
 
-/// All faces' outward vectors add up to nothing, so those of a part say how large the face on the plane is.
+/// The outward vectors of all faces sum to zero. So those of a part give the size of its face on the plane.
 Solid::Halves Solid::halves(const glm::dvec3& normal, double at) const {
     Halves halves;
     glm::dvec3 lid(0);

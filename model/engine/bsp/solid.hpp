@@ -1,6 +1,6 @@
 #pragma once
-// A convex solid, and how much of its surface lies on each side of a plane: what the surface area heuristic
-// asks of a cell that planes in any direction cut. Nothing that must be right depends on it.
+// A convex solid, and the share of its surface on each side of a plane. The surface area heuristic uses it
+// for cells that planes in any direction cut. Correctness does not depend on its accuracy.
 #include <array>
 #include <vector>
 
@@ -14,19 +14,19 @@ class Solid {
 public:
     explicit Solid(const LatticeBox& box);
     double area() const { return area_; }
-    /// The surfaces of the parts with n . x <= at and n . x >= at.
+    /// The surfaces of the parts with n . x <= at and n . x >= at, both including the face on the plane.
     struct Halves {
         double lower = 0, upper = 0;
     };
     Halves halves(const glm::dvec3& normal, double at) const;
-    /// One of the parts.
+    /// Keeps only one of the parts.
     void cut(const glm::dvec3& normal, double at, bool upper);
 
 private:
     using Corners = std::vector<glm::dvec3>;
     struct Face {
         Corners corners;        ///< counterclockwise, seen from outside
-        glm::dvec3 outward{};   ///< at right angles to it, as long as its area
+        glm::dvec3 outward{};   ///< perpendicular to the face, with its area as length
     };
     static glm::dvec3 outward_of(const Corners& corners);
     void measure();

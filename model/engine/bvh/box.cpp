@@ -1,3 +1,4 @@
+// The unit box: unpacks nodes, tests their children and sorts the answer.
 #include "model/engine/bvh/box.hpp"
 
 #include "model/unit/trav/children.hpp"
@@ -7,7 +8,7 @@ namespace rayclock {
 
 namespace {
 
-/// Where a child's triangles or its node lie, once its kind is known and those before it are in place.
+/// Sets the place of a child's triangles or node. Call it for the children in order.
 void place_child(WideNode& node, std::uint32_t kind, std::uint32_t inner, std::uint32_t& triangles) {
     const std::size_t i = node.children;
     node.count[i] = std::uint8_t(kind - 1);
@@ -20,14 +21,14 @@ void set_masks(WideNode& node, std::uint32_t inner) {
     node.inner_mask = std::uint8_t((1u << inner) - 1);
 }
 
-/// `width` <= 32 bits from bit `at` of a line on.
+/// Returns `width` <= 32 bits of a line, from bit `at` on.
 std::uint32_t bits_at(const std::uint32_t* line, int at, int width) {
     const int word = at / 32;
     const std::uint64_t two = line[word] | std::uint64_t(word < 15 ? line[word + 1] : 0) << 32;
     return std::uint32_t(two >> at % 32 & ((std::uint64_t(1) << width) - 1));
 }
 
-/// Notes where Node::fields puts each field.
+/// Records the lowest bit of each field of Node::fields.
 struct PlaceVisitor {
     int at;
     std::array<int, 6> lowest{};

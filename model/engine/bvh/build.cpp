@@ -1,3 +1,4 @@
+// Builds the binary tree of boxes top-down, on all cores.
 #include <tbb/parallel_invoke.h>
 
 #include "model/engine/bvh/divide.hpp"
@@ -10,8 +11,8 @@ class Builder {
 public:
     Builder(std::vector<BoxItem>& items, std::vector<BinaryNode>& nodes) : items_(items), nodes_(nodes) {}
 
-    /// The subtree over n items owns the 2n - 1 places from `at`, so that both halves may be built at the
-    /// same time.
+    /// Builds the subtree over n items in the 2n - 1 places from `at`. The places are known in advance, so
+    /// both halves may be built at the same time.
     void build(std::size_t at, std::size_t first, std::size_t count, int depth) {
         const std::span<BoxItem> part = std::span{items_}.subspan(first, count);
         BinaryNode& node = nodes_[at];

@@ -1,3 +1,4 @@
+// The dynamic program of collapse.hpp.
 #include "model/engine/bvh/collapse.hpp"
 
 #include <tbb/parallel_for.h>
@@ -41,7 +42,7 @@ void Collapse::solve(std::uint32_t index, std::vector<Cost>& costs) {
     const int count = std::min(counts_[node.left] + counts_[node.right], leaf_size_ + 1);
     counts_[index] = std::uint8_t(count);
     const Cost &left = costs[node.left], &right = costs[node.right];
-    std::array<float, max_width + 1> shared{};   // [i]: both sides together as at most i children
+    std::array<float, max_width + 1> shared{};   // [i]: cost of both sides together as at most i children
     for (int i = 2; i <= width_; ++i) {
         shared[std::size_t(i)] = impossible;
         for (int k = 1; k < i; ++k) {

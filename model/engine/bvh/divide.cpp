@@ -1,3 +1,4 @@
+// Splits a range of boxes by the surface area heuristic, or in half.
 #include "model/engine/bvh/divide.hpp"
 
 #include <array>
@@ -7,10 +8,10 @@ namespace rayclock {
 namespace {
 
 constexpr std::size_t bin_count = 64;
-constexpr std::size_t sweep_below = 128;   // boxes: from here down every position is tried
+constexpr std::size_t sweep_below = 128;   // number of boxes up to which every position is tried
 
-/// Best split of a range so far. `cost` is the SAH's sum of area times count; `most` the balance, to break
-/// ties.
+/// The best split of a range so far. `cost` is the SAH's sum of area times count. `most`, the larger side,
+/// breaks ties.
 struct Split {
     double cost = std::numeric_limits<double>::infinity();
     std::size_t axis = 0;
@@ -27,7 +28,7 @@ struct Bin {
     std::size_t count = 0;
 };
 
-/// Maps centres of one axis to bins; exact, a bin per value, where there are fewer values than bins.
+/// Maps centres of one axis to bins. With fewer values than bins it is exact: a bin per value.
 struct Binning {
     std::int32_t lo;
     double scale;
@@ -90,7 +91,7 @@ std::size_t bin(std::span<BoxItem> part, const LatticeBox& centres) {
 }
 
 void sort(std::span<const BoxItem> part, std::size_t axis, std::array<std::uint8_t, sweep_below>& order) {
-    // Centre and index decide; the place in the range rides along.
+    // Sort by centre, then by index. The low part of each pair is the place in the range.
     std::array<std::pair<std::uint64_t, std::uint8_t>, sweep_below> keys;
     for (std::size_t i = 0; i < part.size(); ++i)
         keys[i] = {std::uint64_t(part[i].box.centre(axis) + (1 << 24)) << 32 | part[i].index,

@@ -1,5 +1,5 @@
-// Reinsertion: the best moves are searched in parallel on a tree that stands still, then made one by one,
-// those of most gain first, and unmade where an earlier move has turned the gain into a loss.
+// Reinsertion. Each round searches the best moves in parallel on a fixed tree. It then makes them one by one,
+// largest gain first, and undoes a move whose gain an earlier move has turned into a loss.
 #include <tbb/parallel_for.h>
 
 #include "model/layout/tree.hpp"
@@ -9,10 +9,10 @@ namespace rayclock {
 namespace {
 
 constexpr int rounds = 3;
-constexpr std::size_t share = 10;                // a round tries one in so many nodes, those of largest area
-constexpr std::size_t least_candidates = 8192;   // but of a small tree all
+constexpr std::size_t share = 10;                // a round tries the tenth of the nodes with the largest area
+constexpr std::size_t least_candidates = 8192;   // a small tree tries all nodes
 
-/// Take `node` and its parent out, and put both back above `to`. `gain` is the area saved.
+/// Takes `node` and its parent out, and puts both back above `to`. `gain` is the area saved.
 struct Move {
     double gain = 0;
     std::uint32_t node = no_node, to = no_node;
@@ -68,8 +68,8 @@ private:
         return nodes;
     }
 
-    /// Climbs from the node and looks down the other side of each ancestor. `saved`: the area that goes with
-    /// the parent, and that the ancestors below the one in hand lose.
+    /// Climbs from the node and searches the other side of each ancestor. `saved` is the area of the removed
+    /// parent plus the area that the ancestors below the current one lose.
     Move search(std::uint32_t node, Pending& pending) const {
         Move best{0, node, no_node};
         std::uint32_t pivot = parents_[node];
@@ -91,7 +91,7 @@ private:
         while (!pending.empty()) {
             const auto [so_far, to] = pending.back();
             pending.pop_back();
-            if (so_far - own <= best.gain) continue;   // the new parent is no smaller than the node
+            if (so_far - own <= best.gain) continue;   // the new parent is at least as large as the node
             const BinaryNode& place = at(to);
             const double gain = so_far - merged(place.box, box).area();
             if (gain > best.gain) best = {gain, best.node, to};
@@ -101,19 +101,19 @@ private:
         }
     }
 
-    /// Makes a move unless moves before it have made it impossible or bad.
+    /// Makes a move unless earlier moves have made it impossible or bad.
     bool attempt(const Move& move) {
         if (move.node == tree_.root || move.to == parents_[move.node] || move.to == sibling(move.node))
             return false;
         for (std::uint32_t i = move.to; i != no_node; i = parents_[i])
-            if (i == move.node) return false;   // below the node itself by now
+            if (i == move.node) return false;   // by now below the node itself
         const std::uint32_t home = sibling(move.node);
         if (put(move.node, move.to) < 0) return true;
         put(move.node, home);
         return false;
     }
 
-    /// Moves a node and its parent above `to`; returns by how much the area grows.
+    /// Moves a node and its parent above `to`. Returns the growth of the area.
     double put(std::uint32_t node, std::uint32_t to) {
         const std::uint32_t parent = parents_[node], other = sibling(node), above = parents_[parent];
         double growth = -at(parent).box.area();

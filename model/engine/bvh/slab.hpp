@@ -1,43 +1,43 @@
 #pragma once
-// The slab test's data in the form in which the arithmetic wants it. The arithmetic itself is slab.inl.
+// The data of the slab test, laid out for its arithmetic in slab.inl.
 #include <cstring>
 
 #include "model/engine/bvh/box.hpp"
 #include "model/unit/trav/order.hpp"
 
-// With this, slab.inl and what includes it are compiled twice, for the baseline and for AVX2, and the
-// processor decides. The results are the same, since every operation is exact.
+// Compiles slab.inl and its users twice, for the baseline and for AVX2; the processor's features choose. The
+// results are equal, since every operation is exact.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define RAYCLOCK_AVX2 1
 #include <immintrin.h>
 #endif
-// Everything that takes or returns a vector is inlined: how one would be passed does not matter.
+// Every function with a vector argument or result is inlined, so the calling convention does not matter.
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
 namespace rayclock {
 
-// Four axes or children at a time, in double precision: every value is a whole number below 2^53 times a
-// power of two, so that products, sums and comparisons are exact and no rounding is left to the machine.
+// Four axes or children at a time, in double precision. Every value is a whole number below 2^53 times a
+// power of two. So products, sums and comparisons are exact and do not depend on the machine's rounding.
 using Lanes = double __attribute__((vector_size(32)));
 using Mask = std::int64_t __attribute__((vector_size(32)));
 using Whole = std::int32_t __attribute__((vector_size(16)));
 
-/// What the slab test needs of a ray, lane k for axis k; the fourth lane is 0.
+/// The part of a ray that the slab test uses, lane k for axis k. The fourth lane is 0.
 struct SlabRay {
-    Lanes near_o,
-        far_o;         ///< lattice points from which near and far planes are measured; a bounce may have two
-    Lanes near, far;   ///< signed r and r + 1
-    Mask scale;        ///< of a step of lattice times r, to t's unit: a double's exponent
-    double beyond, past;   ///< all ones, and 1 more
-    std::array<std::uint32_t, 3> near_at,
-        far_at;   ///< where the axis' near and far planes begin in WideNode::planes
+    /// Lattice points from which near and far planes are measured. They may differ for a bounce.
+    Lanes near_o, far_o;
+    Lanes near, far;       ///< r and r + 1, with the sign of the direction
+    Mask scale;            ///< scale from lattice steps times r to t's unit, as a double's exponent
+    double beyond, past;   ///< all ones, and one more
+    /// Start of the axis' near and far planes in WideNode::planes.
+    std::array<std::uint32_t, 3> near_at, far_at;
     std::array<bool, 3> zero;
-    bool zeros;   ///< any
+    bool zeros;   ///< true if any axis is zero
 };
 
-// Whole vectors are made, as a vector read from parts just written would have to wait for them.
+// Builds whole vectors. A vector read from parts that were just written would wait for those writes.
 inline SlabRay slab_ray(const BoxRay& ray, const Config& c) {
     SlabRay slab{};
     const auto turned = [&](std::size_t k, std::int32_t r) { return double(ray.neg[k] != 0 ? -r : r); };

@@ -1,8 +1,8 @@
-// The slab test of box.hpp for all children of a node. Included inside a namespace, once for each instruction
-// set: with RAYCLOCK_WITH_AVX2 under a pragma that allows AVX2. GCC's own widening of vectors is poor, hence
-// the few intrinsics.
+// The slab test of box.hpp for all children of a node. Included inside a namespace, once per instruction set:
+// with RAYCLOCK_WITH_AVX2 under a pragma that allows AVX2. GCC widens vectors poorly, hence the few
+// intrinsics.
 
-// Children is as long as the machine's own vectors: GCC takes comparisons of longer ones apart, lane by lane.
+// Children is as long as the machine's own vectors. GCC splits comparisons of longer ones lane by lane.
 #ifdef RAYCLOCK_WITH_AVX2
 using Children = Lanes;
 using Found = Mask;
@@ -21,7 +21,7 @@ RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) {
 }
 RAYCLOCK_INLINE Lanes round_down(const Lanes& v) { return Lanes(_mm256_floor_pd(__m256d(v))); }
 RAYCLOCK_INLINE Lanes round_up(const Lanes& v) { return Lanes(_mm256_ceil_pd(__m256d(v))); }
-/// Writes the values, which are from 0 to 2^31 - 1, rounded down; returns them.
+/// Writes the values, which lie in 0..2^31 - 1, rounded down, and returns them.
 RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
     const Whole whole = __builtin_convertvector(v, Whole);
     std::memcpy(to, &whole, sizeof whole);
@@ -40,8 +40,8 @@ RAYCLOCK_INLINE Lanes lanes_of(const std::array<std::int32_t, 4>& v) {
 RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) {
     return Mask{v[0], v[1], v[2], v[3]} << 52;
 }
-/// The whole number nearby, however the machine rounds, is less than 1 off; then it or the one below, in [0],
-/// [1] and [2].
+/// Rounds lanes 0, 1 and 2 down. The nearby whole number is less than 1 off, whatever the machine's rounding.
+/// The result is that number or the one below.
 RAYCLOCK_INLINE Lanes round_down(const Lanes& v) {
     const auto down = [](double x) {
         const double near = (x + 0x1.8p52) - 0x1.8p52;
@@ -58,12 +58,13 @@ RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
 RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t((m[0] & 1) | (m[1] & 2)); }
 #endif
 
-/// The children that the ray meets (bit i: child i), and the t_near of all eight. `before` and `beyond` are
-/// the node's org - near_o and org - far_o, lane k for axis k; children beyond `width` need not be looked at.
+/// Returns the children that the ray meets (bit i: child i), and writes the t_near of all eight. `before` and
+/// `beyond` are the node's org - near_o and org - far_o, lane k for axis k. Children beyond `width` may be
+/// skipped.
 ///
-/// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e), where 2^(x + e) is multiplied in beforehand. A child
-/// is met if near rounded down <= far rounded up, and far >= 0; floor(near) <= ceil(far) is floor(near) - 1 <
-/// far.
+/// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e); 2^(x + e) is multiplied in beforehand. A child is met
+/// if near rounded down <= far rounded up, and far >= 0. floor(near) <= ceil(far) is equivalent to
+/// floor(near) - 1 < far.
 template <bool zeros> RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node,
                                                                  const Lanes& before, const Lanes& beyond,
                                                                  std::uint32_t width, std::uint32_t* t_near) {
@@ -73,7 +74,8 @@ template <bool zeros> RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& 
     const Lanes far_0 = round_up(beyond * (ray.far * shrink)) * scale, far_step = ray.far * scale;
     std::uint32_t hits = 0;
     for (std::uint32_t h = 0; h < width; h += sizeof(Children) / sizeof(double)) {
-        Children near{}, far = ray.past - near;   // in every lane: x - 0 is x, x + 0 is work
+        Children near{}, far = ray.past - near;   // broadcast to every lane; the compiler drops x - 0, but
+                                                  // not x + 0
         for (std::size_t k = 0; k < 3; ++k) {
             const Children n = near_0[k] + planes_at(&node.planes[ray.near_at[k] + h]) * near_step[k];
             const Children f = far_0[k] + planes_at(&node.planes[ray.far_at[k] + h]) * far_step[k];
@@ -98,12 +100,12 @@ RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node
     if (width <= 4) return slab_test_of<false>(ray, node, before, beyond, 4, t_near);
     return slab_test_of<false>(ray, node, before, beyond, max_width, t_near);
 }
-/// The same for a ray from a lattice point, `distance` away.
+/// Tests a ray from a lattice point, at `distance` from the node's org.
 RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& distance,
                                         std::uint32_t width, std::uint32_t* t_near) {
     return slab_test(ray, node, distance, distance, width, t_near);
 }
-/// And for any ray.
+/// Tests any ray.
 RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, std::uint32_t width,
                                         std::uint32_t* t_near) {
     const Lanes org = lanes_of(node.org);

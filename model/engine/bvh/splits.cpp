@@ -1,3 +1,4 @@
+// Builds the binary tree of boxes with spatial splits.
 #include "model/engine/bvh/splits.hpp"
 
 #include <array>
@@ -12,11 +13,11 @@ namespace rayclock {
 
 namespace {
 
-constexpr double least_overlap = 1e-5;   // of the root's surface
-constexpr std::size_t slabs = 16;        // parts of a cell on an axis, between the planes that are tried
+constexpr double least_overlap = 1e-5;   // as a share of the root's surface
+constexpr std::size_t slabs = 16;        // parts of a cell on an axis; the candidate planes lie between them
 using Items = std::vector<BoxItem>;
 
-/// A subtree while it is being built: how many leaves it will have is not known before.
+/// A subtree under construction. Its number of leaves is not known in advance.
 struct Branch {
     LatticeBox box;
     std::uint32_t index = 0;   ///< of a leaf
@@ -24,7 +25,7 @@ struct Branch {
 };
 using BranchPtr = std::unique_ptr<Branch>;
 
-/// What goes to one side, and the box around it. `count` need not be what is in the list.
+/// The items of one side, and the box around them. `count` may differ from the list's length.
 struct Side {
     Items items;
     LatticeBox box;
@@ -42,7 +43,7 @@ double cost_of(const LatticeBox& lower, double below, const LatticeBox& upper, d
 
 bool is_empty(const LatticeBox& box) { return box.lo[0] > box.hi[0]; }
 
-/// The surface of what two boxes have in common.
+/// Returns the surface of the common part of two boxes.
 double overlap(const LatticeBox& a, const LatticeBox& b) {
     LatticeBox common;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -102,7 +103,7 @@ public:
     }
 
 private:
-    /// Divides the items into those of two sides, by a plane if that is better.
+    /// Divides the items into two sides, by a plane if that is cheaper.
     void halves(Items& items, const LatticeBox& box, const LatticeBox& centres, int depth, double budget,
                 Side& lower, Side& upper) const {
         const std::size_t n = divide(items, centres, depth);
@@ -120,14 +121,14 @@ private:
         lower = std::move(below), upper = std::move(above);
     }
 
-    /// Keeps the cheapest plane on an axis, if it is cheaper than `best`.
+    /// Replaces `best` by the cheapest plane on an axis, if that is cheaper.
     void try_planes(const Items& items, const LatticeBox& box, std::size_t axis, Plane& best) const {
         const std::int64_t lo = box.lo[axis], extent = box.hi[axis] - lo;
         if (extent < std::int64_t(slabs)) return;
         std::array<std::int32_t, slabs + 1> plane;   // slab i lies between planes i and i + 1
         for (std::size_t i = 0; i <= slabs; ++i)
             plane[i] = std::int32_t(lo + extent * std::int64_t(i) / std::int64_t(slabs));
-        const auto slab_of = [&](std::int32_t x) {   // the last that begins at x or before
+        const auto slab_of = [&](std::int32_t x) {   // the last slab that begins at x or before
             auto slab = std::size_t((x - lo) * std::int64_t(slabs) / extent);
             while (slab + 1 < slabs && plane[slab + 1] <= x) ++slab;
             return std::min(slab, slabs - 1);
@@ -172,8 +173,8 @@ private:
         return clippers_[item.index](part);
     }
 
-    /// What the plane does not cut goes to its side, and what lies in the plane below it. Of the rest each
-    /// has three ways, and the cheapest is taken: to both sides, or whole to one of them.
+    /// Distributes the items. Items that the plane does not cut go to their side; items in the plane go below
+    /// it. Each other item takes the cheapest of three ways: in both sides, or whole in one of them.
     void cut(const Items& items, const Plane& plane, Side& lower, Side& upper) const {
         struct Straddler {
             BoxItem whole;
@@ -190,7 +191,7 @@ private:
                        above = clipped(item, plane.axis, plane.at, hi);
             if (below && above)
                 straddlers.push_back({item, *below, *above});
-            else   // all of it that may be hit is on one side
+            else   // everything that can be hit is on one side
                 (below ? lower : upper).add(item);
         }
         for (const Straddler& s : straddlers) {
@@ -219,7 +220,7 @@ private:
     double least_ = 0;   // overlap
 };
 
-/// Appends a subtree, parents before children; returns its root's place.
+/// Appends a subtree, parents before children. Returns its root's place.
 std::uint32_t append(const Branch& branch, std::vector<BinaryNode>& nodes) {
     const auto at = std::uint32_t(nodes.size());
     nodes.push_back({branch.box, branch.index, no_node});

@@ -1,3 +1,4 @@
+// Computes the globes of a tree's children in parallel.
 #include "model/engine/globe/around.hpp"
 
 #include <tbb/parallel_for.h>
@@ -6,7 +7,7 @@ namespace rayclock {
 
 namespace {
 
-/// All primitives in the order of the tree's leaves, and where those below each node lie among them.
+/// All primitives in the order of the tree's leaves, and the range of each node among them.
 struct Order {
     explicit Order(const BinaryTree& tree) : first(tree.nodes.size()), count(tree.nodes.size()) {
         std::vector<std::uint32_t> pending{tree.root}, visited;

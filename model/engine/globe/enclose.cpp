@@ -1,3 +1,4 @@
+// The smallest enclosing globe by pivoting.
 #include "model/engine/globe/enclose.hpp"
 
 #include <cmath>
@@ -8,7 +9,7 @@ namespace rayclock {
 
 namespace {
 
-/// Doubles are off by less than this in all that follows, since coordinates are below 2^21.
+/// Bounds the error of all doubles below, since coordinates are below 2^21.
 constexpr double rounding = 1.0 / (1 << 20);
 constexpr double sheared_step = 1.7321;   ///< a lattice step on each axis
 constexpr double most_of_least = 1.0 / 1024;
@@ -16,12 +17,12 @@ constexpr int most_pivots = 100;
 
 using Points = std::vector<glm::dvec3>;
 
-/// The least globe with 1 to 4 points on it: circumcentre in their affine hull. False if they are not
-/// independent, or its centre is not in their convex hull: then a subset does.
+/// Finds the least globe with 1 to 4 points on it: the circumcentre in their affine hull. Returns false if
+/// they are dependent, or if the centre is not in their convex hull; then a subset suffices.
 bool on_all(const glm::dvec3* p, int n, Globe& out) {
     glm::dvec3 q[3];
     for (int i = 1; i < n; ++i) q[i - 1] = p[i] - p[0];
-    // Sum of l[j] (2 q[i] . q[j]) = q[i] . q[i], by Gauss with a pivot on the diagonal.
+    // Solve sum of l[j] (2 q[i] . q[j]) = q[i] . q[i] by Gauss, with pivots on the diagonal.
     double a[3][4], l[3] = {0, 0, 0};
     const int m = n - 1;
     for (int i = 0; i < m; ++i) {
@@ -50,7 +51,7 @@ bool on_all(const glm::dvec3* p, int n, Globe& out) {
     return true;
 }
 
-/// The least globe around at most 5 points, and those of them that lie on it.
+/// Returns the least globe around at most 5 points, and reduces `points` to those on it.
 Globe of_few(Points& points) {
     Globe best;
     best.radius = HUGE_VAL;
@@ -129,7 +130,7 @@ Globe enclose(std::span<const Bead> beads) {
         const Points before = support;
         support.push_back(most.point);
         globe = of_few(support);
-        // Rounding, or a sphere whose points come ever closer.
+        // Stop on rounding, or on a sphere whose points converge.
         if (std::isinf(globe.radius) || support == before ||
             least.radius <= globe.radius * (1 + 0.1 * most_of_least))
             break;

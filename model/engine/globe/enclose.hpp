@@ -11,22 +11,22 @@ namespace rayclock {
 
 struct Globe {
     glm::dvec3 centre{};
-    double radius = 0;   ///< no point of what it encloses is farther from the centre, whatever was rounded
+    double radius = 0;   ///< rounded up, so that no enclosed point is farther from the centre
 };
 
-/// Corners of triangles, and spheres as their centres and radii.
+/// A corner of a triangle, or a sphere as its centre and radius.
 struct Bead {
     glm::dvec3 centre{};
     double radius = 0;
 };
-/// Adds those of a primitive. A plane, which is everywhere, counts as the lattice's corners. Where the test
-/// may take a ray that passes a triangle within a step (sheared), its corners have that radius.
+/// Appends the beads of a primitive. An infinite plane counts as the lattice's corners. The sheared test may
+/// hit a triangle within a step of a ray, so its corners have that radius.
 void add_beads(const PrimData& prim, const Config& config, std::vector<Bead>& out);
 
-/// Pivoting as in Gaertner 1999, "Fast and robust smallest enclosing balls": the globe of a few beads, to
-/// which the one that lies farthest outside is added until none is. Of corners it is the least globe but for
-/// rounding. The points of a sphere that matter are found one by one, so that with spheres it is larger by at
-/// most 2^-10.
+/// Returns the least globe around the beads, by pivoting as in Gaertner 1999, "Fast and robust smallest
+/// enclosing balls". It starts with the globe of a few beads and adds the bead farthest outside until none
+/// is. Around corners the globe is minimal except for rounding. The relevant points of a sphere are found one
+/// by one, so with spheres the globe is larger by at most 2^-10.
 Globe enclose(std::span<const Bead> beads);
 
 }   // namespace rayclock

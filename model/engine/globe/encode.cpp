@@ -1,3 +1,4 @@
+// Quantises the globes of a node.
 #include "model/engine/globe/encode.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double most_steps = (1 << globe_bits) - 1;
 
-/// A globe in steps of 2^exp from `org`. False if it does not fit.
+/// Writes a globe in steps of 2^exp from `org`. Returns false if it does not fit.
 bool place(const Globe& globe, const Vec3i& org, std::uint32_t exp, std::size_t i, GlobeNode& node) {
     const double step = double(std::uint32_t(1) << exp);
     glm::dvec3 moved;

@@ -1,3 +1,4 @@
+// The unit globe: which globes of a node a ray meets.
 #include "model/engine/globe/globe.hpp"
 
 #include <algorithm>
@@ -13,20 +14,21 @@ namespace {
 
 constexpr int radius_frac = 3;                        ///< distances are compared in eighths of a node's step
 constexpr int drop = toward_bits - 2 - radius_frac;   ///< from a product with the direction to an eighth
-constexpr std::int64_t farthest = 1 << (toward_bits - 1);   ///< no component of a distance that counts is
+constexpr std::int64_t farthest = 1 << (toward_bits - 1);   ///< no component of a relevant distance reaches
+                                                            ///< this
 
-/// What all globes of a node have in common.
+/// Values that all globes of a node share.
 struct Sight {
     Vec3l moment{};             ///< (D x e) / 2^exp
     std::int64_t way = 0;       ///< D . e, in units of 2^(exp + 13)
     std::int64_t slack = 0;     ///< s
-    std::int64_t square = 0;    ///< |e|^2 / 2^18, from above
+    std::int64_t square = 0;    ///< |e|^2 / 2^18, rounded up
     std::int64_t inverse = 0;   ///< K
-    std::int64_t least = 0;     ///< the least A + H of what does not lie behind the origin
-    int shift = 0;              ///< of K (A - H)
+    std::int64_t least = 0;     ///< least A + H of a globe that is not behind the origin
+    int shift = 0;              ///< shift of K (A - H)
 };
 
-/// 2^(49 + n) / |e|^2, and n.
+/// Returns 2^(49 + n) / |e|^2, and n.
 std::int64_t inverse_of(std::int64_t square, int& n) {
     n = std::max(0, int(std::bit_width(std::uint64_t(square))) - 33);
     const auto z = std::uint32_t(square >> (16 + n)) & 0xffff;
@@ -60,7 +62,7 @@ Sight sight_of(const GlobeRay& ray, const WideGlobes& node, const Config& c) {
     return sight;
 }
 
-/// The root from above.
+/// Returns the root rounded up.
 std::int64_t root_up(std::int64_t square) {
     const int g = (int(std::bit_width(std::uint64_t(square))) - 1) / 2;
     const std::int64_t i = g >= 3 ? square >> (2 * g - 6) : square << (6 - 2 * g);

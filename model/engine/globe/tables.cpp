@@ -1,3 +1,4 @@
+// Computes the tables of tables.hpp.
 #include "model/engine/globe/tables.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@ namespace rayclock {
 
 namespace {
 
-/// The greatest value that is right at z = x / 2^16.
+/// Returns the greatest correct value at z = x / 2^16.
 std::uint32_t most_at(std::uint64_t x) {
     return std::uint32_t(((std::uint64_t(1) << 33) - (std::uint64_t(1) << 17)) / x);
 }

@@ -1,3 +1,4 @@
+// Builds trees of planes top-down, on all cores.
 #include "model/engine/kd/build.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel = 4096;   // from here on both sides are worked on at once
+constexpr std::size_t parallel = 4096;   // items from which both sides are built at once
 
 class Builder {
 public:
@@ -23,12 +24,13 @@ public:
         for (int width = config.node_width; width > 1; width /= 2) ++levels_;
     }
 
-    /// `level` planes lie above it; below it at most `depth`.
+    /// Builds a cell with `level` planes above it and at most `depth` below.
     CellPtr cell(Items items, Region region, int level, int depth, double budget) const {
         auto cell = std::make_unique<Cell>();
         cell->bounds = bounds_of(items);
         cell->count = std::uint32_t(items.size());
-        if (level % levels_ == 0 && !items.empty()) {   // a treelet: nothing else is met
+        if (level % levels_ == 0 && !items.empty()) {   // a treelet's line holds this box, so nothing else is
+                                                        // met
             region.box = cell->bounds;
             region.own = region.walls.size();
         }
@@ -77,7 +79,7 @@ private:
     Treelets treelets_;
     std::optional<bsp::Facets> facets_;
     bool slants_;
-    int levels_ = 0;   // of a treelet
+    int levels_ = 0;   // of planes in a treelet
 };
 
 }   // namespace

@@ -1,3 +1,4 @@
+// Cells, and the primitives on both sides of a cut.
 #include "model/engine/kd/cell.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) : space
 }
 
 Items Pieces::all() const {
-    LatticeBox beyond = space_;   // an item that reaches out of space is clipped to it
+    LatticeBox beyond = space_;   // larger than space, so that items are clipped to space
     --beyond.lo[0];
     Items items;
     std::size_t endless = 0;
@@ -67,7 +68,7 @@ void Pieces::take(const Item& item, const Region& region, Items& out) const {
         if (wall.upper ? reach.lo < wall.at : reach.hi > wall.at) walls[count++] = wall;
     }
     if (inside && count == 0) return out.push_back(item);
-    if (!region.walls.empty())   // what walls have cut off before stays off
+    if (!region.walls.empty())   // parts that walls have cut off before stay off
         for (std::size_t k = 0; k < 3; ++k)
             box.lo[k] = std::max(box.lo[k], item.box.lo[k]), box.hi[k] = std::min(box.hi[k], item.box.hi[k]);
     if (const auto clipped = clippers_[item.prim](box, {walls.data(), count}))

@@ -1,5 +1,5 @@
 #pragma once
-// Cells of space, and what of the primitives lies in them: what every structure of planes is built of.
+// Cells of space and the primitives in them: the material of every structure of planes.
 #include <memory>
 #include <vector>
 
@@ -7,25 +7,26 @@
 
 namespace rayclock::kd {
 
-/// A cell of space: cut by a plane, not cut but walked in two parts (no_axis, a normal of zeros), or a leaf.
+/// A cell of space: cut by a plane, walked in two parts without a cut (no_axis, a normal of zeros), or a
+/// leaf.
 struct Cell {
     std::uint32_t axis = no_axis;   ///< if there are parts
-    Vec3i normal{};                 ///< of planes in any direction, in place of an axis
+    Vec3i normal{};                 ///< replaces the axis for planes in any direction
     std::int32_t at = 0;
-    LatticeBox bounds;   ///< of what is in it; inverted if nothing is, or it has no end
+    LatticeBox bounds;   ///< of its contents; inverted if empty or infinite
     std::unique_ptr<Cell> lower, upper;
-    std::vector<std::uint32_t> prims;   ///< of a leaf: which of those given to the builder
-    std::uint32_t count = 0;            ///< of primitives in it, in all its parts
-    bool begins = false;                ///< a treelet, even if the one that it is met in has planes left
-    float lower_share = 1, upper_share = 1;   ///< of its surface, if a plane in any direction cuts it
-    double inside = 0;   ///< the cost of all below, if it begins a treelet (treelets.hpp)
+    std::vector<std::uint32_t> prims;         ///< of a leaf: numbers of primitives as given to the builder
+    std::uint32_t count = 0;                  ///< number of primitives in all its parts
+    bool begins = false;                      ///< begins a treelet, even if the treelet above has planes left
+    float lower_share = 1, upper_share = 1;   ///< shares of its surface, if a plane in any direction cuts it
+    double inside = 0;   ///< the cost of everything below, if it begins a treelet (treelets.hpp)
     bool is_leaf() const { return !lower; }
 };
 using CellPtr = std::unique_ptr<Cell>;
 
 struct Item {
     std::uint32_t prim = 0;
-    LatticeBox box;   ///< of what lies in the cell
+    LatticeBox box;   ///< of the part in the cell
 };
 using Items = std::vector<Item>;
 
@@ -34,45 +35,45 @@ inline LatticeBox bounds_of(const Items& items) {
     for (const Item& item : items) bounds.add(item.box);
     return bounds;
 }
-/// A cell that is not cut.
+/// Returns a cell that is not cut.
 CellPtr leaf_of(const Items& items);
 
-/// A plane cuts a cell in two.
+/// A plane that cuts a cell in two.
 struct Cut {
-    std::size_t axis = no_axis;   ///< no_axis: it lies in any direction
+    std::size_t axis = no_axis;   ///< no_axis: the plane may have any direction
     std::int32_t plane = 0;       ///< x_axis, or n . x
-    bool flat_above = false;      ///< on which side is what lies in the plane
+    bool flat_above = false;      ///< 1: items in the plane go to the upper side
     Vec3i normal{};
     bool is_there() const { return axis != no_axis || normal != Vec3i{}; }
 };
 
-/// What is known of where a cell lies: it is in the box, and on its side of each wall.
+/// The known place of a cell: in the box, and on its side of each wall.
 struct Region {
     LatticeBox box;
     std::vector<Wall> walls{};
-    std::size_t own = 0;   ///< walls from here on are of the treelet that the cell is in
-    /// One side of a cut.
+    std::size_t own = 0;   ///< walls from here on belong to the cell's treelet
+    /// Returns one side of a cut.
     Region part(const Cut& cut, bool upper) const;
 };
 
-/// The primitives of a scene, as far as they have an end; or boxes.
+/// The finite primitives of a scene, or boxes.
 class Pieces {
 public:
     Pieces(const std::vector<PrimData>& prims, const Config& config);
-    /// Of full boxes, which must lie in the lattice. One that is all of it has no end.
+    /// For full boxes, which must lie in the lattice. A box that fills the lattice is infinite.
     Pieces(const std::vector<LatticeBox>& boxes, const Config& config);
     std::size_t size() const { return clippers_.size(); }
-    /// All of them, in all of space.
+    /// Returns all of them, clipped to space.
     Items all() const;
     const LatticeBox& space() const { return space_; }
     const Clipper& of(std::uint32_t prim) const { return clippers_[prim]; }
-    /// What lies on both sides of a cut through a cell. A primitive is below a plane if some of it is
-    /// strictly below, and above likewise. What lies in the plane goes to one side: a ray that meets it there
-    /// is on both.
+    /// Distributes the items of a cell to both sides of a cut. A primitive is below a plane if some of it is
+    /// strictly below, and above in the same way. Items in the plane go to one side: a ray that meets them
+    /// there is on both.
     void divide(const Items& items, const Region& region, const Cut& cut, Items& lower, Items& upper) const;
-    /// How far n . x of an item reaches, rounded outward.
+    /// Returns the range of n . x over an item, rounded outward.
     Clipper::Reach reach(const Item& item, const Vec3i& normal) const;
-    /// The tree over all of them, with the planes without end beside it in a part of their own.
+    /// Returns the tree over all pieces, with infinite planes in a separate part next to it.
     CellPtr with_endless(CellPtr tree) const;
     bool has_endless() const { return !endless_.empty(); }
 

@@ -1,3 +1,4 @@
+// Clips triangles, spheres and boxes to cells.
 #include "model/engine/kd/clip.hpp"
 
 #include <cmath>
@@ -19,20 +20,20 @@ struct Polygon {
     void add(const Corner& corner) { corners[size++] = corner; }
 };
 
-/// A coordinate, and what lies in its plane.
+/// A coordinate, and the rule that a corner lies exactly in its plane.
 struct Along {
     std::size_t axis;
     double operator()(const Corner& c) const { return c[axis]; }
     void settle(Corner& c, double at) const { c[axis] = at; }
 };
-/// n . x.
+/// The product n . x.
 struct Across {
     const Vec3i& n;
     double operator()(const Corner& c) const { return n[0] * c[0] + n[1] * c[1] + n[2] * c[2]; }
     void settle(Corner&, double) const {}
 };
 
-/// The part with value <= at, or >= at.
+/// Keeps the part with value <= at, or >= at.
 template <class Value> void cut(const Polygon& from, const Value& value, double at, bool below, Polygon& to) {
     to.size = 0;
     const auto is_in = [&](const Corner& c) { return below ? value(c) <= at : value(c) >= at; };
@@ -48,7 +49,7 @@ template <class Value> void cut(const Polygon& from, const Value& value, double 
     }
 }
 
-/// What n . x changes by, at most, if no coordinate changes by more than 1.
+/// Returns the largest change of n . x if no coordinate changes by more than 1.
 int size(const Vec3i& n) { return std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]); }
 
 Corner corner(const Vec3i& p) { return {double(p[0]), double(p[1]), double(p[2])}; }
@@ -140,7 +141,7 @@ std::optional<LatticeBox> Clipper::triangle(const LatticeBox& cell, Walls walls)
     return box;
 }
 
-/// Distances to the nearest and the farthest point of the cell, squared: below 2^44.
+/// Compares squared distances to the nearest and the farthest point of the cell. They are below 2^44.
 bool Clipper::meets_sphere(const LatticeBox& cell) const {
     std::int64_t nearest = 0, farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {

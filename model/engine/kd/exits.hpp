@@ -1,17 +1,17 @@
 #pragma once
-// Which of a tree's planes and cells a node has: what all that write cells as lines share.
+// The planes and cells of a node, shared by all writers of cells as lines.
 #include "model/engine/kd/cell.hpp"
 
 namespace rayclock::kd {
 
-/// A cell, or some of a leaf's primitives: a leaf that is too large for an exit is walked in parts.
+/// A cell, or some of a leaf's primitives. A leaf too large for one exit is walked in parts.
 struct Place {
     const Cell* cell = nullptr;
-    std::size_t first = 0, count = 0;   ///< of a leaf
+    std::size_t first = 0, count = 0;   ///< range of a leaf's primitives
     explicit Place(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
     Place(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
     bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
-    /// `most` primitives fit an exit.
+    /// True if it fits an exit of `most` primitives.
     bool is_leaf(std::size_t most) const { return is_empty() || (cell->is_leaf() && count <= most); }
     std::uint32_t prim(std::size_t i) const { return cell->prims[first + i]; }
     Place lower() const { return cell->is_leaf() ? Place(cell, first, count / 2) : Place(cell->lower.get()); }
@@ -31,8 +31,8 @@ inline void put(const Cell& cell, std::size_t plane, Slant& slant) {
 inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
 inline void put_none(std::size_t, Slant&) {}
 
-/// The exits of a node over a place, with `most` primitives in each. Writes planes and box of the node;
-/// `Line` is what it is, a treelet or a slant.
+/// Computes the exits of a node over a place, with at most `most` primitives in each, and writes the node's
+/// planes and box. `Line` is a treelet or a slant.
 template <class Line> class Exits {
 public:
     explicit Exits(std::size_t most) : most_(most) {}
@@ -46,9 +46,9 @@ public:
     }
 
 private:
-    /// The part of the node under plane `plane`, which has the exits from `exit` on.
+    /// Fills the part of the node under plane `plane`, whose exits start at `exit`.
     void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
-        if (exits == 1 || plane >= line.at.size()) {   // the second says it to GCC 14
+        if (exits == 1 || plane >= line.at.size()) {   // the second condition is for GCC 14's analysis
             exits_[exit] = place;
             return;
         }

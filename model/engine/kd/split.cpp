@@ -1,3 +1,4 @@
+// Sweeps planes over the items of a cell.
 #include "model/engine/kd/split.hpp"
 
 #include <algorithm>
@@ -9,12 +10,12 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel = 4096;   // from here on the three axes are worked on at once
-constexpr std::size_t linear_to = 16;    // so many items cost as much as they are
+constexpr std::size_t parallel = 4096;   // items from which the three axes are swept at once
+constexpr std::size_t linear_to = 16;    // up to this number, items cost one test each
 using Coordinates = std::vector<std::int32_t>;
 
-/// How many tests so many items count as. A whole power is taken by roots alone, which are the same doubles
-/// everywhere: linear_to (n / linear_to)^(13/16).
+/// Returns the number of tests that n items count as: linear_to (n / linear_to)^(13/16). The power uses only
+/// square roots, which give the same doubles on every machine.
 double weight(std::size_t n) {
     if (n <= linear_to) return double(n);
     const double half = std::sqrt(double(n) / double(linear_to)), quarter = std::sqrt(half),
@@ -22,7 +23,7 @@ double weight(std::size_t n) {
     return double(linear_to) * half * quarter * sixteenth;
 }
 
-/// weight(), from a table as long as it has it.
+/// Returns weight(), from a table where it reaches.
 double weight_of(std::size_t n) {
     static const std::vector<double> table = [] {
         std::vector<double> all(1 << 12);
@@ -32,7 +33,7 @@ double weight_of(std::size_t n) {
     return n < table.size() ? table[n] : weight(n);
 }
 
-/// By digits, as coordinates have at most 20 bits: O(n).
+/// Sorts by digits in O(n), as coordinates have at most 20 bits.
 void sort(Coordinates& all, Coordinates& room) {
     constexpr int digit = 11;
     if (all.size() < 512) return std::sort(all.begin(), all.end());
@@ -52,11 +53,11 @@ void sort(Coordinates& all, Coordinates& room) {
     }
 }
 
-/// What comes next of a sorted list while a plane sweeps over it.
+/// A cursor in a sorted list while a plane sweeps over it.
 class Next {
 public:
     Next(const Coordinates& list, std::int32_t beside) : list_(list), beside_(beside) {}
-    /// The first that is not behind the plane any more.
+    /// Returns the first entry that is not yet behind the plane.
     std::int32_t operator()(std::int32_t behind) {
         while (at_ < list_.size() && list_[at_] + beside_ <= behind) ++at_;
         return at_ < list_.size() ? list_[at_] + beside_ : LatticeBox::far;
@@ -85,7 +86,7 @@ public:
         sort(lo_, room), sort(hi_, room), sort(flat_, room);
     }
 
-    /// Both ends of every item, and what is next to those without thickness.
+    /// Tries planes at both ends of every item, and next to items without thickness.
     void run(Split& best) const {
         Next lo(lo_, 0), hi(hi_, 0), before(flat_, -1), after(flat_, 1);
         std::size_t begun = 0, ended = 0, lie = 0;
@@ -116,7 +117,7 @@ private:
     std::size_t axis_, most_;
     std::int32_t from_, to_;
     double area_, face_ = 0, around_ = 0;
-    Coordinates lo_, hi_, flat_;   // of items on the axis, sorted; flat: both in one
+    Coordinates lo_, hi_, flat_;   // of items on the axis, sorted; flat_: items whose two ends coincide
 };
 
 }   // namespace

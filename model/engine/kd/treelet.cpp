@@ -1,3 +1,4 @@
+// The unit treelet: crossings of planes, and the exits that a ray meets.
 #include "model/engine/kd/treelet.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ WideTreelet widen(const Treelet& treelet, int node_width) {
 
 namespace {
 
-/// 2^x as a double, without a call: it is made for every plane of every node.
+/// Returns 2^x as a double, without a call: every plane of every node needs it.
 double power_of_two(int x) { return std::bit_cast<double>(std::uint64_t(1023 + x) << 52); }
 
 }   // namespace
@@ -48,7 +49,7 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
     PlaneSides sides;
     sides.near_to = beyond;
     if (axis >= no_axis) return sides;
-    // The lattice point before the origin, and whether that is not the one beyond as well.
+    // The lattice point before the origin; `between` is 1 if it is not the one beyond as well.
     const int frac = c.origin_frac();
     const std::int32_t o = ray.o[axis] >> frac, between = (ray.o[axis] & ((1 << frac) - 1)) != 0;
     const bool neg = ray.neg[axis] != 0;
@@ -62,8 +63,8 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
     sides.near = w_hi > 0;
     if (!sides.near) return sides;
     const int shift = c.t_frac_bits + c.ray_dir_bits() - int(ray.len[axis]) - c.recip_bits;
-    // A whole number below 2^53, times a power of two: exact. Cut off first, so that it is rounded down by
-    // becoming a whole number.
+    // A whole number below 2^53 times a power of two: exact. It is clamped before the conversion to an
+    // integer rounds it down.
     const double way = double(ray.recip[axis]) * w_lo * power_of_two(shift);
     sides.far_from = std::uint32_t(std::min(way, double(beyond)));
     const std::uint64_t step = std::uint64_t(between) << (shift + c.recip_bits),
@@ -74,11 +75,11 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
 
 namespace {
 
-/// A part of a ray, which planes make shorter.
+/// A part of a ray, which planes shorten.
 struct Span {
     std::uint32_t from = 0, to;
     bool met = true;
-    /// To a plane's upper side, or its lower one.
+    /// Shortens it to a plane's upper side, or its lower one.
     void cut(const PlaneSides& s, bool upper) {
         if (upper == s.turned) {
             met = met && s.near;

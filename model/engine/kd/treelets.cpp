@@ -1,3 +1,4 @@
+// The dynamic program of treelets.hpp.
 #include "model/engine/kd/treelets.hpp"
 
 #include <algorithm>
@@ -8,9 +9,9 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr double level = 17, test = 20;                     // of a visit: as many levels as a treelet has
+constexpr double level = 17, test = 20;   // level: of a visit, per level of planes in a treelet
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
-constexpr std::size_t parallel = 4096;                      // from here on both sides are worked on at once
+constexpr std::size_t parallel = 4096;                      // items from which both sides are settled at once
 
 void gather(const Cell& cell, std::vector<std::uint32_t>& prims) {
     prims.insert(prims.end(), cell.prims.begin(), cell.prims.end());
@@ -19,7 +20,7 @@ void gather(const Cell& cell, std::vector<std::uint32_t>& prims) {
     gather(*cell.upper, prims);
 }
 
-/// A cell that is not cut after all; primitives in the order of the scene, each once.
+/// Turns a cell into a leaf: its primitives in the order of the scene, each once.
 void make_leaf(Cell& cell) {
     gather(cell, cell.prims);
     std::sort(cell.prims.begin(), cell.prims.end());

@@ -1,27 +1,30 @@
 #pragma once
-// Which cells of a tree begin a treelet, and which are not cut after all.
+// Chooses the cells of a tree that begin a treelet, and the cuts to take back.
 #include "model/engine/kd/cell.hpp"
 #include "model/core/config.hpp"
 
 namespace rayclock::kd {
 
-/// What the chip visits are treelets, and which planes share one is a choice. It is made by dynamic
-/// programming from the leaves up, as the box tree's is (collapse.hpp): under a treelet's root, each cell
-/// that is met as one of its exits is a leaf, or a treelet of its own, or is cut on by a plane of the same
-/// treelet while it has one. Planes of a treelet are free; a visit costs 50, a test 20, both as often as a
-/// ray that meets the root of the tree meets the cell, that is by the surface of what planes have left of the
-/// treelet's box. So treelets near the leaves are full, and a plane that is not worth a visit is taken back.
+/// The chip visits treelets, so the planes that share one are a choice. Dynamic programming from the leaves
+/// up makes it, as for the box tree (collapse.hpp). Under a treelet's root, each cell that is met as one of
+/// its exits has three options. It is a leaf, or a treelet of its own, or, while the treelet has planes left,
+/// cut by one of them.
+///
+/// Planes of a treelet are free. A visit costs 17 per level of planes, a test 20. Each is weighted by the
+/// probability that a ray that meets the tree's root also meets the cell. The surface that the planes leave
+/// of the treelet's box measures it. So treelets near the leaves are full, and a plane that is not worth a
+/// visit is taken back.
 class Treelets {
 public:
     explicit Treelets(const Config& config);
-    /// Cell::inside of a cell all of whose parts have it.
+    /// Returns Cell::inside of a cell whose parts all have theirs.
     double inside(const Cell& cell) const;
-    /// Marks all treelets of a tree, and makes leaves. Its root begins one, or is in one `under` another
-    /// plane that cuts nothing.
+    /// Marks all treelets of a tree, and makes leaves. The root begins a treelet, or with `under` lies in one
+    /// below another plane that cuts nothing.
     void settle(Cell& root, bool under) const;
 
 private:
-    /// What is known of an exit's cell: a box, and which share of the box's surface it has, about.
+    /// The known extent of an exit's cell: a box, and about the share of the box's surface that it has.
     struct Space {
         LatticeBox box;
         double share = 1;
@@ -33,7 +36,7 @@ private:
         Role role = Role::leaf;
     };
     static Space part(const Space& space, const Cell& cell, bool upper);
-    /// The best that a cell can be if so many levels of planes are left in the treelet.
+    /// Returns the best role of a cell if the treelet has `levels` levels of planes left.
     Choice best(const Cell& cell, const Space& space, int levels) const;
     double parts(const Cell& cell, const Space& space, int levels) const;
     void settle(Cell& cell, const Space& space, int levels) const;

@@ -5,12 +5,13 @@
 
 namespace rayclock {
 
-/// A list of all primitives has no nodes: a ray is given it page by page. A page is what list takes in one
-/// go: node_width leaves of page_leaf primitives each, all of them from t = 0 on.
+/// A list of all primitives has no nodes. A ray gets it page by page. A page is the amount that list accepts
+/// at a time: node_width leaves of page_leaf primitives each, all from t = 0 on.
 constexpr std::uint32_t page_leaf = 4;   ///< a power of two; rtl/engine/none/rc_none.sv
 constexpr std::uint32_t page_lines(int node_width) { return std::uint32_t(node_width) * page_leaf / 2; }
 
-/// The page that begins in `line` of a list of `listed` primitives from line 0 on, as a node of leaves only.
+/// Returns the page that begins in `line`, in a list of `listed` primitives from line 0 on, as a node with
+/// only leaves.
 inline WideNode page_of(std::uint32_t line, std::uint32_t listed, int node_width) {
     WideNode page;
     page.base = line;

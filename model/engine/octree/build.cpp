@@ -1,3 +1,4 @@
+// Builds octrees top-down, on all cores.
 #include "model/engine/octree/build.hpp"
 
 #include <array>
@@ -13,16 +14,16 @@ using kd::CellPtr;
 using kd::Cut;
 using kd::Items;
 
-constexpr std::size_t parallel = 4096;   // from here on octants are worked on at once
+constexpr std::size_t parallel = 4096;   // items from which octants are built at once
 
-/// Part of a node's cell: one of its octants, or a few that have not been cut from each other yet.
+/// Part of a node's cell: one of its octants, or several that are not yet cut from each other.
 struct Part {
     Items items;
     LatticeBox box;
 };
 using Octants = std::array<Part, 8>;
 
-/// The plane that halves a cell; none where it is too thin.
+/// Returns the plane that halves a cell; none where the cell is too thin.
 Cut middle(const LatticeBox& box, std::size_t axis) {
     if (box.hi[axis] - box.lo[axis] < 2) return {};
     return {axis, (box.lo[axis] + box.hi[axis]) >> 1};
@@ -62,7 +63,7 @@ public:
     }
 
 private:
-    /// Takes what lies on both sides of one of the middle planes out of a part.
+    /// Removes the items on both sides of one of the middle planes from a part, and returns them.
     static Items straddlers(Part& part) {
         Items own, rest;
         for (const kd::Item& item : part.items) {
@@ -78,8 +79,8 @@ private:
         return own;
     }
 
-    /// The octants of a part that is still to be cut on `axis` and those after it, lower sides first. An axis
-    /// without a plane has all on its lower side.
+    /// Fills the octants of a part that is not yet cut on `axis` and the axes after it, lower sides first. On
+    /// an axis without a plane, everything goes to the lower side.
     void halve(const Part& part, std::size_t axis, Part* octants) const {
         if (axis == 3) {
             *octants = part;
@@ -97,7 +98,7 @@ private:
         halve(upper, axis + 1, octants + (std::size_t(4) >> axis));
     }
 
-    /// The cells of a part's octants under the planes that cut it.
+    /// Joins the cells of a part's octants under the planes that cut it.
     static CellPtr joined(CellPtr* octants, LatticeBox box, std::size_t axis) {
         if (axis == 3) return std::move(*octants);
         const std::size_t half = std::size_t(4) >> axis;

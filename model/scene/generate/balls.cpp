@@ -1,4 +1,4 @@
-// Haines' "balls": the sphereflake (spd.md 3.1), every sphere with nine of a third its size around it.
+// Haines' "balls": the sphereflake (spd.md 3.1). Every sphere has nine spheres of a third its size around it.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,8 @@ namespace {
 
 using Offsets = std::array<glm::dvec3, 9>;
 
-/// Three tilted up and six on the equator, around a parent that stands on e_z.
+/// Returns the directions of the children of a parent that stands on e_z: three tilted up and six on the
+/// equator.
 Offsets child_directions() {
     Offsets offsets;
     constexpr double degree = std::numbers::pi / 180;
@@ -30,8 +31,8 @@ Offsets child_directions() {
     return offsets;
 }
 
-/// Takes e_z to the unit vector u. The poles do occur, up to rounding, and fix the azimuth of the children
-/// there.
+/// Returns a rotation that takes e_z to the unit vector u. The poles occur, up to rounding, and fix the
+/// azimuth of the children there.
 glm::dmat3 turned_to(const glm::dvec3& u) {
     if (u.z >= 0.9999) return glm::dmat3(1);
     if (u.z <= -0.9999) return glm::dmat3({-1, 0, 0}, {0, 1, 0}, {0, 0, -1});
@@ -46,7 +47,7 @@ glm::dmat3 turned_to(const glm::dvec3& u) {
     return turn;
 }
 
-/// `use` gets the centre and the radius of every ball.
+/// Calls `use` with the centre and the radius of every ball.
 template <class Use> void each_ball(const Offsets& offsets, int depth, const glm::dvec3& centre,
                                     double radius, const glm::dvec3& up, const Use& use) {
     use(centre, radius);
@@ -67,9 +68,9 @@ std::uint64_t spheres(int size) {
     return (nine_to_the - 1) / 8;
 }
 
-constexpr std::uint32_t ball_material = 1;   // the floor has the one before
+constexpr std::uint32_t ball_material = 1;   // the floor has material 0
 
-/// All but the balls.
+/// Writes camera, lights and floor, and sets the balls' material.
 void begin(Scene& scene, MeshWriter& mesh) {
     scene.camera = Camera{{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights = white_lights({{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});

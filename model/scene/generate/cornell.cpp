@@ -1,7 +1,7 @@
-// The Cornell box, after the measurements that Cornell University published of the real one (millimetres): a
-// room that is open towards the camera, a red and a green wall, two white blocks on the floor. Sides that
-// meet share their corners. The lamp is a panel that fills a hole in the ceiling; as light has no area here,
-// a point light hangs a little below it. Everything is flat: no normals.
+// The Cornell box, after the measurements of the real one that Cornell University published (millimetres). It
+// is a room open towards the camera, with a red and a green wall and two white blocks on the floor. Adjacent
+// sides share corners. The lamp is a panel that fills a hole in the ceiling. As lights have no area here, a
+// point light hangs a little below it. Everything is flat: there are no normals.
 #include <array>
 
 #include "model/scene/generate/generate.hpp"
@@ -23,7 +23,8 @@ Corners add(MeshWriter& mesh, const std::array<glm::dvec3, 4>& points) {
 
 constexpr std::uint64_t room = 2 * 4, ceiling_and_lamp = 2 * 5, block_sides = 2 * 5;
 
-/// Four sides and the top over a foot given counter-clockwise seen from above; it stands on the floor.
+/// Writes four sides and the top over a foot, which is counter-clockwise seen from above and stands on the
+/// floor.
 void block(MeshWriter& mesh, const std::array<glm::dvec3, 4>& foot, double height) {
     std::array<glm::dvec3, 4> head = foot;
     for (glm::dvec3& p : head) p.y = height;
@@ -33,7 +34,7 @@ void block(MeshWriter& mesh, const std::array<glm::dvec3, 4>& foot, double heigh
 }
 
 struct Walls {
-    bool closed = false;   ///< a fifth wall, towards the camera, of the back wall's material
+    bool closed = false;   ///< adds a fifth wall, towards the camera, of the back wall's material
     Material back{.name = "white", .colour = glm::dvec3(0.73), .ambient = 0.15, .diffuse = 0.9};
     Material red{.name = "red", .colour{0.65, 0.05, 0.05}, .ambient = 0.15, .diffuse = 0.9};
     Material green{.name = "green", .colour{0.12, 0.45, 0.15}, .ambient = 0.15, .diffuse = 0.9};
@@ -48,9 +49,9 @@ std::uint64_t mirrors_triangles(int) { return cornell_triangles(1) + 2; }
 
 Scene make_cornell(int) { return make_room({}); }
 
-/// All four walls are mirrors, and the camera is inside: a ray goes on until it meets the floor, the ceiling
-/// or a block. The two coloured walls face each other; each keeps a little of its colour, so that one can
-/// count how often a picture was mirrored.
+/// All four walls are mirrors, and the camera is inside: a ray continues until it meets the floor, the
+/// ceiling or a block. The two coloured walls face each other. Each keeps a little of its colour, so one can
+/// count the reflections.
 Scene make_mirrors(int) {
     Walls walls;
     walls.closed = true;
@@ -60,7 +61,7 @@ Scene make_mirrors(int) {
         wall->mirror = 0.75;
     }
     Scene scene = make_room(walls);
-    scene.camera = Camera{{500, 400, 60}, {60, 390, 290}, {0, 1, 0}, 55};   // over the blocks' heads
+    scene.camera = Camera{{500, 400, 60}, {60, 390, 290}, {0, 1, 0}, 55};   // above the blocks
     return scene;
 }
 

@@ -1,5 +1,5 @@
-// A marching crowd: size * size walkers in rows, each a trunk with a head, two arms and two legs that swing
-// about hip and shoulder. All walk ahead by one metre in a second; the camera goes with them.
+// A marching crowd: size * size walkers in rows. Each has a trunk with a head, and two arms and two legs that
+// swing about shoulder and hip. All walk ahead by one metre per second, and the camera moves with them.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,10 +13,10 @@ namespace rayclock {
 namespace {
 
 constexpr int head_size = 1;
-constexpr double length = 2;   // seconds: two steps of each leg, and all stand as in the beginning
+constexpr double length = 2;   // seconds: two steps of each leg, after which the pose repeats
 constexpr std::uint64_t box_triangles = 12, limbs = 4;
 
-/// The box between two corners.
+/// Writes the box between two corners.
 void box(MeshWriter& mesh, const glm::dvec3& lo, const glm::dvec3& hi) {
     const auto at = [&](int c) {
         return glm::dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z);
@@ -30,7 +30,7 @@ SharedMesh shared(const std::string& name, Scene&& scene) {
     return {name, std::move(scene.vertices), std::move(scene.normals), std::move(scene.triangles)};
 }
 
-/// Upright from the hip at 0: 0.9 m below it are the feet.
+/// Upright from the hip at 0; the feet are 0.9 m below it.
 SharedMesh trunk() {
     Scene scene;
     MeshWriter mesh(scene);

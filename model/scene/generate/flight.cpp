@@ -1,5 +1,5 @@
-// Balls in flight over a ground: every ball is thrown up, falls and is thrown again, once in four seconds,
-// along a parabola of sixteen straight pieces. Two of three are mirrors. One of two lights goes round.
+// Balls in flight over a ground. Every ball is thrown up, falls and is thrown again, once in four seconds,
+// along a parabola of sixteen straight pieces. Two of three are mirrors. One of two lights moves in a circle.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -41,7 +41,7 @@ void begin(PlacedScene& scene, double side) {
     scene.motion.lights.push_back(round);
 }
 
-/// Thrown from one point of a square to another, from the height 0.2 to there.
+/// Returns a ball thrown from one point of a square to another and back.
 MotionNode thrown(std::uint32_t number, double side) {
     const auto across = [&](std::uint32_t k) { return 0.85 * side * (2 * chance(8 * number + k) - 1); };
     const glm::dvec3 from(across(0), 0, across(1)), to(across(2), 0, across(3));
@@ -50,7 +50,7 @@ MotionNode thrown(std::uint32_t number, double side) {
     node.is_parts = true;
     node.scale = glm::dvec3(0.12 + 0.14 * chance(8 * number + 6));
     for (int k = 0; k <= pieces; ++k) {
-        // There and back, so that the end is the beginning.
+        // There and back, so that the end equals the beginning.
         const double s = std::fmod(double(k) / pieces + phase, 1.0), way = s < 0.5 ? 2 * s : 2 - 2 * s;
         glm::dvec3 at = from + way * (to - from);
         at.y = 0.3 + height * 4 * way * (1 - way);

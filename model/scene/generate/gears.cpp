@@ -1,8 +1,9 @@
 // Haines' "gears": n^3 interlocked gears (spd.md 3.2), each a closed prism over a 144-gon with 36 teeth.
 //
 // The 144-gon is not convex. It is cut into the 36 teeth, four corners each, and the convex 72-gon between
-// them, which is halved again and again: a fan would give long thin triangles, poison for a bounding-volume
-// hierarchy. All diagonals run from corner to corner, so top, bottom and sides meet without T-junctions.
+// them. The 72-gon is halved again and again, because a fan would give long thin triangles, which suit a
+// bounding-volume hierarchy badly. All diagonals run from corner to corner, so top, bottom and sides meet
+// without T-junctions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +30,7 @@ struct GearShape {
           thickness(std::min(0.1, 0.5 / n)) {}
 };
 
-/// Corner of the outline, tooth by tooth: two on the tooth, two at its foot.
+/// Returns a corner of the outline, tooth by tooth: two on the tooth, two at its foot.
 glm::dvec3 outline(const GearShape& shape, double phase, std::uint32_t corner) {
     constexpr double tooth = 2 * std::numbers::pi / teeth;
     constexpr std::array<double, 4> offset{-0.19, 0.19, 0.3, 0.7};
@@ -38,10 +39,10 @@ glm::dvec3 outline(const GearShape& shape, double phase, std::uint32_t corner) {
     return {radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-/// Corner i of the 72-gon between the teeth.
+/// Returns corner i of the 72-gon between the teeth.
 std::uint32_t foot(std::uint32_t i) { return i / 2 * 4 + 2 + i % 2; }
 
-/// The part of the 72-gon between its corners `from` and `to`, which may be `inner` for 0.
+/// Cuts the part of the 72-gon between its corners `from` and `to`; `to` may be `inner`, which means 0.
 template <class Emit> void halve(std::uint32_t from, std::uint32_t to, const Emit& emit) {
     if (to - from < 2) return;
     const std::uint32_t middle = (from + to) / 2;
@@ -50,7 +51,7 @@ template <class Emit> void halve(std::uint32_t from, std::uint32_t to, const Emi
     halve(middle, to, emit);
 }
 
-/// The 142 triangles of the outline, counter-clockwise seen from above.
+/// Cuts the outline into its 142 triangles, counter-clockwise seen from above.
 template <class Emit> void cut_outline(const Emit& emit) {
     for (std::uint32_t p = 0; p < corners; p += 4) {
         const std::uint32_t before = (p + corners - 1) % corners;
@@ -93,7 +94,7 @@ Material gear_material(int x, int y, int z) {
     return material;
 }
 
-/// Camera, lights and ground; room for so much beside.
+/// Writes camera, lights and ground, and reserves room for more vertices and triangles.
 MeshWriter begin_gears(Scene& scene, std::uint64_t vertices, std::uint64_t triangles) {
     scene.camera = Camera{{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights =
@@ -114,7 +115,7 @@ MeshWriter begin_gears(Scene& scene, std::uint64_t vertices, std::uint64_t trian
     return mesh;
 }
 
-/// A gear about the origin.
+/// Returns a gear about the origin.
 SharedMesh one_gear(const GearShape& shape) {
     Scene alone;
     MeshWriter writer(alone);
@@ -123,7 +124,7 @@ SharedMesh one_gear(const GearShape& shape) {
     return {"gear", std::move(alone.vertices), {}, std::move(alone.triangles)};
 }
 
-/// Of each gear in turn: its centre, how far it is turned, its material.
+/// Calls `see` for each gear with its centre, its rotation and its material.
 template <class See> void each_gear(int size, const GearShape& shape, const See& see) {
     for (int z = 0; z < size; ++z)
         for (int y = 0; y < size; ++y)
@@ -171,7 +172,7 @@ PlacedScene make_clockwork(int size) {
             MotionNode node{.name = "gear " + std::to_string(x) + " " + std::to_string(y)};
             node.is_parts = true;
             node.translate = {-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y, 0.8};
-            for (int quarter = 0; quarter <= 4; ++quarter) {   // once round in four seconds
+            for (int quarter = 0; quarter <= 4; ++quarter) {   // one turn in four seconds
                 node.turns.times.push_back(quarter);
                 node.turns.values.push_back(glm::angleAxis(
                     std::numbers::pi / 36 * ((x + y) % 2) + sense * std::numbers::pi / 2 * quarter,

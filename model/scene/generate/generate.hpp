@@ -6,33 +6,34 @@
 
 namespace rayclock {
 
-// builtin.cpp lists the scenes; most have a file of their own. Each has the exact number of primitives by
-// formula and the scene itself for a size >= 1. Memory and time grow with the result only, and the same size
-// always gives the same bits. Curved things come as Haines' package cuts them by default (tessellation factor
-// 3) with smooth normals; a scene without curved triangles has no normals. Lights are 1/sqrt(their number)
-// strong; three or more still blow out what they all shine on, so such surfaces have half of Haines' Kd
-// (shading is free in his description).
+// The generators of the built-in scenes, which builtin.cpp lists; most have a file of their own. Each offers
+// the exact number of primitives by formula, and the scene itself for a size >= 1. Memory and time grow only
+// with the result, and a size always gives the same bits.
+//
+// Curved shapes have the default cut of Haines' package (tessellation factor 3) with smooth normals. A scene
+// without curved triangles has no normals. Lights have strength 1/sqrt(their number). Three or more still
+// overexpose a surface that all of them light, so such surfaces have half of Haines' Kd (his description
+// leaves shading free).
 
 PrimitiveCounts balls_counts(int size, Primitives primitives);
 Scene make_balls(int size, Primitives primitives);
 
 std::uint64_t gears_triangles(int size);
 Scene make_gears(int size);
-PlacedScene make_gearbox(int size);   ///< the same, of one gear
+PlacedScene make_gearbox(int size);   ///< the same scene, of instances of one gear
 std::uint64_t flake_triangles(int size);
-PlacedScene make_flake(int size);   ///< the balls, of one ball
+PlacedScene make_flake(int size);   ///< the balls, of instances of one ball
 std::uint64_t boughs_triangles(int size);
-PlacedScene make_boughs(int size);   ///< the tree, of one cone and one ball
+PlacedScene make_boughs(int size);   ///< the tree, of instances of one cone and one ball
 
-// Scenes that move, for some seconds and then again from the beginning; each of instances of few meshes.
+// Moving scenes, which repeat after some seconds. Each consists of instances of few meshes.
 
 std::uint64_t clockwork_triangles(int size);
 PlacedScene make_clockwork(int size);   ///< a wall of size * size gears that turn each other, over a ground
 std::uint64_t crowd_triangles(int size);
-PlacedScene make_crowd(int size);   ///< size * size walkers of five parts each; the camera goes along
+PlacedScene make_crowd(int size);   ///< size * size walkers of five parts each; the camera moves with them
 std::uint64_t flight_triangles(int size);
-PlacedScene make_flight(int size);   ///< so many mirror balls that are thrown over a ground; a light goes
-                                     ///< round
+PlacedScene make_flight(int size);   ///< `size` balls thrown over a ground; a light moves in a circle
 
 PrimitiveCounts mount_counts(int size, Primitives primitives);
 Scene make_mount(int size, Primitives primitives);

@@ -1,5 +1,5 @@
-// A closed sphere without poles or seams: the icosahedron, every triangle cut in four `size` times, all
-// vertices on the unit sphere and shared, normals radial.
+// A closed sphere without poles or seams: the icosahedron with every triangle cut in four `size` times. All
+// vertices lie on the unit sphere and are shared; normals are radial.
 #include <array>
 #include <cstdlib>
 #include <numbers>
@@ -41,8 +41,8 @@ Ball icosahedron() {
     return ball;
 }
 
-/// The middles of edges, each made once. No vertex has more than six neighbours, so a little table at the
-/// lower-numbered end of every edge does for a hash map.
+/// The middles of edges, each made once. No vertex has more than six neighbours. So a small table at the
+/// lower-numbered end of every edge replaces a hash map.
 class Middles {
 public:
     explicit Middles(Ball& ball) : ball_(ball), edges_(ball.points.size()) {}
@@ -50,7 +50,8 @@ public:
     std::uint32_t operator()(std::uint32_t a, std::uint32_t b) {
         if (a > b) std::swap(a, b);
         for (auto& [other, middle] : edges_[a]) {
-            if (middle == 0) {   // point 0 is a corner of the icosahedron, never a middle: a free place
+            if (middle == 0) {   // point 0 is a corner of the icosahedron, never a middle, so 0 marks a free
+                                 // entry
                 other = b;
                 middle = static_cast<std::uint32_t>(ball_.points.size());
                 ball_.points.push_back(unit(ball_.points[a] + ball_.points[b]));

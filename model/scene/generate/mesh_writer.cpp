@@ -11,8 +11,8 @@ namespace {
 
 constexpr int f = tessellation;
 
-/// Grid line k = 0..f of a cube side from -1 to 1, at equal angles seen from the centre; odd, with exact
-/// ends.
+/// Returns grid line k = 0..f of a cube side from -1 to 1, at equal angles seen from the centre. It is odd,
+/// with exact ends.
 double grid_line(int k) {
     if (k == 0 || k == f) return k == 0 ? -1 : 1;
     return std::tan(std::numbers::pi / 4 * (2 * k - f) / f);
@@ -63,7 +63,7 @@ Instance ball_at(const glm::dvec3& centre, double radius, std::uint32_t mesh) {
 
 MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors)
     : scene_(scene), primitives_(primitives), sectors_(sectors) {
-    // Points of the (f+1)^3 lattice on the cube's surface; sides that meet in an edge find the same points.
+    // Points of the (f+1)^3 lattice on the cube's surface. Sides that meet in an edge use the same points.
     std::uint32_t number[f + 1][f + 1][f + 1] = {};
     const auto on_surface = [](int k) { return k == 0 || k == f; };
     for (int x = 0; x <= f; ++x)

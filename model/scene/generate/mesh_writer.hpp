@@ -1,4 +1,5 @@
 #pragma once
+// Writes shapes into scenes, and helpers of the generators.
 #include <array>
 #include <cstdint>
 #include <initializer_list>
@@ -12,8 +13,7 @@
 
 namespace rayclock {
 
-/// Haines' tessellation factor f: a sphere is six f x f grids, a cone or cylinder 4 f sectors if no other
-/// number is asked for.
+/// Haines' tessellation factor f. A sphere is six f x f grids; a cone or cylinder has 4 f sectors by default.
 constexpr int tessellation = 3;
 constexpr int sphere_triangles = 12 * tessellation * tessellation;
 constexpr int sphere_vertices = 6 * tessellation * tessellation + 2;
@@ -21,18 +21,18 @@ constexpr int cone_sectors = 4 * tessellation;
 constexpr std::uint64_t cone_triangles(int sectors) { return 2 * static_cast<std::uint64_t>(sectors); }
 constexpr std::uint64_t cone_vertices(int sectors) { return 2 * static_cast<std::uint64_t>(sectors); }
 
-/// Appends shapes to a scene. Every shape has vertices of its own, in one run, and its triangles share them;
-/// triangles are counter-clockwise seen from outside and get the material that was set last.
-/// A scene is written either with normals throughout or without any.
+/// Appends shapes to a scene. Every shape has its own vertices, in one run, and its triangles share them.
+/// Triangles are counter-clockwise seen from outside and have the material set last. A scene has normals
+/// throughout or none.
 class MeshWriter {
 public:
     explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles,
                         int sectors = cone_sectors);
 
-    /// Memory for what is to come. Without normals, those of vertex(), flat() and cone() are dropped.
+    /// Reserves memory. Without normals, those of vertex(), flat() and cone() are dropped.
     void reserve(std::uint64_t vertices, const PrimitiveCounts& counts, bool with_normals);
 
-    /// The material of the triangles to come: a new one, or one of the scene's by number.
+    /// Set the material of the following triangles: a new one, or one of the scene's by number.
     void material(const Material& material);
     void use_material(std::uint32_t number) { material_ = number; }
 
@@ -40,13 +40,13 @@ public:
     std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal);
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-    /// Planar convex polygon, cut as a fan, with its face normal at every corner.
+    /// Writes a planar convex polygon, cut as a fan, with its face normal at every corner.
     void flat(std::initializer_list<glm::dvec3> corners);
 
-    /// One native sphere; or closed, an equal-angle cube grid (spd.md 5), normals radial.
+    /// Writes one native sphere, or a closed equal-angle cube grid with radial normals (spd.md 5).
     void sphere(const glm::dvec3& centre, double radius);
 
-    /// Side only, no caps: base ring first, then apex ring.
+    /// Writes a side without caps: base ring first, then apex ring.
     void cone(const glm::dvec3& base, double base_radius, const glm::dvec3& apex, double apex_radius);
 
 private:
@@ -61,23 +61,24 @@ private:
 
 glm::dvec3 unit(const glm::dvec3& v);
 
-/// Unit vectors across a unit axis in which the ring of a cone begins, and which lies a quarter further on.
+/// Unit vectors across a unit axis: the start of a cone's ring, and the direction a quarter turn further.
 struct Ring {
     glm::dvec3 start, quarter;
 };
 Ring ring_around(const glm::dvec3& axis);
 
-/// A closed unit sphere, as sphere() cuts it, and an instance of it.
+/// ball_mesh() returns a closed unit sphere, cut as in sphere(); ball_at() returns an instance of it.
 SharedMesh ball_mesh(std::uint32_t material);
 Instance ball_at(const glm::dvec3& centre, double radius, std::uint32_t mesh);
 
-/// Numbers from 0 to below 1 that look like chance, the same everywhere.
+/// Returns a pseudo-random number in [0, 1), the same on every machine.
 double chance(std::uint32_t i);
 
-/// White lights of strength 1/sqrt(n) each (spd.md 2.2).
+/// Returns white lights of strength 1/sqrt(n) each (spd.md 2.2).
 std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions);
 
-/// Phong's exponent for a highlight that falls to one half at `degrees` (spd.md 2.4), 0 < degrees < 90.
+/// Returns Phong's exponent for a highlight that falls to one half at `degrees` (spd.md 2.4),
+/// 0 < degrees < 90.
 double shine_of(double degrees);
 
 }   // namespace rayclock

@@ -1,9 +1,8 @@
 // Haines' "mount": a fractal mountain and four glass spheres (spd.md 3.3).
 //
-// The published recursion evaluates the noise of every inner edge twice; here a grid of heights is refined
-// level by level instead, with the same sums, so that the heights are the same bits. The terrain is
-// flat-shaded: since the spheres are smooth, its triangles have vertices of their own, bitwise equal where
-// they meet.
+// The published recursion evaluates the noise of every inner edge twice. Here a grid of heights is refined
+// level by level, with the same sums, so the heights have the same bits. The terrain is flat-shaded. Since
+// the spheres are smooth, the terrain's triangles have their own vertices, bitwise equal where they meet.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,11 +13,12 @@
 namespace rayclock {
 namespace {
 
-/// b * 2^exponent, or 0 where the exponent is negative: the original shifts by a negative number of bits
-/// there.
+/// Returns b * 2^exponent, or 0 for a negative exponent, where the original shifts by a negative number of
+/// bits.
 std::uint32_t shifted(std::uint32_t b, int exponent) { return exponent < 0 ? 0 : b << exponent; }
 
-/// Normally distributed, and a function of the grid point alone (polar method, Marsaglia and Bray 1964).
+/// Returns normally distributed noise that depends only on the grid point (polar method, Marsaglia and Bray
+/// 1964).
 double noise(int size, std::uint32_t a, std::uint32_t b) {
     std::uint32_t seed = 21 + (shifted(a, 23 - size) + shifted(b, 15 - size) + shifted(a, 7 - size)) % 65536;
     const auto draw = [&] {
@@ -49,7 +49,7 @@ private:
     std::size_t index(std::uint32_t x, std::uint32_t y) const { return std::size_t{y} * (side_ + 1) + x; }
     double& height(std::uint32_t x, std::uint32_t y) { return heights_[index(x, y)]; }
 
-    /// Cuts squares of `width` in four: first middles of all edges, then middles of all squares.
+    /// Cuts squares of `width` in four: first the middles of all edges, then the middles of all squares.
     void refine(std::uint32_t width) {
         static const double roughness = std::sqrt(std::cbrt(2.0) - 1);   // fractal dimension 2.2
         const std::uint32_t h = width / 2;
@@ -85,7 +85,7 @@ void glass_spheres(MeshWriter& mesh) {
     }
 }
 
-/// In the order of the published recursion, which visits the quarters counter-clockwise.
+/// Writes the squares in the order of the published recursion, which visits the quarters counter-clockwise.
 void rock(MeshWriter& mesh, const Terrain& terrain, std::uint32_t width, std::uint32_t x, std::uint32_t y) {
     if (width == 1) {
         const glm::dvec3 a = terrain.point(x, y), b = terrain.point(x + 1, y);

@@ -16,7 +16,7 @@ constexpr int rings_per_group = 6, joints = 5;
 
 using Group = std::array<std::array<glm::dvec3, joints>, rings_per_group>;
 
-/// Joints of the rings of one group; ring 0 lies in the plane z = 0 and the others hang in it.
+/// Returns the joints of the rings of one group. Ring 0 lies in the plane z = 0, and the others hang in it.
 Group group_points() {
     Group points;
     const double scale = 1 / (1 + thickness);
@@ -45,7 +45,7 @@ void wall(MeshWriter& mesh, int size, double spacing) {
     mesh.flat({{w - 1, y, w + 0.5}, {-w - 1, y, w + 0.5}, {-w - 1, y, -w + 0.5}, {w - 1, y, -w + 0.5}});
 }
 
-/// The package states a material before every ring; six are enough, and `ring_material` of them is the first.
+/// The package states a material before every ring. Six are enough; `ring_material` is the first of them.
 void group(MeshWriter& mesh, const Group& points, const glm::dvec3& offset, std::uint32_t ring_material) {
     for (std::size_t m = 0; m < rings_per_group; ++m) {
         mesh.use_material(ring_material + static_cast<std::uint32_t>(m));

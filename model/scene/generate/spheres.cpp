@@ -1,13 +1,13 @@
-// The sphere picture of the literature (Whitted 1980; the chips that came after him drew it too): reflecting
-// spheres and one of glass above an endless checkered plane. Spheres and a plane only, nothing is cut into
-// triangles.
+// The sphere picture of the literature (Whitted 1980, and later chips): reflecting spheres and a glass sphere
+// above an infinite checkered plane. It has only spheres and a plane; nothing is cut into triangles. Also the
+// scenes `plane` and `square`.
 #include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {
 namespace {
 
-/// Squares of side 1 in the plane y = 0, around the origin.
+/// Returns the plane y = 0 with squares of side 1 around the origin.
 Plane floor_plane(std::uint32_t material) {
     return {.point{0, 0, 0}, .u{1, 0, 0}, .v{0, 0, -1}, .material = material};
 }
@@ -68,7 +68,7 @@ Scene make_spheres(int) {
     return scene;
 }
 
-/// Alike everywhere except for its squares, which become smaller than a pixel towards the horizon.
+/// A uniform plane with squares that become smaller than a pixel towards the horizon.
 Scene make_plane(int) {
     Scene scene;
     scene.background = {0.45, 0.6, 0.85};
@@ -86,7 +86,7 @@ Scene make_plane(int) {
 
 std::uint64_t square_triangles(int) { return 2; }
 
-/// Its edges run across the rows and columns of pixels at about 1 in 11.
+/// A square whose edges cross the rows and columns of pixels at about 1 in 11.
 Scene make_square(int) {
     Scene scene;
     scene.background = glm::dvec3(0);

@@ -1,6 +1,6 @@
 // Haines' "teapot": Newell's teapot on a checkerboard (spd.md 3.5).
 //
-// Patches that share a row of control points, in either direction, get bitwise equal vertices along it: the
+// Patches that share a row of control points, in either direction, get bitwise equal vertices along it. The
 // weights and the sums below are symmetric under reversal of a parameter, and exact at its ends.
 #include <array>
 #include <cmath>
@@ -16,13 +16,13 @@ namespace {
 
 using Weights = std::array<double, 4>;
 
-/// Bernstein's cubic polynomials at u = i / n.
+/// Returns Bernstein's cubic polynomials at u = i / n.
 Weights bernstein(int i, int n) {
     const double u = static_cast<double>(i) / n, w = static_cast<double>(n - i) / n;
     return {w * (w * w), 3 * (u * (w * w)), 3 * (w * (u * u)), u * (u * u)};
 }
 
-/// Their derivatives.
+/// Returns their derivatives.
 Weights bernstein_slope(int i, int n) {
     const double u = static_cast<double>(i) / n, w = static_cast<double>(n - i) / n;
     return {-3 * w * w, 3 * w * w - 6 * u * w, 6 * u * w - 3 * u * u, 3 * u * u};
@@ -40,7 +40,7 @@ glm::dvec3 evaluate(const TeapotPatch& patch, const Weights& s, const Weights& t
     return weighted(s, row);
 }
 
-/// The centres of the lid's knob and of the bottom, where a whole row of a patch is one point.
+/// True at the centres of the lid's knob and of the bottom, where a whole row of a patch is one point.
 bool is_cusp(const glm::dvec3& p) { return std::abs(p.x) <= 1e-4 && std::abs(p.y) <= 1e-4; }
 
 glm::dvec3 normal_at(const TeapotPatch& patch, const glm::dvec3& p, int i, int j, int n) {
@@ -71,7 +71,7 @@ void add_patch(MeshWriter& mesh, const Scene& scene, const TeapotPatch& patch, i
         }
 }
 
-/// All corners lie in one plane, so squares share them; first the odd squares, then the even ones.
+/// All corners lie in one plane, so squares share them. The odd squares come first, then the even ones.
 void checkerboard(MeshWriter& mesh, const Scene& scene, int n) {
     const auto first = static_cast<std::uint32_t>(scene.vertices.size()),
                row = static_cast<std::uint32_t>(n) + 1;

@@ -1,6 +1,6 @@
-// The teapot is symmetric, so that it takes 35 rows of numbers instead of 290 points: body, lid and bottom
-// are surfaces of revolution, and of handle and spout the second half is the mirror image of the first. The
-// patches have the published numbers to the bit.
+// The teapot's symmetry reduces 290 points to 35 rows of numbers. Body, lid and bottom are surfaces of
+// revolution. The second half of handle and spout is the mirror image of the first. The patches have the
+// published numbers to the bit.
 #include "model/scene/generate/teapot_patches.hpp"
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace rayclock {
 namespace {
 
-/// A circle about the axis x = y = 0, made of four curves. A curve goes from one axis to the next; its two
+/// A circle about the axis x = y = 0, made of four curves. A curve runs from one axis to the next. Its two
 /// inner control points lie `radius` along the nearer axis and `bend` along the other.
 struct Ring {
     double radius, bend, z;
@@ -22,7 +22,7 @@ constexpr Ring lid[] = {{0, 0, 3.15},       {0.8, 0.45, 3.15},  {0, 0, 2.85},   
                         {0.4, 0.224, 2.55}, {1.3, 0.728, 2.55}, {1.3, 0.728, 2.4}};
 constexpr Ring bottom[] = {{0, 0, 0}, {1.425, 0.798, 0}, {1.5, 0.84, 0.075}, {1.5, 0.84, 0.15}};
 
-/// Half a cross-section of handle or spout: from one point of the plane y = 0 to another, `width` to its
+/// Half a cross-section of handle or spout: from one point of the plane y = 0 to another, with `width` to its
 /// side.
 struct Rib {
     double x, z, other_x, other_z, width;
@@ -36,12 +36,12 @@ constexpr Rib spout[] = {{1.7, 1.425, 1.7, 0.6, 0.66},       {2.6, 1.425, 3.1, 0
                          {2.8, 2.475, 3.525, 2.49375, 0.25}, {2.9, 2.475, 3.45, 2.5125, 0.15},
                          {2.8, 2.4, 3.2, 2.4, 0.15}};
 
-/// Every fourth row of control points ends one patch and begins the next.
+/// Calls `add` with every four rows of control points. Every fourth row ends one patch and begins the next.
 template <class Row, class Add> void each_four(std::span<const Row> rows, const Add& add) {
     for (std::size_t first = 0; first + 3 < rows.size(); first += 3) add(rows.subspan(first, 4));
 }
 
-/// Four quarters, the first from x to `side` times y.
+/// Adds four quarters, the first from x to `side` times y.
 void revolve(std::span<const Ring> profile, double side, std::vector<TeapotPatch>& patches) {
     const glm::dvec3 axes[] = {{1, 0, 0}, {0, side, 0}, {-1, 0, 0}, {0, -side, 0}};
     each_four(profile, [&](std::span<const Ring> rings) {
@@ -58,7 +58,7 @@ void revolve(std::span<const Ring> profile, double side, std::vector<TeapotPatch
     });
 }
 
-/// The half at negative y, then the other.
+/// Adds the half at negative y, then the other half.
 void mirror(std::span<const Rib> profile, std::vector<TeapotPatch>& patches) {
     each_four(profile, [&](std::span<const Rib> ribs) {
         TeapotPatch half, other;

@@ -1,5 +1,5 @@
-// Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). The corners that neighbours touch at are not
-// shared.
+// Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). Neighbours that touch at a corner do not share its
+// vertex.
 #include <array>
 
 #include "model/scene/generate/generate.hpp"

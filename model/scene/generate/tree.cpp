@@ -11,7 +11,7 @@
 namespace rayclock {
 namespace {
 
-/// kappa R_z(delta) R_x(beta): how a branch stands on its parent.
+/// Returns kappa R_z(delta) R_x(beta), the frame of a branch in that of its parent.
 glm::dmat3 fork(double beta_degrees, double delta_degrees, double kappa) {
     constexpr double degree = std::numbers::pi / 180;
     const double cb = std::cos(beta_degrees * degree), sb = std::sin(beta_degrees * degree);
@@ -21,10 +21,11 @@ glm::dmat3 fork(double beta_degrees, double delta_degrees, double kappa) {
 }
 
 using Forks = std::array<glm::dmat3, 2>;
-constexpr double taper = 0.67;   // of a branch from base to top, and of its children beside it
+constexpr double taper = 0.67;   // ratio of a branch's top radius to its base radius, and of a child's
+                                 // thickness to its parent's
 
-/// `use` gets base, radius there, top and radius there of every branch; on its top lies a ball of that
-/// radius.
+/// Calls `use` with base, base radius, top and top radius of every branch. A ball of the top radius lies on
+/// the top.
 template <class Use> void each_branch(const Forks& forks, int depth, const glm::dmat3& frame,
                                       const glm::dvec3& base, double thickness, const Use& use) {
     const double base_radius = 0.15 * thickness, top_radius = taper * base_radius;
@@ -38,9 +39,9 @@ template <class Use> void each_branch(int size, const Use& use) {
     each_branch({fork(40, 90, 0.65), fork(25, 230, 0.7)}, size, glm::dmat3(1), glm::dvec3(0), 1, use);
 }
 
-constexpr std::uint32_t wood = 1;   // material; the field has the one before
+constexpr std::uint32_t wood = 1;   // material; the field has material 0
 
-/// All but the tree.
+/// Writes camera, lights and field, and adds the wood.
 void begin(Scene& scene, MeshWriter& mesh) {
     scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{-5, 5, 50},
@@ -88,7 +89,7 @@ PlacedScene make_boughs(int size) {
     PlacedScene scene;
     MeshWriter mesh(scene.own);
     begin(scene.own, mesh);
-    Scene cone;   // upright, one high
+    Scene cone;   // upright, of height 1
     MeshWriter writer(cone);
     writer.use_material(wood);
     writer.cone(glm::dvec3(0), 1, {0, 0, 1}, taper);

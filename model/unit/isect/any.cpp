@@ -1,3 +1,4 @@
+// Tests of planes and spheres, and of secondary rays, for a chip that shades.
 #include "model/unit/isect/any.hpp"
 
 #include <algorithm>
@@ -12,16 +13,16 @@ namespace rayclock {
 
 namespace {
 
-/// o - 2^drop a in units of 2^-drop for an origin with `frac` bits of fraction, of which `frac - drop` are
-/// zero.
+/// Returns o - 2^drop a in units of 2^-drop, for an origin with `frac` fraction bits. The lowest `frac -
+/// drop` of them are zero.
 Vec3l offset(const Vec3i& o, const Vec3i& a, int frac, int drop) {
     Vec3l s;
     for (std::size_t k = 0; k < 3; ++k) s[k] = (o[k] >> (frac - drop)) - a[k] * (std::int64_t(1) << drop);
     return s;
 }
 
-/// min(ceil(num 2^shift / det), largest distance), for num, det > 0 and num 2^shift < 2^127; shift may be
-/// negative.
+/// Returns min(ceil(num 2^shift / det), largest distance), for num, det > 0 and num 2^shift < 2^127. `shift`
+/// may be negative.
 std::uint32_t distance_of(Wide num, int shift, Wide det, const Config& config) {
     if (shift < 0)
         det <<= -shift;
@@ -32,8 +33,8 @@ std::uint32_t distance_of(Wide num, int shift, Wide det, const Config& config) {
     return std::uint32_t((num + det - 1) / det);
 }
 
-/// floor(2^bary_bits edge / det) of 0 <= edge <= det; of a plane any edge, saturated to uv_bits in two's
-/// complement.
+/// Returns floor(2^bary_bits edge / det) for 0 <= edge <= det. For a plane any edge is allowed, and the
+/// result saturates to uv_bits in two's complement.
 std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
     const Wide most = (Wide(1) << (config.uv_bits() - 1)) - 1, unit = Wide(1) << config.bary_bits;
     const Wide scaled = edge * unit;
@@ -43,17 +44,17 @@ std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
     return std::uint32_t(std::uint64_t(whole) & ((std::uint64_t(1) << config.uv_bits()) - 1));
 }
 
-/// Bounces, and rays away to a light: their origin has B fraction bits. In an instance a camera ray's has
-/// them as well.
+/// True for rays whose origin has B fraction bits: bounces, rays away to a light, and camera rays in an
+/// instance.
 bool leaves_surface(const Ray& ray, const Config& config) {
     return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away ||
            (config.has_instances() && RayKind(ray.kind) == RayKind::camera);
 }
 
-/// It begins beyond the lattice, and asks planes alone.
+/// True if the ray begins beyond the lattice, and so meets only planes.
 bool is_far(const Ray& ray) { return ray.partial && !ends_at_any(ray.kind); }
 
-/// Triangles and planes, whatever the ray.
+/// Tests any ray against a triangle or plane.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
     if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
@@ -82,8 +83,8 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     out.v = coordinate(e.v, e.det, config);
 }
 
-/// A ray and a sphere: d.s, d.d, s.s less the square of the radius, and the discriminant, s having `scale`
-/// bits of fraction.
+/// A ray and a sphere: d.s, d.d, s.s less the squared radius, and the discriminant. s has `scale` fraction
+/// bits.
 struct Meeting {
     Wide along, square, power, disc;
 };
@@ -102,15 +103,15 @@ Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config&
     return m;
 }
 
-/// Whether a sphere stands between the light, from which the ray comes, and the point.
+/// True if a sphere stands between the light, where the ray begins, and the point.
 bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;
     const bool seen_inside = is_seen_inside(sphere);
     if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
-    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of
-                                                                              // the radius
+    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the squared
+                                                                              // radius
     if (!seen_inside && end <= 0) return false;   // the point is inside and sees out
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
@@ -160,7 +161,7 @@ Root root(WideNatural square) {
     const int bits = int(high != 0 ? 64 + std::bit_width(high) : std::bit_width(std::uint64_t(square)));
     r.shift = std::max(bits - 2 * root_bits + 1, 0) / 2;
     const auto cut = std::uint64_t(square >> (2 * r.shift));
-    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));   // right to within one: cut has 56 bits, a
+    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));   // off by at most one: cut has 56 bits, a
                                                                    // double 53
     while (whole * whole > cut) --whole;
     while ((whole + 1) * (whole + 1) <= cut) ++whole;
@@ -173,15 +174,15 @@ void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Conf
     no_hit(out);
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
-    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always, as only camera rays
-                                                                               // compare with camera rays'
-                                                                               // hits
+    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always true, as only camera
+                                                                               // rays compare with hits of
+                                                                               // camera rays
     if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best ||
         config.has_instances())
         return flat_test(ray, prim, best, config, out);
     Vec3i o;
     for (std::size_t k = 0; k < 3; ++k) o[k] = ray.o[k] >> config.origin_frac();
-    tri_test(o, ray.d, prim, best, config, out);   // 64 bits do
+    tri_test(o, ray.d, prim, best, config, out);   // 64 bits suffice
 }
 
 }   // namespace rayclock

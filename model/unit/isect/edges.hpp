@@ -1,7 +1,6 @@
 #pragma once
-// The exact triangle test itself, in numbers of 64 or 128 bits: the only place in the model where it is
-// written. What is done with its answer is the business of tri_test(), any_test(), the recorder and the tests
-// of origins.
+// The exact triangle test in numbers of 64 or 128 bits. No other place in the model has its formulas.
+// tri_test(), any_test(), the recorder and the tests of origins use its answer.
 #include <cassert>
 
 #include "model/core/payloads.hpp"
@@ -9,19 +8,20 @@
 
 namespace rayclock {
 
-/// Edge functions of a ray and a triangle, as tri_test() names them. If the ray's origin has fraction bits,
-/// all four are in units of the last.
+/// Edge functions of a ray and a triangle, named as in tri_test(). If the ray's origin has fraction bits, all
+/// four are in units of the last one.
 template <class Number> struct Edges {
     Number det = 0, u = 0, v = 0, num = 0;
 
     Number w() const { return det - u - v; }
-    /// An edge function is zero: ties decide.
+    /// True if an edge function is zero, so that ties decide.
     bool on_edge() const { return u == 0 || v == 0 || w() == 0; }
-    /// If not: the ray's line crosses the triangle. (For det = 0 the three have not all one sign.)
+    /// True if the ray's line crosses the triangle, when on_edge() is false. (For det = 0 the three cannot
+    /// all have the same sign.)
     bool same_signs() const { return ((u ^ det) | (v ^ det) | (w() ^ det)) >= 0; }
-    /// And not behind the origin.
+    /// True if same_signs() and the crossing is not behind the origin.
     bool ahead() const { return ((u ^ det) | (v ^ det) | (w() ^ det) | (num ^ det)) >= 0; }
-    /// Turns all signs if det < 0. Returns whether it was.
+    /// Turns all signs if det < 0. Returns true if it did.
     bool turn() {
         const bool flip = det < 0;
         if (flip) det = -det, u = -u, v = -v, num = -num;
@@ -33,8 +33,8 @@ template <class Number> Number dot(const Vec3l& a, const Vec3l& b) {
     return Number(a[0]) * b[0] + Number(a[1]) * b[1] + Number(a[2]) * b[2];
 }
 
-/// True if the edge function is positive, a zero being decided by the first non-zero component of its
-/// gradient; `flip` turns all signs.
+/// True if the edge function is positive. If it is zero, the first non-zero component of its gradient
+/// decides. `flip` turns all signs.
 template <class Number> bool inside(Number edge, const Vec3l& gradient, bool flip) {
     const Number decides = edge != 0          ? edge
                            : gradient[0] != 0 ? gradient[0]
@@ -43,19 +43,20 @@ template <class Number> bool inside(Number edge, const Vec3l& gradient, bool fli
     return flip ? decides < 0 : decides > 0;
 }
 
-/// The ray's line crosses the triangle, for det other than 0. The gradients are those of tri_test().
+/// True if the ray's line crosses the triangle, for det != 0. The gradients are those of tri_test().
 template <class Number> bool crosses(const Edges<Number>& edges, const Vec3l& p1, const Vec3l& p2) {
-    // Nearly always no edge function is zero; then their signs alone decide, without a branch for each.
+    // Nearly always no edge function is zero. Then the signs alone decide, with one branch.
     if (!edges.on_edge()) return edges.same_signs();
     const bool flip = edges.det < 0;
     return inside(edges.u, p2, flip) && inside(edges.v, {-p1[0], -p1[1], -p1[2]}, flip) &&
            inside(edges.w(), {p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]}, flip);
 }
 
-/// A ray's line and a triangle, or the triangle's plane if edges do not count.
+/// Intersects a ray's line with a triangle, or with the triangle's plane if `edges_count` is false.
 ///
-/// s is origin - a with `frac` bits of fraction. Fills `edges`, turned so that det > 0, and says in `flip`
-/// whether they were turned. False if the line does not cross the triangle, or not ahead of the origin.
+/// s is origin - a with `frac` fraction bits. The function fills `edges`, turned so that det > 0, and sets
+/// `flip` if it turned them. It returns false if the line does not cross the triangle, or not ahead of the
+/// origin.
 template <class Number> bool meet(const Vec3l& s, const Vec3l& d, const PrimData& triangle, int frac,
                                   bool edges_count, Edges<Number>& edges, bool& flip) {
     const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a);
@@ -73,7 +74,7 @@ template <class Number> bool meet(const Vec3l& s, const Vec3l& d, const PrimData
 
 __extension__ using WideNatural = unsigned __int128;
 
-/// one * other for factors below 2^96, in two parts.
+/// The product one * other of factors below 2^96, in two parts.
 struct Product {
     WideNatural high;
     std::uint64_t low;
@@ -90,7 +91,7 @@ struct Product {
     bool operator<(const Product& p) const { return high != p.high ? high < p.high : low < p.low; }
 };
 
-/// num / det goes before the hit to beat: nearer, or as near and of no higher number.
+/// True if num / det ranks before the hit to beat: nearer, or equally near and with no higher number.
 template <class Best>
 bool goes_before(std::int64_t num, std::int64_t det, std::uint32_t prim, const Best& best) {
     if (!best.found) return true;
@@ -103,7 +104,7 @@ template <class Best> bool goes_before(Wide num, Wide det, std::uint32_t prim, c
     return mine < theirs || (!(theirs < mine) && prim <= best.prim);
 }
 
-/// What a hit's answer is, whatever the widths: all but t, u and v.
+/// Fills the parts of a hit's answer that do not depend on widths: all but t, u and v.
 template <class Number>
 void put_hit(const Edges<Number>& edges, bool flip, std::uint32_t prim, const Config& config, TriRsp& out) {
     out.closer = 1;

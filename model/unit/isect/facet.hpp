@@ -1,18 +1,20 @@
 #pragma once
+// Triangles prepared for many rays from one origin.
 #include "model/unit/isect/edges.hpp"
 
 namespace rayclock {
 
-/// A triangle as seen from one origin, for many directions d: tri_test's det, u and v are linear in d, and
-/// num does not depend on it at all. With e1 = b - a, e2 = c - a, s = o - a:
-///   det = d . (e2 x e1), u = d . (e2 x s), v = d . (s x e1), num = (e1 x e2) . s.
+/// A triangle seen from one origin, for many directions d. tri_test's det, u and v are linear in d, and num
+/// does not depend on d. With e1 = b - a, e2 = c - a, s = o - a:
+///       det = d . (e2 x e1), u = d . (e2 x s), v = d . (s x e1), num = (e1 x e2) . s.
 struct Facet {
-    std::array<std::uint64_t, 3> det{}, u{}, v{};   ///< coefficients; signed, modulo 2^64, as the sums may
-                                                    ///< pass it on their way
+    std::array<std::uint64_t, 3> det{}, u{}, v{};   ///< coefficients; signed, modulo 2^64, because
+                                                    ///< intermediate sums may exceed it
     std::int64_t num = 0;
     std::uint32_t prim = 0;
 };
 
+/// Returns the facet of a triangle seen from the lattice point o.
 inline Facet make_facet(const PrimData& triangle, const Vec3i& o) {
     using Vec = std::array<std::uint64_t, 3>;
     const auto minus = [](const Vec3i& a, const Vec3i& b) {
@@ -30,7 +32,8 @@ inline Facet make_facet(const PrimData& triangle, const Vec3i& o) {
     return facet;
 }
 
-/// What a direction makes of a facet, before signs are turned. On an edge tri_test() must decide.
+/// Returns the edge functions of a facet and a direction, before signs are turned. If on_edge() holds,
+/// tri_test() must decide.
 inline Edges<std::int64_t> test_facet(const Facet& f, const Vec3i& direction) {
     const auto dot = [&](const std::array<std::uint64_t, 3>& a) {
         std::uint64_t sum = 0;

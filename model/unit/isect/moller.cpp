@@ -1,3 +1,4 @@
+// The test of moller.hpp.
 #include "model/unit/isect/moller.hpp"
 
 #include "model/unit/isect/float_hit.hpp"

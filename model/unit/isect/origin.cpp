@@ -1,3 +1,4 @@
+// Origins and directions of secondary rays in exact arithmetic.
 #include "model/unit/isect/origin.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 Vec3l normal(const PrimData& t) { return cross(minus(t.b, t.a), minus(t.c, t.a)); }
 int sign(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// tri_test's decisions for s in units of 2^-one_bits.
+/// Returns tri_test's decision for s in units of 2^-one_bits.
 std::optional<OriginHit> hit_of(const Vec3l& s, const Vec3l& d, const PrimData& triangle, int one_bits) {
     Edges<Wide> e;
     bool flip = false;
@@ -34,7 +35,7 @@ Weights inner_weights(std::uint32_t u, std::uint32_t v, int bary_bits, int frac_
     const int drop = bary_bits - frac_bits;
     const auto rounded = [&](std::uint32_t x) { return drop == 0 ? x : ((x >> (drop - 1)) + 1) >> 1; };
     Weights w{std::max(rounded(u), 1u), std::max(rounded(v), 1u)};
-    // At most 2 too much, and then the larger of the two has at least half of the whole.
+    // The excess is at most 2, and then the larger weight has at least half of the whole.
     const std::uint32_t excess = w.u + w.v < one ? 0 : w.u + w.v - (one - 1);
     (w.u > w.v ? w.u : w.v) -= excess;
     return w;
@@ -60,7 +61,7 @@ Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, 
     const std::uint64_t most = std::max({magnitude(way[0]), magnitude(way[1]), magnitude(way[2])});
     const std::uint64_t largest = (std::uint64_t(1) << (dir_bits - 1)) - 1;
     int shift = std::max(int(std::bit_width(most)) - (dir_bits - 1), 0);
-    if (most > largest << shift) ++shift;   // rounded up it would be one more than the largest
+    if (most > largest << shift) ++shift;   // rounding up would exceed the largest value by one
     const Vec3l n = normal(triangle);
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k)

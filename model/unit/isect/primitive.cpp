@@ -1,3 +1,4 @@
+// Chooses the primitive test of a configuration.
 #include "model/unit/isect/primitive.hpp"
 
 #include <cassert>

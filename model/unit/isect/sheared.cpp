@@ -1,3 +1,4 @@
+// The test of sheared.hpp, and the shear of a direction.
 #include "model/unit/isect/sheared.hpp"
 
 #include <cassert>
@@ -24,8 +25,8 @@ Corner sheared(const Vec3i& p, const Vec3i& o, const Shear& shear, int frac) {
 
 std::int64_t cross(const Corner& p, const Corner& q) { return p.x * q.y - p.y * q.x; }
 
-/// The sign of the edge function of p, q, a zero being decided as if the ray passed (eps, eps^2): 1 or -1; 0
-/// if p = q.
+/// Returns the sign of the edge function of p, q: 1 or -1; 0 if p = q. A zero is decided as if the ray passed
+/// at (eps, eps^2).
 int side(std::int64_t edge, const Corner& p, const Corner& q) {
     const std::int64_t decides = edge != 0 ? edge : p.y != q.y ? p.y - q.y : q.x - p.x;
     return (decides > 0) - (decides < 0);

@@ -1,3 +1,4 @@
+// The unit tri, and its exact test in 64 bits.
 #include "model/unit/isect/tri.hpp"
 
 #include "model/unit/isect/any.hpp"

@@ -1,3 +1,4 @@
+// The test of truncated.hpp.
 #include "model/unit/isect/truncated.hpp"
 
 #include "model/unit/isect/float_hit.hpp"
@@ -42,7 +43,7 @@ void truncated_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, co
     const std::int64_t sign = det_raw < 0 ? -1 : 1, size = sign * det_raw;
     const std::int64_t u = sign * dot(s, p), v = sign * dot(dir, q), along = sign * dot(e2, q);
     if (u < 0 || v < 0 || u + v > size || along <= 0) return;
-    // Both scales are undone exactly: t is 2^(N-M) of what it is in the cube.
+    // Both scales are undone exactly: t is 2^(N-M) times its value in the cube.
     const int back = up - dir_up;
     const std::int64_t num = shifted(along, std::max(0, -back)), det = shifted(size, std::max(0, back));
     if (best.found) {

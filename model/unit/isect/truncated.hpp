@@ -3,10 +3,10 @@
 
 namespace rayclock {
 
-/// Baseline: Moller and Trumbore in Q.16 fixed point, what a first FPGA ray tracer does. The lattice is the
-/// cube from -1 to 1: a coordinate is x 2^(17-N), cut to a whole number for N > 17; a direction d 2^(17-M),
-/// likewise. Every product is cut to 16 fraction bits at once, downwards (an arithmetic shift). u, v >= 0 and
-/// u + v <= det belong to the triangle. Edges leak. In software only.
+/// Baseline: Moller and Trumbore in Q.16 fixed point, as in a typical first FPGA ray tracer. The lattice is
+/// the cube from -1 to 1: a coordinate is x 2^(17-N), cut to a whole number for N > 17. A direction is d
+/// 2^(17-M), cut in the same way. Every product is cut to 16 fraction bits at once, downwards (an arithmetic
+/// shift). A point with u, v >= 0 and u + v <= det belongs to the triangle. Edges leak. In software only.
 ///
 /// Widths: coordinates 17 bits, differences 18, directions 17, d x e 20, det, u, v 22; nothing overflows.
 void truncated_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,

@@ -1,3 +1,4 @@
+// The test of unit24.hpp, and its 24-bit float.
 #include "model/unit/isect/unit24.hpp"
 
 #include <bit>
@@ -11,7 +12,7 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
-/// A row of the map, and the row applied to a point or (without the constant) a direction.
+/// A row of the map. direction() applies its linear part, point() also adds the constant.
 struct Row {
     Vec linear;
     double constant;
@@ -38,7 +39,7 @@ double float24(double x) {
     constexpr int drop = 52 - 16;
     constexpr double least = 0x1p-62, most = 0x1.ffffp63;
     auto bits = std::bit_cast<std::uint64_t>(x);
-    bits += (std::uint64_t(1) << (drop - 1)) - 1 + ((bits >> drop) & 1);   // carries into the exponent as it
+    bits += (std::uint64_t(1) << (drop - 1)) - 1 + ((bits >> drop) & 1);   // carries into the exponent, as it
                                                                            // should
     bits &= ~((std::uint64_t(1) << drop) - 1);
     const auto rounded = std::bit_cast<double>(bits);
@@ -57,7 +58,7 @@ void unit24_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const
               n = cross(e1, e2);
     const double nn = dot(n, n);
     if (nn == 0) return;
-    // Rows of the inverse of (e1 e2 n): e2 x n, n x e1 and n, over n . n.
+    // Rows of the inverse of (e1 e2 n): e2 x n, n x e1 and n, divided by n . n.
     const Row rx = row(cross(e2, n), nn, a), ry = row(cross(n, e1), nn, a), rz = row(n, nn, a);
     const Vec from = rounded(o), along = rounded(d);
     const double dz = direction(rz, along);

@@ -3,8 +3,8 @@
 
 namespace rayclock {
 
-/// Exact for lattice points: a difference has N + 1 bits, a cross product's component the sum of its factors'
-/// and one more.
+/// Exact vectors of lattice points. A difference has N + 1 bits. A component of a cross product has the sum
+/// of its factors' bits and one more.
 inline Vec3l minus(const Vec3i& a, const Vec3i& b) {
     return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
 }

@@ -1,3 +1,4 @@
+// The test of woop.hpp.
 #include "model/unit/isect/woop.hpp"
 
 #include <cstdlib>

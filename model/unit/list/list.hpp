@@ -3,12 +3,12 @@
 
 namespace rayclock {
 
-/// The leaves of a node: when. Rays come from trav, with leaves to be tested, and from tri; each waits for
-/// the link to prim, where there is a queue for each source, so that neither waits for the other, and tri's
-/// rays go first; or its leaves are tested, and it waits for the link to trav. What is asked for is decided
-/// by RayTests.
+/// The unit list in time. Rays arrive from trav, with leaves to test, and from tri. Each one either waits for
+/// the link to prim_cache or, if its leaves are tested, for the link to trav. The link to prim_cache has a
+/// queue for each source, so that neither source blocks the other; tri's rays have priority. RayTests decides
+/// the requests.
 ///
-/// Leaves and an answer of tri are accepted in every cycle; one triangle of a ray is under way at a time.
+/// It accepts leaves and an answer of tri in every cycle. One triangle of a ray is in flight at a time.
 /// Mirror of rtl/unit/list/rc_list.sv.
 class List {
 public:
@@ -30,10 +30,10 @@ public:
                                                   : nullptr;
     }
 
-    /// One clock edge: rays that came with leaves and from tri, whether tri's has another triangle to be
-    /// tested, and which outputs were taken.
+    /// One clock edge. `leaves`, `tri`: the rays that arrived with leaves and from tri. `tri_prim`: tri's ray
+    /// has another triangle to test. The last two: these outputs were accepted.
     void clock(OnLink leaves, OnLink tri, bool tri_prim, bool prim_taken, bool tested_taken) {
-        // What leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
+        // Pops come before pushes: a queue shows a new entry in the next cycle.
         const bool start = starting();
         prim_link_.clock(prim_valid(), prim_taken, start);
         first_.pop(prim_taken & start);

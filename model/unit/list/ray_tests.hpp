@@ -1,10 +1,11 @@
 #pragma once
+// The work of list on one ray's leaves, without timing.
 #include "model/unit/trav/order.hpp"
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
 
-/// The best hit of a ray so far, and the distance to beat. A ray that asks for a light ends with the first
+/// The best hit of a ray so far, and its distance to beat. A ray to or from a light ends with the first
 /// primitive in its way. A shadow ray also ends at t = 2^-B: see reach_of().
 class BestHit {
 public:
@@ -12,15 +13,15 @@ public:
     BestHit(const Start& start, std::uint32_t reach)
         : ray_(start.ray), reach_(reach), any_(ends_at_any(start.kind)) {}
 
-    /// Tri's answer; `place` is Closest's.
+    /// Accepts tri's answer. `place` is Closest's.
     void take(const TriRsp& tri, std::uint32_t place = 0) {
         if (!tri.closer) return;
         best_ = {1, tri.num, tri.det, tri.prim};
-        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, place};   // zeros, if any hit will do
+        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, place};   // zeros if any hit ends the ray
         reach_ = tri.t;
     }
     const Best& best() const { return best_; }
-    std::uint32_t t() const { return reach_; }          ///< to beat
+    std::uint32_t t() const { return reach_; }          ///< distance to beat
     bool stop() const { return any_ && best_.found; }   ///< the light is blocked
     Closest closest() const { return best_.found ? found_ : Closest{ray_, 0, 0, 0, 0, 0, 0, 0}; }
 
@@ -31,8 +32,8 @@ private:
     Closest found_;
 };
 
-/// Where a ray is among the leaves that it meets of a node. `Met` says what they are: size(), and of leaf i
-/// near(i), first(i) and count(i), the half lines of its primitives.
+/// The position of a ray among the leaves that it meets in a node. `Met` describes them: size(), and for leaf
+/// i near(i), first(i) and count(i). The last two are the half lines of its primitives.
 struct LeafCursor {
     std::uint32_t leaf = 0, half_line = 0, end = 0;
 
@@ -40,7 +41,8 @@ struct LeafCursor {
         half_line = met.first(leaf);
         end = half_line + met.count(leaf);
     }
-    /// To the next primitive of the leaf, or else of the next leaf. False if there is none that can matter.
+    /// Moves to the next primitive of the leaf, or else of the next leaf. Returns false if no other can
+    /// matter.
     template <class Met, class Time> RAYCLOCK_INLINE bool advance(const Met& met, const Time& t_best) {
         if (++half_line < end) return true;
         if (++leaf == met.size() || t_best < met.near(leaf)) return false;
@@ -49,10 +51,10 @@ struct LeafCursor {
     }
 };
 
-/// One ray's tests and its best hit: what list does, without when. Of each node that trav gives leaves of,
-/// the leaves' triangles are asked for one by one, nearest leaf first and none beyond the best hit; then trav
-/// is told. If a light is blocked, no other primitive is tested, and trav is told to stop. Mirror of
-/// rtl/unit/list/rc_list.sv.
+/// The tests and the best hit of one ray: list without timing. For each node whose leaves trav sends, it
+/// requests the leaves' triangles one by one, nearest leaf first, and none beyond the best hit. Then trav
+/// gets the answer. Once a light is blocked, it tests no other primitive and reports a stop to trav. Mirror
+/// of rtl/unit/list/rc_list.sv.
 class RayTests {
 public:
     explicit RayTests(const Config& config) {
@@ -60,18 +62,18 @@ public:
             reaches_[kind] = reach_of(RayKind(kind), config);
     }
 
-    /// A new ray: nothing is hit yet.
+    /// Starts a new ray without a hit.
     void start(const Start& start) {
         ray_ = start.ray;
         hit_ = {start, reaches_[start.kind]};
     }
-    /// Trav's leaves: prim() is to be tested.
+    /// Accepts trav's leaves. prim() is the first to test.
     void begin(const Leaves& leaves) {
         met_ = {leaves};
         cursor_ = {};
         cursor_.enter(met_);
     }
-    /// Tri's answer. True if another triangle is to be tested.
+    /// Accepts tri's answer. Returns true if there is another triangle to test.
     bool advance(const TriRsp& tri) {
         hit_.take(tri);
         return !hit_.stop() && cursor_.advance(met_, hit_.t());
@@ -90,11 +92,11 @@ private:
         std::uint32_t first(std::uint32_t i) const { return 2 * leaves.base + leaves.offset[i]; }
         std::uint32_t count(std::uint32_t i) const { return leaves.count[i]; }
     };
-    std::array<std::uint32_t, 4> reaches_{};   // reach_of() each kind
+    std::array<std::uint32_t, 4> reaches_{};   // reach_of() for each kind
     std::uint32_t ray_ = 0;
     BestHit hit_;
     Met met_;
-    LeafCursor cursor_;   // under way
+    LeafCursor cursor_;   // the primitive in flight
 };
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Camera rays, and the reciprocals of all rays' directions.
 #include "model/unit/raygen/raygen.hpp"
 
 #include <algorithm>
@@ -14,17 +15,17 @@ Recip reciprocal(std::int32_t d, const Config& config) {
     const int bits = config.ray_dir_bits();
     const std::uint32_t magnitude = std::uint32_t(std::abs(d));
     const int len = std::bit_width(magnitude);
-    const std::uint32_t m = magnitude << (bits - len);   // as many bits, top bit set
-    // Exact: |d| is 2^(M-1) or shorter than M bits, so m divides exactly or is even. Then a quotient that is
-    // no whole number misses the next one by 2 / m > 2^(1-M) at least, and a double below 2^R rounds by
-    // 2^(R-54) at most: enough, as M + R <= 31 + 24.
+    const std::uint32_t m = magnitude << (bits - len);   // same width for all, top bit set
+    // Exact: |d| is 2^(M-1) or shorter than M bits, so m divides exactly or is even. A quotient that is not a
+    // whole number then misses the next one by at least 2 / m > 2^(1-M). A double below 2^R rounds by at most
+    // 2^(R-54), which suffices as M + R <= 31 + 24.
     const double power = double(std::uint64_t(1) << (bits + config.recip_bits - 1));
     return {std::uint32_t(std::int64_t(power / double(m))), std::uint32_t(len)};
 }
 
 namespace {
 
-/// Of the point (x, y), in pixels with `frac` fraction bits.
+/// Returns the direction through the point (x, y), in pixels with `frac` fraction bits.
 Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame, const Config& config) {
     Vec3l sum{};
     std::uint64_t used = 0;   // bits that differ from the sign, in any component

@@ -3,8 +3,8 @@
 
 namespace rayclock {
 
-/// Gives the picture out in tiles of 2^tile_bits x 2^tile_bits pixels, row by row, one a cycle, to the
-/// pipelines that have room for one, in turn. Mirror of rtl/unit/sched/rc_dispatch.sv.
+/// Distributes the picture in tiles of 2^tile_bits x 2^tile_bits pixels, row by row. It gives one tile per
+/// cycle, round-robin, to the pipelines that have room. Mirror of rtl/unit/sched/rc_dispatch.sv.
 class Dispatch {
 public:
     explicit Dispatch(const Config& config)
@@ -19,7 +19,7 @@ public:
     bool more() const { return more_; }
     const Tile& tile() const { return tile_; }
 
-    /// The pipeline that gets the tile, of those set in `want`, or -1.
+    /// Returns the pipeline that gets the tile, among those set in `want`, or -1.
     int grant(std::uint32_t want) const {
         if (!more_ || want == 0) return -1;
         std::uint32_t p = next_;

@@ -4,10 +4,10 @@
 
 namespace rayclock {
 
-/// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel to the hit when its
-/// ray is done. Holds two tiles. A pixel of a tile that lies outside the picture costs a cycle in which
-/// nothing is given. A fresh machine uses contexts 0..T-1 first; after that the one that has been free
-/// longest. Mirror of rtl/unit/sched/rc_sched.sv.
+/// Gives the pixels of its tiles, in Morton order, to free contexts, and adds the pixel to the hit of a
+/// finished ray. It holds two tiles. A tile's pixel outside the picture costs a cycle without output. A fresh
+/// machine uses contexts 0..T-1 first, and after that the context that has been free longest. Mirror of
+/// rtl/unit/sched/rc_sched.sv.
 class Sched {
 public:
     explicit Sched(const Config& config)
@@ -19,7 +19,7 @@ public:
         for (int ray = 0; ray < config.contexts; ++ray) free_.push(RayNumber(ray));
     }
 
-    /// A new frame. What is left of the last one's tiles, pixels outside its picture, is dropped.
+    /// Starts a frame, and drops the rest of the last one's tiles: pixels outside its picture.
     void start(const Frame& frame) {
         while (!tiles_.empty()) tiles_.pop();   // pixels outside the last picture
         at_ = 0;
@@ -28,7 +28,7 @@ public:
         look();
     }
     bool tile_ready() const { return !tiles_.full(); }
-    /// A pixel of the picture is at hand; passing: one that lies outside.
+    /// pixel_valid(): a pixel of the picture is next; passing(): one outside the picture.
     bool pixel_valid() const { return inside_; }
     bool passing() const { return outside_; }
     bool slot_valid() const { return inside_ & !free_.empty(); }
@@ -36,8 +36,8 @@ public:
     const Slot& pixel(std::uint32_t ray) const { return pixels_[ray]; }
     bool in_use(std::uint32_t ray) const { return !free_.contains(RayNumber(ray)); }
 
-    /// One clock edge: whether the slot was taken, the tile that came (null if none) and the context whose
-    /// hit left.
+    /// One clock edge. `slot_taken`: the slot was accepted. `tile`: the tile that arrived, or null. `hit`:
+    /// the context whose hit left.
     void clock(bool slot_taken, const Tile* tile, OnLink hit) {
         if (slot_taken) {
             pixels_[free_.front()] = slot();
@@ -56,14 +56,14 @@ public:
     }
 
 private:
-    /// Every second bit of a number, from the lowest on.
+    /// Returns every second bit of a number, from the lowest on.
     static std::uint32_t even_bits(std::uint32_t m) {
         m &= 0x555;
         m = (m | m >> 1) & 0x333;
         m = (m | m >> 2) & 0xf0f;
         return (m | m >> 4) & 0x3f;
     }
-    /// At the pixel that is now at hand.
+    /// Computes the next pixel.
     void look() {
         inside_ = outside_ = false;
         if (tiles_.empty()) return;
@@ -75,7 +75,7 @@ private:
 
     int tile_bits_;
     std::uint32_t last_, width_ = 0, height_ = 0;
-    std::uint32_t at_ = 0;   // pixel of the tile
+    std::uint32_t at_ = 0;   // pixel within the tile
     std::uint32_t x_ = 0, y_ = 0;
     bool inside_ = false, outside_ = false;
     Ring<Tile, 2> tiles_;

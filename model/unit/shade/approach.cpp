@@ -1,3 +1,4 @@
+// Moves the origin of a distant ray to the lattice.
 #include "model/unit/shade/approach.hpp"
 
 #include <cstdlib>
@@ -12,7 +13,7 @@ Vec3l along(const Vec3l& p, const Vec3i& d, int shift) {
     return q;
 }
 
-/// Some slab of the lattice lies ahead.
+/// True if a slab of the lattice lies ahead.
 bool is_before(const Vec3l& q, const Vec3i& d, std::int64_t end) {
     for (std::size_t k = 0; k < 3; ++k)
         if (d[k] < 0 ? q[k] > end : q[k] < -end) return true;

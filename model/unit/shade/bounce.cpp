@@ -1,3 +1,4 @@
+// Directions and weights of reflected and refracted rays.
 #include "model/unit/shade/bounce.hpp"
 
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace {
 
 constexpr std::int64_t one = 1 << unit_bits;
 
-/// A vector of about unit length, with no component above 1.
+/// Returns a vector of about unit length with components clamped to 1.
 std::array<std::int32_t, 3> within(const Vec3l& v) {
     std::array<std::int32_t, 3> unit{};
     for (std::size_t k = 0; k < 3; ++k) unit[k] = std::int32_t(std::clamp(v[k], -one, one));
     return unit;
 }
 
-/// Sign of n . d, exactly.
+/// Returns the sign of n . d, exactly.
 int side_of(const Vec3l& n, const Vec3i& d) {
     const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
     return dot > 0 ? 1 : dot < 0 ? -1 : 0;
@@ -36,8 +37,8 @@ std::uint32_t times(std::uint32_t weight, std::int64_t share) {
     return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));
 }
 
-/// 2^32 times the squared cosine of the refracted ray; negative: total reflection. The ratio's square times
-/// the sine's, rounded down.
+/// Returns 2^32 times the squared cosine of the refracted ray; negative for total reflection. The product of
+/// the squared ratio and the squared sine is rounded down.
 std::int64_t refracted_cosine(const ShadeState& state) {
     const std::uint64_t sine2 =
         (std::uint64_t(1) << 2 * unit_bits) - std::uint64_t(state.cosine) * state.cosine;
@@ -45,15 +46,17 @@ std::int64_t refracted_cosine(const ShadeState& state) {
     return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
 }
 
-/// With two levels: long enough for the instances' boxes to hold it, docs/motion.md, Secondary rays. A
-/// refracted direction is shorter than others if a corner normal faces away from the viewer.
+/// True if, with two levels, the direction is long enough for the instances' boxes to hold the ray
+/// (docs/motion.md, Secondary rays). A refracted direction is shorter than others if a corner normal faces
+/// away from the viewer.
 bool is_held(const Config& c, const Vec3i& d) {
     const std::int32_t least = shortest_held(c);
     return !c.has_homes() ||
            std::any_of(d.begin(), d.end(), [&](std::int32_t k) { return std::abs(k) >= least; });
 }
 
-/// Where a ray along d leaves the surface: 1 on the side seen. With two levels its d' decides, exactly.
+/// Returns the side on which a ray along d leaves the surface: 1 is the side seen. With two levels its d'
+/// decides, exactly.
 int leaves(const Config& c, const ShadeState& state, const Placement& placement, BounceOut& out) {
     if (!c.has_homes()) return side_of(state.n, out.d);
     out.home = home_of(state, out.d, placement, c);

@@ -1,3 +1,4 @@
+// The contribution of a light, and its shadow ray.
 #include "model/unit/shade/light.hpp"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace rayclock {
 
 namespace {
 
-/// With two levels: the way in the mesh's space. The light goes there as any ray's origin; the ray from it
-/// ends exactly at the point.
+/// Returns, for two levels, the shadow ray in the mesh's space. The light is mapped like any ray's origin,
+/// and the ray from it ends exactly at the point.
 Home home_from(const Vec3i& light, const ShadeState& state, const Placement& placement, const Config& c) {
     Vec3i o = light;
     for (auto& x : o) x *= 1 << c.origin_bits;
@@ -33,9 +34,9 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Pla
     const std::array<std::int32_t, 3> unit = unit_vector(to);
     const bool near = frame.shade.near[state.light] != 0;
     out.d = direction_of(unit, c);
-    if (near)   // from the light; as far as to a point beyond the lattice only the direction can be told
+    if (near)   // from the light; for a point beyond the lattice only the direction is representable
         for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.far ? -out.d[k] : std::int32_t(-to[k]);
-    // On the side seen, exactly: the ray's own direction decides.
+    // The side seen, exactly: the ray's own direction decides.
     if (c.has_homes())
         out.home = near && !state.far ? home_from({place[0], place[1], place[2]}, state, placement, c)
                                       : home_of(state, out.d, placement, c);

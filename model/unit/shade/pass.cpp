@@ -1,3 +1,4 @@
+// One pass of the unit shade: arrivals, lights, bounces and the end of a sample.
 #include "model/unit/shade/pass.hpp"
 
 #include <algorithm>
@@ -21,9 +22,9 @@ void add(Colour& colour, const Colour& more) {
     for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
 }
 
-/// Whether the threshold lets a ray pass that is its camera ray's `bounce`th. Shares and weights are rounded,
-/// and a weight loses by that less than 3/2 units of 2^-16 a bounce (docs/shading.md, Numbers): that much is
-/// forgiven, so that a weight that is not below the threshold as both were written never is here.
+/// True if the threshold lets a ray pass that is its camera ray's `bounce`th. Rounding of shares and weights
+/// lowers a weight by less than 3/2 units of 2^-16 per bounce (docs/shading.md, Numbers). The test forgives
+/// that much, so a weight that is not below the threshold, as both were written, always passes.
 bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
     return 2 * weight + 3 * bounce >= frame.shade.threshold;
 }
@@ -34,7 +35,7 @@ ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c
     return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;
 }
 
-/// The event after a surface (light -1) or a light.
+/// Sets the event after a surface or a light: light number `light`, or the event after the last light.
 void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
     s.light = light;
     s.event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
@@ -48,7 +49,8 @@ Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
     return spawn;
 }
 
-/// A ray of that weight meets nothing, or is not traced since it passes by the lattice.
+/// Adds the background for a ray of this weight that meets nothing, or is not traced because it misses the
+/// lattice.
 void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
     Colour background{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -56,7 +58,7 @@ void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
     add(s.colour, background);
 }
 
-/// The plane's bit in a cell, if it is a pane.
+/// Returns the plane's bit in a cell if it is a pane.
 std::uint32_t pane_of(const Surface& surface, const Config& c) {
     if (PrimKind(surface.kind) != PrimKind::plane) return 0;
     return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
@@ -77,15 +79,15 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
     s.event = std::uint32_t(ShadeEvent::pop);
 }
 
-/// Where a ray from the surface begins; nothing if it misses the lattice.
+/// Returns the origin of a ray from the surface; empty if the ray misses the lattice.
 std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d, const Config& c) {
     if (s.lost) return std::nullopt;
     if (s.far) return approach(s.o, d, c);
     return Vec3i{std::int32_t(s.o[0]), std::int32_t(s.o[1]), std::int32_t(s.o[2])};
 }
 
-/// The same of a bounce. If it passes by the lattice it may still meet a plane: then it begins at the point
-/// itself, without its last far_drop bits, and on the side to which it leaves.
+/// The origin of a bounce. A bounce that misses the lattice may still meet a plane. It then begins at the
+/// point itself, without its last far_drop bits, on the side to which it leaves.
 struct Origin {
     Vec3i o{};
     bool is_far = false;
@@ -105,10 +107,10 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
     return place;
 }
 
-/// From a light within the lattice to the point, if that lies in the lattice as well: exactly
-/// (docs/origins.md). To or from what lies beyond it a ray without end is sent, the part of it that the
-/// lattice holds: there is all that has an end. It tests planes only if a plane stands between the light
-/// and the path. Otherwise no plane hides the light.
+/// Sends a ray that tests a light. From a light within the lattice to a point in the lattice it is a shadow
+/// ray, and exact (docs/origins.md). To or from a place beyond the lattice it is a ray without end, cut to
+/// the lattice, which holds everything that has an end. That ray tests planes only if a plane stands between
+/// the light and the path. Otherwise no plane hides the light.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const LightOut found = light(frame, c, s, in.placement);
@@ -161,8 +163,8 @@ Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found
             found.home};
 }
 
-/// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other
-/// way round.
+/// A reflected ray from a sphere's outside stays outside, and a refracted one enters. From inside it is the
+/// other way round.
 void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const BounceOut found = refract(c, s, in.placement);
@@ -190,7 +192,7 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     send_bounce(in, bounced(s, *start, found, false), out);
 }
 
-/// A sample is finished: the next one, or the pixel.
+/// Finishes a sample, and starts the next one or ends the pixel.
 void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     bool same = frame.shade.contrast > 0;

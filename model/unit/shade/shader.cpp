@@ -1,3 +1,4 @@
+// Runs the passes of one context.
 #include "model/unit/shade/shader.hpp"
 
 #include <cassert>
@@ -51,7 +52,7 @@ int Shader::run() {
         }
         if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
             Pending(out_.state.pending) == Pending::sure)
-            signature_.asked(false);   // nothing can be in its way, and no ray is sent
+            signature_.asked(false);   // nothing can block the light, so no ray is sent
         if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);

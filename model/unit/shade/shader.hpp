@@ -1,4 +1,5 @@
 #pragma once
+// The work of the unit shade on one context, without timing.
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
@@ -8,7 +9,7 @@
 
 namespace rayclock {
 
-/// Sees what happens to one context, in this order.
+/// An observer of one context. Events arrive in the order in which they happen.
 class ShadeWatch {
 public:
     virtual ~ShadeWatch() = default;
@@ -17,25 +18,25 @@ public:
     virtual void passed(const PassIn& in, const PassOut& out) = 0;
 };
 
-/// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, the passes
-/// one after the other.
+/// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, pass by
+/// pass.
 class Shader {
 public:
     Shader(const Frame& frame, const Config& config, const MemoryImage& image)
         : frame_(&frame), config_(&config), image_(&image) {}
 
-    /// From now on; null: nobody.
+    /// Sets the observer from now on; null removes it.
     void watch(ShadeWatch* watch) { watch_ = watch; }
 
-    /// sched -> raygen: a pixel.
+    /// sched -> raygen: starts a pixel.
     void start(const Slot& slot);
-    /// raygen -> trav: a ray of this context.
+    /// raygen -> trav: a ray of this context was sent.
     void sent(const Ray& ray);
-    /// list -> shade: its answer.
+    /// list -> shade: accepts the ray's answer.
     void arrived(const Closest& hit) {
         arrived(hit, [this](std::uint32_t line) { return surface_at(line); });
     }
-    /// The same, if somebody else has read the surface: surface_at(line).
+    /// Does the same with surfaces that the caller has read: surface_at(line).
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
         if (wants_surface() && config_->has_homes())
@@ -52,7 +53,7 @@ public:
         lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
     }
-    /// A surface must come before the next pass: its line.
+    /// True if a surface must arrive before the next pass. surface_line() is its line.
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
     std::uint32_t surface_line() const {
         if (config_->has_homes())
@@ -60,28 +61,28 @@ public:
         return frame_->shade.surfaces + in_.hit.prim;
     }
     Surface surface_at(std::uint32_t line) const { return unpack<Surface>(image_->line(line), *config_); }
-    /// With two levels the instance comes before the surface, and in between its material if it has one for
-    /// all: their lines.
+    /// With two levels these lines come before the surface: the instance, then its material if it has one for
+    /// all its primitives.
     std::uint32_t placement_line() const { return in_.hit.place; }
     std::uint32_t material_line() const { return config_->has_homes() ? in_.placement.material : 0; }
-    /// For those who see lines come one by one: which is waited for; that it has come, and whether it was the
-    /// surface.
+    /// For callers that see lines arrive one by one. next_line() is the line awaited. got_line() records its
+    /// arrival and returns true if it was the surface.
     std::uint32_t next_line() const {
         if (lines_ == 0) return surface_line();
         return lines_ == 1 && material_line() != 0 ? material_line() : placement_line();
     }
     bool got_line() { return lines_-- == 0; }
 
-    /// Passes until a ray or the pixel leaves; returns how many.
+    /// Runs passes until a ray or the pixel leaves, and returns their number.
     int run();
     bool is_finished() const { return out_.leave == PassOut::Leave::pixel; }
     const Spawn& spawn() const { return out_.spawn; }
-    /// What that ray is for.
+    /// Returns the purpose of that ray.
     RayPurpose purpose() const;
     const Pixel& pixel() const { return out_.pixel; }
-    /// Of the pixel so far.
+    /// Returns the signature of the pixel so far.
     std::uint64_t signature() const { return signature_.value(); }
-    /// Of all pixels that this has shaded.
+    /// Returns the counts of all pixels shaded so far.
     const RayCounts& counts() const { return counts_; }
 
 private:
@@ -92,16 +93,16 @@ private:
     const Config* config_;
     const MemoryImage* image_;
     ShadeWatch* watch_ = nullptr;
-    ShadeEvent last_ = ShadeEvent::arrive;   ///< what the last pass was for
+    ShadeEvent last_ = ShadeEvent::arrive;   ///< event of the last pass
     PassIn in_;
     PassOut out_;
     std::vector<Waiting> stack_;
     RayCounts counts_;
     PathSignature signature_;
-    int lines_ = 0;   ///< that come before the surface
+    int lines_ = 0;   ///< lines that are still to come before the surface
 };
 
-/// The slot's ray as raygen would get it from shade.
+/// Returns the slot's ray in the form in which shade would spawn it.
 inline Spawn first_spawn(const Slot& slot) {
     Spawn spawn;
     spawn.ray = slot.ray, spawn.x = slot.x, spawn.y = slot.y;

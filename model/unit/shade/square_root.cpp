@@ -1,10 +1,11 @@
+// Integer square root, bit by bit.
 #include "model/unit/shade/square_root.hpp"
 
 #include <bit>
 
 namespace rayclock {
 
-/// The root's bits are decided from the top.
+/// Decides the root's bits from the top.
 std::uint64_t square_root(Unsigned x) {
     const auto high = std::uint64_t(x >> 64);
     const int length = high != 0 ? 64 + int(std::bit_width(high)) : int(std::bit_width(std::uint64_t(x)));

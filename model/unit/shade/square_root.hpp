@@ -5,7 +5,7 @@ namespace rayclock {
 
 __extension__ using Unsigned = unsigned __int128;
 
-/// floor(sqrt(x)). Mirror of rtl/fixed/rc_sqrt.sv.
+/// Returns floor(sqrt(x)). Mirror of rtl/fixed/rc_sqrt.sv.
 std::uint64_t square_root(Unsigned x);
 
 }   // namespace rayclock

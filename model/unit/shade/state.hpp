@@ -1,58 +1,59 @@
 #pragma once
-// What the unit shade keeps of a context between two passes, and what a pass takes and gives.
+// The state that the unit shade keeps of a context between two passes, and the inputs and outputs of a pass.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
 
-/// What a context's next pass is for.
+/// The event that a context's next pass handles.
 enum class ShadeEvent : std::uint32_t {
     arrive,   ///< a camera ray or bounce is done: its surface, or the background
     light,    ///< the next light
     refract,
     reflect,
-    pop,    ///< the next ray that waits, or the sample's end
-    turn,   ///< with two levels, after arrive: what was found in the mesh's space is turned into the scene's
+    pop,    ///< the next waiting ray, or the sample's end
+    turn,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
 };
 
-/// Whether the contribution of a light is added at the beginning of the next pass.
+/// When the next pass adds the contribution of a light at its beginning.
 enum class Pending : std::uint32_t { none, answer /**< if the shadow ray met nothing */, sure };
 
-/// unit_bits of fraction unless said otherwise.
+/// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
     std::uint32_t event = 0, pending = 0;
     // The pixel.
     std::uint32_t x = 0, y = 0, sample = 0;
     std::array<std::uint32_t, 3> sum{}, least{}, most{};      ///< of the finished samples' colours
-    std::uint32_t found = 0, prim = 0, t = 0, u = 0, v = 0;   ///< what the first sample's camera ray hit
+    std::uint32_t found = 0, prim = 0, t = 0, u = 0, v = 0;   ///< hit of the first sample's camera ray
     // The sample.
     std::array<std::uint32_t, 3> colour{};   ///< so far, 0..1: saturated
     std::uint32_t waiting = 0;               ///< rays on the context's stack
-    // The ray under way, or the last one.
+    // The ray in flight, or the last one.
     std::uint32_t weight = 0, depth = 0;
-    std::uint32_t cell = 0;     ///< a bit for each pane: it lies between the ray and the eye
-    std::uint32_t across = 0;   ///< the cell on the other side of the surface that it hit
-    // The surface that it hit.
-    Vec3l o{};       ///< B fraction bits: a point exactly on it (a sphere's, an instance's: nearly)
-    Vec3l inner{};   ///< with two levels: likewise, exactly on it in the mesh's space
-    Vec3l n{};       ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides. With two levels in
-                     ///< the mesh's space
+    std::uint32_t cell = 0;     ///< a bit for each pane, set if it lies between the ray and the eye
+    std::uint32_t across = 0;   ///< the cell on the other side of the surface that was hit
+    // The surface that was hit.
+    Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
+    Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits
+    /// Normal to the side seen, not unit, 2N + 3 bits; its sign decides. With two levels it is in the mesh's
+    /// space.
+    Vec3l n{};
     std::array<std::int32_t, 3> normal{}, view{};   ///< unit vectors
     std::uint32_t cosine = 0;                       ///< normal . view, at least 0
     std::uint32_t far = 0;                          ///< o lies on a plane and beyond the lattice
-    std::uint32_t lost = 0;   ///< and further than o can say: no ray from there is traced
+    std::uint32_t lost = 0;   ///< o cannot represent the point: no ray from there is traced
     std::uint32_t self = 0, inside = 0;
     std::array<std::uint32_t, 3> albedo{};   ///< from here on as in Surface
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
                   r0 = 0;
     // The light.
     std::uint32_t light = 0;
-    std::array<std::uint32_t, 3> share{};   ///< what it adds if nothing is in its way
+    std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
     std::uint32_t total = 0;                ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
-    /// In the groups that a chip keeps and writes apart (rtl/unit/shade/rc_contexts.sv): the pixel; what
-    /// every pass changes; where a surface was hit and is seen; its sides and colours; a light's share; then
-    /// what only some chips need: of several samples, of refraction; the material, also for refraction and
-    /// for spheres.
+    /// Fields are in the groups that a chip stores and writes separately (rtl/unit/shade/rc_contexts.sv): the
+    /// pixel; the fields that every pass changes; the position and view of the hit; its sides and colours; a
+    /// light's share. Optional groups follow: several samples; refraction; the material, also for refraction
+    /// and for spheres.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);
@@ -98,13 +99,13 @@ struct ShadeState {
         v_("self", self, c.prim_bits);
         v_("is_inside", inside, 1);
     }
-    /// Of the material, from diffuse on.
+    /// Returns the bits of the material, from diffuse on.
     static int look_bits(const Config& c) {
         return 2 * (share_bits + 1) + 3 * (unit_bits + 1) + shine_bits + ratio_bits + 1 + c.prim_bits + 1;
     }
 };
 
-/// A refracted ray that waits until the reflected one's tree is done.
+/// A refracted ray that waits until the reflected ray's tree is done.
 struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits
     std::uint32_t weight = 0, depth = 0, self = 0, inside = 0;
@@ -127,7 +128,7 @@ struct Waiting {
     friend bool operator==(const Waiting&, const Waiting&) = default;
 };
 
-/// A context's first state: a pixel's first camera ray is under way.
+/// Returns a context's first state, with a pixel's first camera ray in flight.
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y);
 
 struct PassIn {
@@ -135,12 +136,12 @@ struct PassIn {
     ShadeState state;
     Closest hit;       ///< the last ray's answer
     Vec3i o{}, d{};    ///< of the last camera ray or bounce
-    Surface surface;   ///< of an arrive event that found something
-    Waiting top;       ///< of a pop event, the stack's top
-    /// With two levels: the instance that was hit last. Of it `here`, a and b count.
+    Surface surface;   ///< of an arrive event with a hit
+    Waiting top;       ///< of a pop event: the stack's top
+    /// With two levels: the instance that was hit last. Only `here`, a and b are used.
     Placement placement{};
 };
-/// What a light's pass works out on the way to its contribution; for whoever judges it.
+/// Intermediate values of a light's pass, for judges.
 struct LightParts {
     Vec3i unit{};               ///< towards the light
     std::uint32_t cosine = 0;   ///< normal . unit, at least 0
@@ -151,13 +152,11 @@ struct PassOut {
     ShadeState state;
     Spawn spawn;
     Pixel pixel;
-    bool push = false;   ///< `pushed` goes on the stack; a pop event that spawns takes the top off
+    bool push = false;   ///< push `pushed` on the stack; a pop event that spawns removes the top
     Waiting pushed;
     LightParts light;         ///< of a light event
-    bool refracted = false;   ///< a refracted ray was called for, if only to be totally reflected: for
-                              ///< counting
-    bool passes_by = false;   ///< a bounce passes by the lattice and takes the background; for whoever judges
-                              ///< it
+    bool refracted = false;   ///< a refracted ray was called for, even if totally reflected; for counting
+    bool passes_by = false;   ///< a bounce misses the lattice and takes the background; for judges
 };
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The surface that a ray has hit: its point, normal and colour.
 #include "model/unit/shade/surf.hpp"
 
 #include <algorithm>
@@ -24,14 +25,14 @@ Vec3l edges_cross(const Surface& s) {
     return {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
 }
 
-/// Keeps a coordinate within so many bits; true if it was not.
+/// Clamps a coordinate to this many bits. Returns true if it did not fit.
 bool saturate(std::int64_t at, int bits, std::int64_t& o) {
     const std::int64_t most = (std::int64_t(1) << (bits - 1)) - 1;
     o = std::clamp(at, -most, most);
     return o != at;
 }
 
-/// What u and v weigh in units of 2^-(B + fine); `ends`: of a plane, they are as large as they can be said.
+/// Weights u and v in units of 2^-(B + fine). `ends`: a plane's u or v is saturated.
 struct Place {
     std::int64_t u = 0, v = 0;
     bool ends = false;
@@ -47,8 +48,8 @@ Place place_of(const Closest& hit, bool is_plane, int frac_bits, const Config& c
     return {rounded(u, c.bary_bits - c.origin_bits), rounded(v, c.bary_bits - c.origin_bits), ends};
 }
 
-/// The surface's colour; of a plane that of its square (Surface::normal), or where squares cannot be told any
-/// more, that between the two.
+/// Returns the surface's colour. For a checkered plane it is that of the square (Surface::normal). Where u or
+/// v is saturated it is the average of both colours.
 std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Closest& hit, bool ends,
                                        const Config& c) {
     if (!s.checkered || !is_plane) return s.colour;
@@ -64,7 +65,7 @@ std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Cl
     return between;
 }
 
-/// Where the ray is at t.
+/// Computes the ray's point at t.
 void ray_at(const PassIn& in, const Config& c, Vec3l& o) {
     for (std::size_t k = 0; k < 3; ++k)
         saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t,
@@ -72,7 +73,7 @@ void ray_at(const PassIn& in, const Config& c, Vec3l& o) {
                  c.origin_width(), o[k]);
 }
 
-/// The unit normal is made; the view against the ray, and the cosine between them.
+/// Sets the view against the ray, and its cosine with the unit normal, which must be set.
 void look(const PassIn& in, ShadeState& state) {
     state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
     state.cosine = clamped_dot(state.normal, state.view);
@@ -97,7 +98,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere,
                is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
     const int b = c.origin_bits;
-    Vec3l toward{};   // what the normal is made of
+    Vec3l toward{};   // the normal before normalisation
     state.far = state.lost = 0;
     bool ends = false;
     if (is_sphere) {

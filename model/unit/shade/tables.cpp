@@ -1,3 +1,4 @@
+// Computes the tables of tables.hpp in integers.
 #include "model/unit/shade/tables.hpp"
 
 #include "model/unit/shade/square_root.hpp"
@@ -6,18 +7,18 @@ namespace rayclock {
 
 namespace {
 
-constexpr int frac = 60;   // fraction bits of what the logarithms and powers are made of
+constexpr int frac = 60;   // fraction bits of intermediate logarithms and powers
 constexpr std::uint64_t one = std::uint64_t(1) << frac;
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return std::uint64_t(Unsigned(a) * b >> frac); }
 
-/// Nearest whole number of x / 2^drop.
+/// Returns x / 2^drop rounded to nearest.
 std::uint32_t rounded(std::uint64_t x, int drop) { return std::uint32_t(((x >> (drop - 1)) + 1) >> 1); }
 
-/// round(2^bits log2(x)) of x in 1..2, bit by bit: squaring doubles the logarithm.
+/// Returns round(2^bits log2(x)) for x in 1..2, bit by bit: squaring doubles the logarithm.
 std::uint32_t log2_of(std::uint64_t x, int bits) {
     std::uint64_t log = 0;
-    for (int i = 0; i <= bits; ++i) {   // one bit more, to round
+    for (int i = 0; i <= bits; ++i) {   // one extra bit, to round
         if (x >= 2 * one) return std::uint32_t(1) << bits;
         const Unsigned square = Unsigned(x) * x >> frac;
         const bool is_set = square >= 2 * one;
@@ -27,7 +28,7 @@ std::uint32_t log2_of(std::uint64_t x, int bits) {
     return std::uint32_t((log + 1) >> 1);
 }
 
-/// Values 0..n become entries 0..n-1.
+/// Makes entries 0..n-1 from values 0..n.
 template <std::size_t n, class Value> std::array<TableEntry, n> make_table(Value value) {
     std::array<TableEntry, n> table;
     for (std::size_t i = 0; i < n; ++i) {
@@ -40,7 +41,7 @@ template <std::size_t n, class Value> std::array<TableEntry, n> make_table(Value
 }   // namespace
 
 const std::array<TableEntry, root_entries>& inverse_root_table() {
-    // 2^18 / sqrt((128 + i) / 128) = sqrt(2^43 / (128 + i)); 20 bits more before it is rounded.
+    // 2^18 / sqrt((128 + i) / 128) = sqrt(2^43 / (128 + i)), with 20 more bits before rounding.
     static const auto table = make_table<root_entries>(
         [](std::size_t i) { return rounded(square_root((Unsigned(1) << 83) / (128 + i)), 20); });
     return table;

@@ -1,5 +1,5 @@
 #pragma once
-// Tables of the shade unit's cells: made of whole numbers only, so that they are the same on every machine.
+// Tables of the shade unit's cells, computed in integers only, so that they are the same on every machine.
 // They reach the RTL as constants of rc_pkg.sv.
 #include <array>
 
@@ -12,11 +12,11 @@ constexpr int root_value_bits = 19, root_step_bits = 10;   ///< widths in rc_pkg
 constexpr int log_value_bits = 18, log_step_bits = 12;
 constexpr int exp_value_bits = 18, exp_step_bits = 10;
 
-/// round(2^18 / sqrt(x)), x = 1 + i / 128 from 1 to 4; falling.
+/// Returns round(2^18 / sqrt(x)), x = 1 + i / 128 from 1 to 4; falling.
 const std::array<TableEntry, root_entries>& inverse_root_table();
-/// round(2^18 log2(1 + i / 128)); rising.
+/// Returns round(2^18 log2(1 + i / 128)); rising.
 const std::array<TableEntry, log_entries>& log_table();
-/// round(2^17 2^(-i / 128)); falling.
+/// Returns round(2^17 2^(-i / 128)); falling.
 const std::array<TableEntry, exp_entries>& exp_table();
 
 }   // namespace rayclock

@@ -7,17 +7,17 @@
 
 namespace rayclock {
 
-/// The unit shade: when. A context that has its ray's answer passes once or more through a pipeline that does
-/// one pass every shade_interval cycles; what a pass does is pass()'s business. A hit waits for its surface,
-/// which shade asks for.
+/// The unit shade in time. A context with its ray's answer makes one or more passes through a pipeline that
+/// accepts a pass every shade_interval cycles. pass() computes the passes. A hit waits for its surface, which
+/// shade requests.
 ///
-/// With two levels it asks for the instance first, and when that has come, which is always taken, for the
-/// surface; requests for surfaces go before those for instances.
+/// With two levels it requests the instance first. Once that has arrived, which is always accepted, it
+/// requests the surface. Requests for surfaces have priority over those for instances.
 ///
-/// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing
-/// or was a shadow ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end,
-/// or passes again. In a fast chip a ray's answer is looked at two cycles after it came. Mirror of
-/// rtl/unit/shade/rc_shade.sv.
+/// The pipeline accepts surfaces first, then contexts that need another pass, then those whose ray hit
+/// nothing or was a shadow ray. Its answers are always accepted: a context continues with its next ray, its
+/// pixel's end, or another pass. In a fast chip the unit sees a ray's answer two cycles after its arrival.
+/// Mirror of rtl/unit/shade/rc_shade.sv.
 class Shade {
 public:
     enum class Turn : std::uint8_t { again, spawn, pixel };
@@ -33,7 +33,7 @@ public:
           late_(std::size_t(Stages(config).closest)),
           rests_(std::uint32_t(config.shade_interval - 1)) {}
 
-    /// A surface is asked for, or an instance.
+    /// True if it requests a surface or an instance.
     template <bool levels = false> bool surf_valid() const {
         return !fetch_.empty() | (levels && !places_.empty());
     }
@@ -42,9 +42,11 @@ public:
             if (surf_link_.second(!fetch_.empty())) return places_.front();
         return fetch_.front();
     }
-    bool rests() const { return rest_ > 0; }                  ///< it took a pass, and takes no other yet
-    bool ready() const { return pass_.ready() & !rests(); }   ///< for a surface
-    /// What it does in this cycle, of units.hpp, with or without a surface that came, or that memory owes.
+    /// True while it is still busy with the first stage of a pass and accepts no other.
+    bool rests() const { return rest_ > 0; }
+    bool ready() const { return pass_.ready() & !rests(); }   ///< can accept a surface
+    /// Returns the cause of this cycle, a code of units.hpp. `surface`: one arrived. `surface_waits`: memory
+    /// owes one.
     std::uint32_t code(bool surface, bool surface_waits) const {
         if (rests()) return 0;
         return offers(surface) ? (pass_.ready() ? 0 : 3) : surface_waits ? 1 : 2;
@@ -56,7 +58,7 @@ public:
     std::uint32_t pixel_ray() const { return pixels_.front(); }
     std::uint64_t due() const { return pass_.due(); }
     bool answers(std::uint64_t now) const { return pass_.valid(now); }
-    /// A ray's answer came to a fast chip, and was not looked at yet.
+    /// True if a ray's answer has arrived at a fast chip but is not yet seen.
     bool comes() const { return came_[0].there | came_[1].there; }
 
     const char* where(std::uint32_t ray) const {
@@ -70,14 +72,15 @@ public:
                                                             : nullptr;
     }
 
-    /// What a ray whose answer came waits for.
+    /// The next need of a ray after its answer.
     enum class Wants : std::uint8_t { nothing, surface, place };
-    /// One clock edge: the ray whose answer came and what it wants, the one whose surface is there, the one
-    /// whose instance is, and which outputs were taken. `turn(ray)` tells what a pass has led to.
+    /// One clock edge. `closest`, `wants`: the ray whose answer arrived, and its need. `surface`, `place`:
+    /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
+    /// `turn(ray)` returns the outcome of a pass.
     template <bool levels = false, class Decide>
     void clock(std::uint64_t now, OnLink closest, Wants wants, OnLink surface, OnLink place, bool surf_taken,
                bool spawn_taken, bool pixel_taken, Decide&& turn) {
-        for (std::size_t i = 0; i < late_; ++i) {   // what came is looked at in a later cycle
+        for (std::size_t i = 0; i < late_; ++i) {   // the unit sees an arrival in a later cycle
             std::swap(closest, came_[i]);
             std::swap(wants, came_wants_[i]);
         }
@@ -124,10 +127,10 @@ private:
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
     Merge surf_link_;              // of fetch_ and places_
-    std::size_t late_;             // cycles until an answer is looked at,
-    std::array<OnLink, 2> came_;   // and those that came before, the last one first
+    std::size_t late_;             // cycles until an answer is seen
+    std::array<OnLink, 2> came_;   // the answers of these cycles, the last one first
     std::array<Wants, 2> came_wants_{};
-    std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it takes none; that are left
+    std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it accepts none; cycles left
 };
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Unit vectors by a table of inverse square roots.
 #include "model/unit/shade/unit_vector.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ Vec3i unit_vector(const Vec3l& v) {
     for (std::size_t k = 0; k < 3; ++k) a[k] = v[k] < 0 ? 0 - std::uint64_t(v[k]) : std::uint64_t(v[k]);
     const int len = int(std::bit_width(a[0] | a[1] | a[2]));
     if (len == 0) return {};
-    // The longest component gets 17 bits, and the sum of the squares 33 to 36.
+    // The longest component gets 17 bits, so the sum of the squares has 33 to 36.
     for (auto& x : a) x = len > 17 ? x >> (len - 17) : x << (17 - len);
     std::uint64_t sum = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     const int e = sum >> 34 == 0;

@@ -1,10 +1,11 @@
 #pragma once
+// box's answer in the parts that trav keeps and sends on.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
 
-/// The inner children of a node that a ray meets, nearest first: what trav keeps of box's answer until the
-/// node's leaves are tested. Entries beyond `inner` are not looked at.
+/// The inner children of a node that a ray meets, nearest first. trav keeps this part of box's answer until
+/// the node's leaves are tested. Entries beyond `inner` are ignored.
 struct Children {
     std::uint32_t base = 0;
     std::uint32_t inner = 0;
@@ -18,7 +19,7 @@ struct Children {
     }
 };
 
-/// Box's answer in its two parts.
+/// Return the two parts of box's answer.
 Children children_of(const BoxRsp& boxes);
 Leaves leaves_of(const BoxRsp& boxes);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The order in which children are visited: nearest first, equals by their place in the node.
+// The order in which a ray visits children: nearest first, equals by their place in the node.
 #include <bit>
 
 #include "model/core/payloads.hpp"
@@ -11,13 +11,13 @@ namespace rayclock {
 /// Sorts of small sets of keys.
 namespace keys {
 
-/// Puts two keys in order without a branch, which no predictor could guess.
+/// Sorts two keys without a branch, which no predictor could guess.
 RAYCLOCK_INLINE void order(std::uint64_t& a, std::uint64_t& b) {
     const std::uint64_t least = b < a ? b : a;
     b = b < a ? a : b;
     a = least;
 }
-/// Batcher's merge sort of the first four or of all eight.
+/// Batcher's merge sort of the first four keys, or of all eight.
 RAYCLOCK_INLINE void sort_four(std::uint64_t* k) {
     order(k[0], k[1]), order(k[2], k[3]);
     order(k[0], k[2]), order(k[1], k[3]);
@@ -33,9 +33,9 @@ RAYCLOCK_INLINE void sort_eight(std::uint64_t* k) {
 
 }   // namespace keys
 
-/// The children in `set` (bit i: child i) by (t_near, place in the node): their keys in order. A key is
-/// t_near << 3 | child. `sorted` has room for eight and more than the result may be written. Returns how many
-/// there are.
+/// Sorts the children in `set` (bit i: child i) by (t_near, place in the node), and writes their keys to
+/// `sorted`. A key is t_near << 3 | child. `sorted` must have room for eight keys, because more than the
+/// result may be written. Returns the number of keys.
 RAYCLOCK_INLINE std::uint32_t sort_children(std::uint32_t set, const std::uint32_t* t_near,
                                             std::uint64_t* sorted) {
     const auto take = [&] {
@@ -62,7 +62,7 @@ RAYCLOCK_INLINE std::uint32_t sort_children(std::uint32_t set, const std::uint32
     return count;
 }
 
-/// The machine's order, as Stack and TreeWalk want it.
+/// The machine's order, as a parameter of GroupStack and TreeWalk.
 struct ByDistance {
     using Time = std::uint32_t;
     using Key = std::uint64_t;   ///< t_near << 3 | child

@@ -1,4 +1,5 @@
 #pragma once
+// A ray's stack, and its decisions.
 #include <algorithm>
 #include <cassert>
 #include <vector>
@@ -8,14 +9,14 @@
 
 namespace rayclock {
 
-/// Where a ray goes after a node.
+/// The decision where a ray goes after a node.
 struct Turn {
     enum class Kind : std::uint8_t {
         visit,   ///< to the node at `addr`
-        again,   ///< a group was dropped: decide once more, with no new children
+        again,   ///< a group was dropped: decide again, without new children
         done,    ///< nothing is left that can matter
     };
-    /// The same as flags, none of which is set if there is no turn.
+    /// The kind as flags. Without a turn none is set.
     struct Flags {
         bool visit = false, again = false, done = false;
     };
@@ -24,26 +25,28 @@ struct Turn {
     Flags flags() const { return {kind == Kind::visit, kind == Kind::again, kind == Kind::done}; }
 };
 
-/// One ray's stack of sibling groups, and the decision where the ray goes next: what trav does, without when.
+/// One ray's stack of sibling groups, and the decision where the ray goes next: trav without timing.
 ///
-/// The nearest inner child is visited and its siblings kept as one group; without a child that can still
-/// matter the stack is popped. Each group knows `below`, the smallest t_near of all groups under it, so that
-/// a ray for which nothing there matters is done at once. A group whose nearest child is too far is dropped,
-/// one a turn. A stop empties the stack: the ray is done. Mirror of rtl/unit/trav/rc_stack.sv.
+/// The ray visits the nearest inner child, and the stack keeps its siblings as one group. Without a child
+/// that can still matter, the stack is popped. Each group holds `below`, the smallest t_near of all groups
+/// under it. So a ray for which nothing there matters is done at once. A group whose nearest child is too far
+/// is dropped, one per turn. A stop empties the stack, and the ray is done. Mirror of
+/// rtl/unit/trav/rc_stack.sv.
 ///
-/// `Order` says what distances are, and how children are put in order by them; the machine's is ByDistance.
+/// `Order` defines distances and the order of children; the machine's is ByDistance.
 template <class Order> class GroupStack {
 public:
     using Time = typename Order::Time;
     using Key = typename Order::Key;
 
-    /// `beyond`: no distance is larger.
+    /// `beyond`: the largest distance.
     GroupStack(int depth, Time beyond) : beyond_(beyond), groups_(std::size_t(depth) + 1) {}
     explicit GroupStack(const Config& config) : GroupStack(config.stack_depth, (1u << config.t_bits()) - 1) {}
 
-    /// Where the keys of the next node's inner children belong, in order, before decide().
+    /// Returns the place for the sorted keys of the next node's inner children. Fill it before decide().
     Key* place() { return groups_[height_].keys.data(); }
-    /// After a node whose leaves are tested. Its inner children that the ray meets lie from line `base` on.
+    /// Decides after a node whose leaves are tested. Its inner children that the ray meets lie from line
+    /// `base` on.
     RAYCLOCK_INLINE Turn decide(Time t_best, bool stop, std::uint32_t base, std::uint32_t inner) {
         if (stop) {
             height_ = 0;
@@ -65,7 +68,7 @@ public:
         ++height_;
         return forward;
     }
-    /// The same in the payloads' form; in another turn there are no new children.
+    /// Decides in the form of the payloads. After a dropped group there are no new children.
     Turn decide(const Tested& tested, const Children& c = {}) {
         for (std::size_t i = 0; i < c.inner; ++i) place()[i] = Order::key(c.t_near[i], c.slot[i]);
         return decide(tested.t_best, tested.stop != 0, c.base, c.inner);
@@ -75,7 +78,7 @@ public:
 
 private:
     struct Group {
-        std::array<Key, max_width> keys;   ///< of these next..end - 1 are left
+        std::array<Key, max_width> keys;   ///< keys next..end - 1 are left
         std::uint32_t base, next, end;
         Time below;
         Time nearest() const { return Order::near(keys[next]); }
@@ -98,7 +101,7 @@ private:
 
     Time beyond_;
     std::size_t height_ = 0;
-    std::vector<Group> groups_;   // one more than the depth: in the one above the top children are sorted
+    std::vector<Group> groups_;   // one more than the depth: new children are sorted above the top group
 };
 using Stack = GroupStack<ByDistance>;
 

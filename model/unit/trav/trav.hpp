@@ -5,15 +5,17 @@
 
 namespace rayclock {
 
-/// The walk through the tree: when. Takes rays whose node's leaves are tested, from list, or need not be, and
-/// gives out those that go to a node and those that are done; where they go is decided by a Stack.
+/// The walk through the tree in time. It accepts rays whose node's leaves are tested, from list, or that have
+/// no leaf to test. It sends rays to nodes, and reports those that are done. A Stack decides where they go.
 ///
-/// Rays without leaves wait in a queue; those that list has tested go first. Two stages. In the first a step
-/// of one of them is accepted and the top of the ray's stack read; in the second the next
-/// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
-/// (recirculation, which goes before new steps). New rays start at the root when no step waits; with two
-/// levels, rays that xform has changed go on to their mesh's root, before new ones. In a fast chip there are
-/// more stages between the two, and an end is told a cycle later. Mirror of rtl/unit/trav/rc_trav.sv.
+/// Rays without leaves wait in a queue; those that list has tested have priority. There are two stages. The
+/// first accepts a step of one ray and reads the top of its stack. The second decides the next node, or the
+/// ray's end. A dropped group costs the ray another turn through both stages (recirculation, which has
+/// priority over new steps).
+///
+/// New rays start at the root when no step waits. With two levels, rays that xform has changed go to their
+/// mesh's root, before new ones. A fast chip has more stages between the two, and reports an end a cycle
+/// later. Mirror of rtl/unit/trav/rc_trav.sv.
 class Trav {
 public:
     explicit Trav(const Config& config)
@@ -26,7 +28,8 @@ public:
 
     bool ray_ready() const { return !spawn_.full(); }
     bool step_ready() const { return !again_; }
-    /// Whether a ray takes its step, and which one is next, if list offers one (null if it does not).
+    /// step_valid(): a ray has a step to take. takes_leafless(): it is one without leaves. `offered`: list
+    /// offers one.
     bool step_valid(bool offered) const { return offered | !leafless_.empty(); }
     bool takes_leafless(bool offered) const { return step_link_.second(offered); }
     std::uint32_t leafless_ray() const { return leafless_.front(); }
@@ -34,7 +37,7 @@ public:
     template <bool levels = false> bool node_valid() const {
         return !nodes_.empty() | !spawn_.empty() | (levels && !changed_.empty());
     }
-    /// The node on offer is a root, of a new ray or of one that changed.
+    /// True if the node on offer is a root, of a new ray or of one that changed.
     bool spawning() const { return node_link_.second(!nodes_.empty()); }
     template <bool levels = false> std::uint32_t node_ray() const {
         const RayNumber root = spawn_.front(), node = nodes_.front();
@@ -44,7 +47,7 @@ public:
     }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
-    /// Nothing in the stages.
+    /// True if the stages are empty.
     bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.there); }
 
     const char* where(std::uint32_t ray) const {
@@ -57,17 +60,16 @@ public:
                                                     : nullptr;
     }
 
-    /// What came in one cycle: new rays, rays that box has answered and that have no leaf to be tested, rays
-    /// that list offers; and which outputs were taken.
+    /// The inputs of one cycle: new rays, rays that box has answered and that have no leaf to test, rays that
+    /// list offers, and the outputs that were accepted.
     struct Moves {
         OnLink ray, leafless, tested;
         bool node_taken = false, done_taken = false;
-        OnLink change{};   // of xform, with two levels
+        OnLink change{};   // from xform, with two levels
     };
-    /// One clock edge. `decide(ray, valid)` tells the turn that the ray in the second stage takes, if it is
-    /// valid.
+    /// One clock edge. `decide(ray, valid)` returns the turn of the ray in the second stage, if it is valid.
     template <bool levels = false, class Decide> void clock(const Moves& moves, Decide&& decide) {
-        // Everything that leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
+        // Pops come before pushes: a queue shows a new entry in the next cycle.
         done_.pop(moves.done_taken);
         const bool spawn = spawning();
         node_link_.clock(node_valid<levels>(), moves.node_taken, spawn);
@@ -85,7 +87,7 @@ public:
         const std::uint32_t without = leafless_.front(),
                             stepping = select(leafless, without, moves.tested.ray);
         leafless_.pop(step & leafless);
-        // Stage 0 looks at the recirculation register before stage 1 may set it again.
+        // Stage 0 reads the recirculation register before stage 1 may set it again.
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
         const OnLink last = last_stage();
@@ -93,7 +95,7 @@ public:
         nodes_.push(RayNumber(last.ray), went.visit);
         if (late_ == 0) {
             done_.push(RayNumber(last.ray), went.done);
-        } else {   // told from a register: list reads what it has found far away
+        } else {   // reported from a register, because list is far away
             done_.push(RayNumber(ended_.ray), ended_.there);
             ended_ = {went.done, last.ray};
         }
@@ -107,12 +109,12 @@ public:
     }
 
 private:
-    /// The ray that is decided in this cycle.
+    /// Returns the ray that is decided in this cycle.
     OnLink last_stage() const {
         if (late_ == 0) return {s1_valid_, s1_};
         return {bool(between_ >> (late_ - 1) & 1), waiting_[std::size_t(late_ - 1)]};
     }
-    /// The stages between the second and the last: bit i of between_ says whether waiting_[i] is there.
+    /// Advances the stages between the second and the last. Bit i of between_ is set if waiting_[i] is valid.
     void pass_on() {
         for (int i = late_ - 1; i > 0; --i) waiting_[std::size_t(i)] = waiting_[std::size_t(i - 1)];
         waiting_[0] = RayNumber(s1_);

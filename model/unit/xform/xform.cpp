@@ -1,3 +1,4 @@
+// Maps rays into an instance's space.
 #include "model/unit/xform/xform.hpp"
 
 #include "model/unit/raygen/raygen.hpp"
