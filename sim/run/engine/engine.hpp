@@ -111,8 +111,8 @@ FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing
                    std::vector<Closest> answers, Colours colours);
 /// Builds the result of a replayed frame, without hits and answers.
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
-/// Returns the work of a recorded frame's rays. For a partial frame, returns a share in proportion to the
-/// finished pixels.
+/// Returns the work of a recorded frame's rays. For a partial frame, the ray counts are in proportion to the
+/// finished pixels; visits and tests are those of the whole frame.
 FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing);
 
 /// Returns the number of rays of a frame: all rays of a finished picture, else one for each finished pixel.
