@@ -1,6 +1,5 @@
 #pragma once
 // Rendering an image in tiles on several threads.
-//
 #include <algorithm>
 #include <mutex>
 #include <string_view>
