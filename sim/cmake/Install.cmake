@@ -1,11 +1,11 @@
-# cmake --install: the program, what it needs to run, and what others build on; and cpack -G DEB.
+# cmake --install: the program, its run-time files, and the package for other projects; and cpack -G DEB.
 #
-# Everything is built before, by `cmake --build`; packing builds nothing, so that it does not build the tests.
+# Run `cmake --build` first: packing builds nothing, so that it does not build the tests.
 include(CMakePackageConfigHelpers)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY TRUE)
 set(data ${CMAKE_INSTALL_DATADIR}/rayclock)
 
-# The manual page, and what shells complete: as the commands declare their options.
+# The manual page and the shell completions, from the options that the commands declare.
 set(printed ${PROJECT_BINARY_DIR}/printed)
 set(prints)
 foreach(form man=rayclock.1 bash=rayclock zsh=_rayclock fish=rayclock.fish)
@@ -29,7 +29,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
-# find_package(rayclock): the program, and the Verilog sources in the order in which tools want them.
+# find_package(rayclock): the program, and the Verilog sources in the order that tools need.
 file(GLOB_RECURSE rtl_of_package CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/rtl rtl/*.sv)
 list(REMOVE_ITEM rtl_of_package rc_pkg.sv)
 list(SORT rtl_of_package)
@@ -41,7 +41,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/rayclock-config-version.c
 install(FILES ${PROJECT_BINARY_DIR}/rayclock-config.cmake ${PROJECT_BINARY_DIR}/rayclock-config-version.cmake
   DESTINATION ${package_folder})
 
-# Without Verilator and a compiler the model runs, but not the RTL; reports need Vega.
+# Without Verilator and a compiler the model runs, but not the RTL. Reports need Vega.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

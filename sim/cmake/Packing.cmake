@@ -1,5 +1,5 @@
-# Read by cpack before it packs. CPack itself ends with a complaint of its insides without `file`, and without
-# dpkg-shlibdeps makes a package that names no library and cannot start.
+# Checks that cpack reads before it packs. Without `file`, CPack fails with an internal error. Without
+# dpkg-shlibdeps, it makes a package that names no library and cannot start.
 foreach(program file=file dpkg-shlibdeps=dpkg-dev)
   string(REPLACE "=" ";" program ${program})
   list(GET program 0 name)

@@ -1,3 +1,4 @@
+// NewFolder and StagedFiles: a temporary folder of the name `.rayclock-<pid>-<i>.part`, then rename().
 #include "sim/files/folder.hpp"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ namespace {
     throw UserError(fmt::format("{}: {}", printable(path), why));
 }
 
-/// A new file, with the folders on its way. `shown` is its name in sentences.
+/// Writes a new file and creates its parent folders. Error messages call it `shown`. Throws UserError if it
+/// cannot write.
 void write_into(const fs::path& file, const fs::path& shown, std::string_view bytes) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
@@ -41,7 +43,7 @@ NewFolder::NewFolder(const std::string& path) : path_(path) {
     if (path.empty()) throw UserError("the name of the folder to write is empty");
     if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
     target_ = fs::path(path).lexically_normal();
-    if (!target_.has_filename()) target_ = target_.parent_path();   // a slash at the end
+    if (!target_.has_filename()) target_ = target_.parent_path();   // drop a trailing slash
     std::error_code error;
     const fs::file_status status = fs::symlink_status(target_, error);
     if (fs::is_symlink(status)) refuse(path, "is a symbolic link; name the folder that it points to");
@@ -79,7 +81,7 @@ void NewFolder::publish() {
 }
 
 StagedFiles::StagedFiles(const std::string& folder) : folder_(fs::absolute(folder).lexically_normal()) {
-    if (!folder_.has_filename()) folder_ = folder_.parent_path();   // a slash at the end
+    if (!folder_.has_filename()) folder_ = folder_.parent_path();   // drop a trailing slash
     for (fs::path place = folder_; !fs::exists(place) && place.has_relative_path();
          place = place.parent_path())
         made_ = place;
@@ -116,7 +118,8 @@ void StagedFiles::publish(const std::vector<std::string>& outdated) {
             refuse((folder_ / name).string(), fmt::format("cannot be written: {}", std::strerror(errno)));
     std::error_code ignored;
     for (const std::string& name : outdated) fs::remove(folder_ / name, ignored);
-    fs::remove(stage_, ignored);   // it is empty, and no signal removes it any more
+    fs::remove(stage_, ignored);   // it is empty now, and forget() took it off the list that a signal handler
+                                   // removes
 }
 
 }   // namespace rayclock

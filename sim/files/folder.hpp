@@ -1,5 +1,5 @@
 #pragma once
-// Writing several files that belong together: they appear together or not at all.
+// Writing several files that belong together: either all of them appear, or none does.
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,46 +9,48 @@
 
 namespace rayclock {
 
-/// A folder that is written under a temporary name beside its own, and renamed in the end. If it is not
-/// published, nothing of it stays.
+/// Writes a folder under a temporary name next to its target and renames it when it is published. The
+/// destructor removes a folder that was not published.
 class NewFolder {
 public:
-    /// Throws UserError unless `path` is the name of a new folder, or of an empty one.
+    /// Throws UserError unless `path` names a new or an empty folder in an existing folder.
     explicit NewFolder(const std::string& path);
     ~NewFolder();
     NewFolder(const NewFolder&) = delete;
     NewFolder& operator=(const NewFolder&) = delete;
 
-    /// A file in it; `name` may lead through folders, which are made. Throws UserError.
+    /// Writes a file into the folder. Creates the folders that `name` leads through. Throws UserError if it
+    /// cannot write.
     void write(const std::string& name, std::string_view bytes) const;
-    /// Gives the folder its name. Throws UserError.
+    /// Renames the folder to its final name. Throws UserError if it cannot.
     void publish();
 
 private:
-    std::string path_;   ///< as it was given
+    std::string path_;   ///< as the caller gave it
     std::filesystem::path target_, temporary_;
     Scratch scratch_;
 };
 
-/// Files for a folder that may hold others, and older ones of the same names. They are written to a folder of
-/// their own in it, and moved out in the end, once all of them are whole. If they are not published, the
-/// folder is as it was.
+/// Writes files for a folder that may already hold other files and older versions of the same files. The
+/// files go to a staging folder inside it first, and move out once all of them are complete. If they are not
+/// published, the destructor restores the folder.
 class StagedFiles {
 public:
-    /// Makes the folder if it is not there. Throws UserError.
+    /// Creates the folder if it does not exist. Throws UserError if it cannot.
     explicit StagedFiles(const std::string& folder);
     ~StagedFiles();
     StagedFiles(const StagedFiles&) = delete;
     StagedFiles& operator=(const StagedFiles&) = delete;
 
-    /// Where files are written until they are published.
+    /// The folder to write files into until they are published.
     const std::filesystem::path& stage() const { return stage_; }
-    /// Moves all files to the folder, where they replace those of the same names; then removes `outdated`
-    /// ones there. Throws UserError.
+    /// Moves all staged files to the folder, where they replace files of the same names. Then removes the
+    /// `outdated` files from the folder. Throws UserError if it cannot write.
     void publish(const std::vector<std::string>& outdated = {});
 
 private:
-    std::filesystem::path folder_, made_, stage_;   ///< made_: the first folder that was not there
+    std::filesystem::path folder_, made_, stage_;   ///< made_: the topmost folder that had to be created, or
+                                                    ///< empty
     Scratch scratch_;
 };
 

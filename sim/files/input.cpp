@@ -1,3 +1,4 @@
+// Reading a whole file through one descriptor, so that the checks and the bytes concern the same file.
 #include "sim/files/input.hpp"
 
 #include <cerrno>
@@ -22,8 +23,8 @@ public:
     Reader(const std::filesystem::path& path, const std::string& asked_by)
         : at_{path.string()}, asked_by_(asked_by) {
         if (path.native().find('\0') != std::string::npos) refuse("the name has a zero byte in it");
-        // Opening a pipe would wait for a writer. What it is, is asked of what was opened: a name may change
-        // its meaning.
+        // O_NONBLOCK: opening a pipe would otherwise wait for a writer. The type of the opened file is
+        // checked rather than that of the name, because the name may come to mean another file.
         file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
         if (file_ < 0 && errno == ENOENT) refuse("there is no such file");
         if (file_ < 0 && errno == ENXIO) refuse("is not an ordinary file");

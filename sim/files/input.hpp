@@ -1,4 +1,4 @@
-// Reading a whole file, with a sentence for everything that can be wrong with its name.
+// Reading a whole file. Each way in which a file can be unusable has its own error message.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -6,20 +6,21 @@
 
 namespace rayclock {
 
-/// Whose file it is: an output may replace the program's own file, and never a user's.
+/// Who owns a file: an output may replace the program's own file, but never a user's file.
 enum class Owner { user, program };
 
-/// All bytes of an ordinary, non-empty file of at most `most` bytes. Throws UserError: missing, a directory,
-/// a pipe or a device (which may never end), unreadable, empty, too long. `asked_by` is told as well, if
-/// somebody else's file names this one. A user's file that an announced output would replace is refused.
+/// Reads all bytes of an ordinary, non-empty file of at most `most` bytes. Throws UserError if the file is
+/// missing, unreadable, empty or too long, or a directory, a pipe or a device (which may never end). If
+/// another file names this one, pass its name as `asked_by`: the message then mentions it. Throws UserError
+/// too if an announced output would replace this file and its owner is the user.
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by = {},
                       std::uint64_t most = std::uint64_t{1} << 40, Owner owner = Owner::user);
 
-/// All bytes of a file of this program's own; empty if it cannot be read. Of a file that still grows, those
-/// that it has now.
+/// Reads all bytes of a file of this program's own. Returns an empty string if it cannot. If the file still
+/// grows, returns the bytes that it has at the call.
 std::string read_if_there(const std::filesystem::path& path);
 
-/// The extension in small letters without the dot: "obj".
+/// Returns the extension in lower case without the dot: "obj".
 std::string extension(const std::filesystem::path& path);
 
 }   // namespace rayclock

@@ -1,5 +1,5 @@
 #pragma once
-// Documents of other programs: whatever is wrong with their form is a UserError.
+// Reading documents that other programs wrote: every error in their form becomes a UserError.
 #include <string>
 
 #include "model/base/error.hpp"
@@ -8,8 +8,9 @@
 
 namespace rayclock {
 
-/// What `read` gives, or a UserError instead of the library's exceptions: for documents whose order matters.
-/// `file` names the document, with who writes it: "face.json of yosys".
+/// Returns the result of `read`, and turns the library's exceptions into a UserError. Use it for documents in
+/// which the order of keys matters. `file` names the document and the program that writes it: "face.json of
+/// yosys".
 template <class Read> auto understood(const std::string& file, Read read) {
     try {
         return read();
@@ -20,7 +21,7 @@ template <class Read> auto understood(const std::string& file, Read read) {
     }
 }
 
-/// Calls take(key, value) for all of an object.
+/// Calls take(key, value) for every member of an object. Throws UserError if `object` is not an object.
 template <class Take> void for_each(const JsonValue& object, Take take) {
     for (const auto& [key, ignored] : object.object().raw().items()) take(key, object.at(key));
 }

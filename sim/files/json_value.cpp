@@ -1,3 +1,4 @@
+// Parsing JSON by the library's event interface (SAX), and the accessors with their error messages.
 #include "sim/files/json_value.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace rayclock {
 namespace {
 
-/// "line 3, column 7" of a byte counted from 1, as the parser counts.
+/// Returns "line 3, column 7" for a byte position counted from 1, as the parser counts.
 std::string position(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -21,7 +22,7 @@ std::string position(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
-/// The parser's sentence without its own numbering in front: "unexpected ...; last read: '...'".
+/// Returns the parser's message without its own position in front: "unexpected ...; last read: '...'".
 std::string reason(std::string what) {
     for (const char* mark : {" - ", ": "})
         if (const std::size_t at = what.find(mark, what.find("column")); at != what.npos) {
@@ -33,8 +34,8 @@ std::string reason(std::string what) {
     return what.substr(0, 200);
 }
 
-/// Builds the document as the parser reads it, and refuses what the parser itself lets pass: its own builder
-/// takes the last of two equal keys, and any depth.
+/// Builds the document from the parser's events. Unlike the library's own builder, it rejects equal keys in
+/// one object and very deep nesting. The library's builder keeps the last of equal keys.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     Builder(const std::string& file, std::string_view text) : file_(file), text_(text) {}
@@ -70,7 +71,7 @@ private:
         throw UserError(fmt::format("{}: {}", printable(file_), sentence));
     }
 
-    /// Where the next value goes: into the array that is open, to the last key, or to the top.
+    /// Returns the place of the next value: in the open array, at the last key, or at the top.
     Json& place() {
         if (open_.empty()) return root_;
         return open_.back()->is_array() ? open_.back()->get_ref<Json::array_t&>().emplace_back() : *value_;
@@ -118,7 +119,7 @@ void JsonValue::expected(std::string_view wanted) const {
                            ? fmt::format("{} of {}", value_->type_name(), value_->size())
                            : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 60) + "...";
-    text = printable(text);   // dump() leaves the control character DEL as it is
+    text = printable(text);   // dump() does not escape the control character DEL
     refuse(fmt::format("must be {}, not {}", wanted, text));
 }
 

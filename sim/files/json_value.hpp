@@ -1,7 +1,7 @@
-// A JSON value that knows its file and its path, so that every complaint can say "desk.json: objects[2].scale
-// ...".
+// A JSON value that carries its file and its path, so that every error message can say "desk.json:
+// objects[2].scale ...".
 //
-// The document must outlive the values.
+// The caller must keep the document alive as long as the values.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -16,14 +16,17 @@ namespace rayclock {
 
 using Json = nlohmann::json;
 
-/// Objects and arrays deeper in each other than this are refused: much that goes through a document does so
-/// by recursion.
+/// The deepest nesting of objects and arrays that parse_json() accepts: much of the code that walks a
+/// document is recursive.
 constexpr std::size_t most_nested = 200;
 
-/// Parses. Refused with line and column: wrong syntax, numbers that a double cannot hold; by their name: keys
-/// that appear twice in one object; nesting deeper than `most_nested`.
+/// Parses a document. Throws UserError with line and column for wrong syntax and for numbers that a double
+/// cannot hold. Throws UserError for a key that appears twice in one object (the message names the key) and
+/// for nesting deeper than `most_nested`.
 Json parse_json(const std::string& file, std::string_view text);
 
+/// A reference to a value in a document. All accessors throw UserError if the value has another type or
+/// range.
 class JsonValue {
 public:
     JsonValue(const Json& value, std::string file, std::string path = {})
@@ -33,19 +36,20 @@ public:
     const std::string& path() const { return path_; }
     std::size_t size() const { return value_->size(); }
 
-    /// "desk.json: objects[2].mesh", printable.
+    /// Returns file and path for a message: "desk.json: objects[2].mesh", in printable characters.
     std::string where() const;
     /// Throws UserError "<file>: <path> <sentence>".
     [[noreturn]] void refuse(const std::string& sentence) const;
     /// refuse("must be <wanted>, not <value>").
     [[noreturn]] void expected(std::string_view wanted) const;
 
-    /// Refuses keys that are not in the list, with the nearest that is. Also refuses what is not an object.
+    /// Throws UserError if a key is not in the list, and suggests the nearest known key. Throws UserError too
+    /// if this is not an object.
     void only_keys(std::initializer_list<std::string_view> known) const;
 
     std::optional<JsonValue> find(std::string_view key) const;
-    JsonValue at(std::string_view key) const;        ///< refuses if the key is missing
-    JsonValue operator[](std::size_t index) const;   ///< of an array, index in range
+    JsonValue at(std::string_view key) const;        ///< throws UserError if the key is missing
+    JsonValue operator[](std::size_t index) const;   ///< of an array; the index must be in range
 
     const JsonValue& array() const;   ///< itself, after a check of its type
     const JsonValue& object() const;

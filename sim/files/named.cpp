@@ -1,3 +1,4 @@
+// The register of inputs and outputs: two maps under one mutex.
 #include "sim/files/named.hpp"
 
 #include <map>
@@ -14,7 +15,8 @@
 namespace rayclock {
 namespace {
 
-/// Files by device and number, since one file may have many names; with the name that was typed.
+/// Files by device and inode, because one file may have many names. The value is the name that the user
+/// typed.
 using Files = std::map<std::pair<dev_t, ino_t>, std::string>;
 std::mutex mutex;
 Files inputs, outputs;

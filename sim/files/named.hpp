@@ -1,19 +1,19 @@
 #pragma once
-// The user's files of this run: no output replaces an input.
+// The register of the user's files in this run: it prevents an output from replacing an input.
 #include <string>
 
 struct stat;
 
 namespace rayclock {
 
-/// A file of the user's is read, and this is it. Throws UserError if an output was announced that would
-/// replace it.
+/// Registers a file that the program reads; `file` is its status. Throws UserError if an announced output
+/// would replace it. Safe to call from several threads.
 void note_input(const std::string& path, const struct stat& file);
 
-/// A file is going to be written at `path`. Throws UserError if an input is there.
+/// Announces an output at `path`. Throws UserError if `path` is a registered input.
 void note_output(const std::string& path);
 
-/// It has been written: the name now means another file.
+/// Withdraws the announcement of `path` once it is written: the name now refers to another file.
 void forget_output(const std::string& path);
 
 }   // namespace rayclock

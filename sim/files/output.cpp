@@ -1,3 +1,4 @@
+// Writing to a temporary file `.rayclock-<pid>-<i>.part`, then fsync() if asked for, then rename().
 #include "sim/files/output.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace {
     refuse(path, std::string("cannot be written: ") + std::strerror(error));
 }
 
-/// All of it, or the number of the error.
+/// Writes all bytes. Returns 0 or the error number.
 int write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
@@ -37,10 +38,10 @@ int write_all(int file, std::string_view bytes) {
     return 0;
 }
 
-/// On the disk, as far as the file system knows how to say so.
+/// Flushes a file to the disk. Returns 0 too if the file system does not support it.
 int sync(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
 
-/// Writes, and closes in any case; the first error counts.
+/// Writes all bytes and closes the file in any case. Returns the first error number, or 0.
 int write_and_close(int file, std::string_view bytes, Durable durable) {
     int error = write_all(file, bytes);
     if (error == 0 && durable == Durable::yes) error = sync(file);
@@ -48,7 +49,7 @@ int write_and_close(int file, std::string_view bytes, Durable durable) {
     return error;
 }
 
-/// A file with a name of its own beside `target`, removed in the end unless it takes that name.
+/// A temporary file next to `target`. The destructor removes it unless rename_to() succeeded.
 class Temporary {
 public:
     explicit Temporary(const fs::path& target) {
@@ -66,7 +67,7 @@ public:
     }
     Temporary(const Temporary&) = delete;
 
-    /// 0, or the number of the error.
+    /// Returns 0 or the error number.
     int rename_to(const std::string& path) {
         if (::rename(name.c_str(), path.c_str()) != 0) return errno;
         name.clear();
@@ -80,22 +81,23 @@ private:
     Scratch scratch_;
 };
 
-/// True for what is written to as it stands. Throws UserError for what is neither that nor an ordinary file
-/// or a new name.
+/// Returns true if `path` is a device or a pipe, which is written in place. Throws UserError if it is neither
+/// that nor an ordinary file nor a new name.
 bool is_in_place(const std::string& path) {
     struct stat itself {
     }, status{};
     if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
     if (::lstat(path.c_str(), &itself) != 0 || ::stat(path.c_str(), &status) != 0) status.st_mode = S_IFREG;
     if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode))
-        return true;   // through a link as well: /dev/stdout is one
+        return true;   // also through a link: /dev/stdout is one
     if (S_ISLNK(itself.st_mode)) refuse(path, "is a symbolic link; name the file that it points to");
     if (S_ISDIR(status.st_mode)) refuse(path, "is a directory, not a file to write");
     if (!S_ISREG(status.st_mode)) refuse(path, "is neither an ordinary file nor a pipe to write to");
     return false;
 }
 
-/// Does not wait for somebody to read a pipe.
+/// Writes to a device or a pipe. Throws UserError at once if nobody reads the pipe, instead of waiting for a
+/// reader.
 void write_in_place(const std::string& path, std::string_view bytes) {
     const int file = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (file < 0 && errno == ENXIO) refuse(path, "is a pipe that nobody reads");
@@ -120,7 +122,7 @@ void check_writable(const std::string& path) {
     if (fs::exists(target, error) && ::access(path.c_str(), W_OK) != 0) not_written(path, errno);
     if (in_place) return;
     note_output(path);
-    // Only trying tells: permission bits do not know read-only file systems, nor do they bind every user.
+    // Create a file to find out: permission bits do not show read-only file systems, and do not bind root.
     const Temporary probe(target);
     ::close(probe.file);
 }

@@ -1,5 +1,5 @@
-// Writing whole files: they appear complete or not at all, and every error is seen, that of the last byte as
-// well.
+// Writing whole files: a file appears complete or not at all. Every error is reported, including one in the
+// last byte.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,19 +7,20 @@
 
 namespace rayclock {
 
-/// Fails early (UserError) if a file could not be created at `path`: missing folder, a directory, no
-/// permission, a symbolic link. A link is refused because renaming would replace it, not the file that it
-/// points to.
+/// Throws UserError if no file could be created at `path`: empty name, missing folder, a directory, no
+/// permission, a symbolic link. It refuses a link because renaming would replace the link and not the file
+/// that it points to. Call it before the work that produces the file.
 void check_writable(const std::string& path);
 
-/// The same, and refuses pipes and devices, too: what is written there must be an ordinary file.
+/// Checks the same, and also throws UserError for a pipe or a device: the output must be an ordinary file.
 void check_replaceable(const std::string& path);
 
-/// Whether a file must outlive a crash of the machine, or may as well be missing after it.
+/// Whether a file must survive a crash of the machine or may be missing after it.
 enum class Durable { yes, no };
 
-/// Writes under a temporary name in the same folder, then renames. Until the end, and after an error,
-/// whatever stood at `path` is untouched. A device or a pipe is written to in place. Throws UserError.
+/// Writes a file under a temporary name in the same folder, then renames it. Until the rename, and after an
+/// error, the old file at `path` is untouched. Writes to a device or a pipe in place. Throws UserError if it
+/// cannot write.
 void write_bytes(const std::string& path, std::string_view bytes, Durable durable = Durable::yes);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The register of temporary files: an array of atomic pointers, which a signal handler can read.
 #include "sim/files/scratch.hpp"
 
 #include <atomic>
@@ -17,10 +18,11 @@ namespace rayclock {
 namespace fs = std::filesystem;
 namespace {
 
-/// More at one time than there are tools at work; what finds no slot is removed by its owner alone.
+/// Registered paths. There are more slots than tools that run at one time. A path that finds no slot is
+/// removed only by its owner.
 std::atomic<char*> slots[64];
 
-/// A folder goes by another program: walking it allocates.
+/// Removes a folder by starting `rm`: walking a folder in this process would allocate memory.
 void remove_folder(char* path) noexcept {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -51,7 +53,7 @@ void Scratch::forget() {
 void remove_scratch() noexcept {
     for (std::atomic<char*>& slot : slots)
         if (char* const path = slot.exchange(nullptr); path && ::unlink(path) != 0 && errno != ENOENT)
-            remove_folder(path);   // its memory is not freed: this may be a handler
+            remove_folder(path);   // does not free `path`: free() is not safe in a signal handler
 }
 
 TemporaryFolder::TemporaryFolder(const std::string& prefix, const fs::path& beside) {

@@ -1,13 +1,13 @@
 #pragma once
-// What the program writes under temporary names, and how it disappears.
+// Temporary files and folders, and their removal when the program ends early.
 #include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace rayclock {
 
-/// Names a file or folder that is to disappear if the program is ended before this object is. Ended by
-/// remove_scratch(), that is: a program that is killed (SIGKILL) leaves it.
+/// Registers a file or folder that must be removed if a signal ends the program before this object. The
+/// signal handler calls remove_scratch(); a program that is killed (SIGKILL) leaves the file.
 class Scratch {
 public:
     Scratch() = default;
@@ -16,8 +16,9 @@ public:
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 
+    /// Registers `path` in place of the previous one.
     void name(const std::filesystem::path& path);
-    /// The name was removed or renamed.
+    /// Withdraws the registration, because the file was removed or renamed.
     void forget();
 
 private:
@@ -25,11 +26,11 @@ private:
     std::size_t slot_ = none;
 };
 
-/// Removes all that is named by a Scratch. For handlers of signals: it allocates nothing.
+/// Removes all files and folders that a Scratch registers. Signal handlers may call it: it allocates nothing.
 void remove_scratch() noexcept;
 
-/// A new folder among the temporary files that belongs to this user alone, removed in the end. `beside` is
-/// another folder to make it in. Throws UserError if it cannot be made.
+/// A new temporary folder that only this user may enter. The destructor removes it. It lies in `beside`, or
+/// in the system's temporary folder if `beside` is empty. Throws UserError if it cannot be made.
 class TemporaryFolder {
 public:
     explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& beside = {});

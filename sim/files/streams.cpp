@@ -1,3 +1,4 @@
+// Guarding the standard streams with POSIX calls, and remembering the first error of a write.
 #include "sim/files/streams.hpp"
 
 #include <cerrno>
@@ -11,11 +12,11 @@
 namespace rayclock {
 
 void guard_streams() {
-    // Opened the wrong way round on purpose: reading and writing still fail, as they do on what is closed.
+    // Opened for the opposite direction on purpose: reading and writing still fail, as on a closed stream.
     for (const int stream : {0, 1, 2})
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
             (void)::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
-    // A handler, since programs that are started inherit what is ignored.
+    // Install an empty handler instead of SIG_IGN: child programs would inherit SIG_IGN.
     struct sigaction nothing {};
     nothing.sa_handler = [](int) {};
     nothing.sa_flags = SA_RESTART;
@@ -25,7 +26,7 @@ void guard_streams() {
 
 namespace {
 
-int first_error = 0;   // of write_output()
+int first_error = 0;   // errno of the first failed write_output()
 
 }   // namespace
 
@@ -38,7 +39,7 @@ void write_output(std::string_view text) {
 std::string finish_output() {
     errno = 0;
     const bool had_error = std::ferror(stdout) != 0;
-    // Not fclose(): std::cout is flushed once more when the program ends.
+    // close() instead of fclose(): std::cout is flushed once more when the program ends.
     const bool has_arrived = std::fflush(stdout) == 0 && ::close(STDOUT_FILENO) == 0;
     if (has_arrived && !had_error) return {};
     if (first_error != 0) return std::strerror(first_error);

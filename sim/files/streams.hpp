@@ -1,19 +1,21 @@
-// The program's own streams: what is printed has arrived, or it is said.
+// The program's standard streams: the program reports it if printed text does not arrive.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace rayclock {
 
-/// Call before anything is opened. Occupies the numbers of closed standard streams, so that no file is taken
-/// for one of them, and turns the signals of a broken pipe and of a file that may not grow into errors of the
-/// write.
+/// Prepares the standard streams; call it before anything is opened. It occupies the descriptors of closed
+/// standard streams, so that no file gets their numbers. It also turns the signals SIGPIPE (broken pipe) and
+/// SIGXFSZ (file size limit) into errors of the write.
 void guard_streams();
 
-/// Text that may be longer than a buffer: if it does not arrive, finish_output() knows why.
+/// Prints text that may be longer than the stream's buffer. finish_output() reports the reason if it does not
+/// arrive.
 void write_output(std::string_view text);
 
-/// Flushes and closes standard output; empty if all that was printed has arrived, or the reason.
+/// Flushes and closes standard output. Returns an empty string if all printed text has arrived, and the
+/// reason if not.
 std::string finish_output();
 
 }   // namespace rayclock

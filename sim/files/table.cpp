@@ -1,3 +1,4 @@
+// Formatting of tables and of grouped digits.
 #include "sim/files/table.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ std::string grouped(std::uint64_t n) {
 
 namespace {
 
-/// An empty corner takes a single blank.
+/// Returns one line of a Markdown table. An empty first cell takes a single blank.
 std::string markdown_row(const std::vector<std::string>& cells) {
     std::string line = "|";
     for (std::size_t c = 0; c < cells.size(); ++c)

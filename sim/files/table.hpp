@@ -1,15 +1,15 @@
 #pragma once
-// Tables of words and numbers, for terminals and pages.
+// Tables of words and numbers, for terminals and for Markdown pages.
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace rayclock {
 
-/// 1234567 -> "1,234,567".
+/// Returns a number with thousands separators: 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n);
 
-/// A table: the first `left` columns are words and stand to the left, all others are numbers and stand to the
+/// A table whose first `left` columns hold words, aligned left. All other columns hold numbers, aligned
 /// right.
 class Table {
 public:
@@ -19,9 +19,9 @@ public:
         : left_(left), rows_{std::move(head)} {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
-    /// For a terminal: the columns are aligned with blanks.
+    /// Returns the table for a terminal, its columns aligned with blanks.
     std::string text(int indent = 2) const;
-    /// For a page in Markdown.
+    /// Returns the table as Markdown.
     std::string markdown() const;
 
 private:

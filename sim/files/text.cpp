@@ -1,3 +1,4 @@
+// Splitting text into lines and words, and reading numbers.
 #include "sim/files/text.hpp"
 
 #include <algorithm>
@@ -13,7 +14,8 @@
 namespace rayclock {
 namespace {
 
-/// More characters are no number that anybody wrote; reading them takes a time that grows with the square.
+/// The longest number that is read. Longer ones are damage, and reading them takes time quadratic in their
+/// length.
 constexpr std::size_t longest_number = 1000;
 
 std::optional<double> parsed_number(std::string_view digits) {
@@ -22,7 +24,8 @@ std::optional<double> parsed_number(std::string_view digits) {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) return std::nullopt;
-    // Out of range leaves the value alone; strtod tells too large (inf) from too small (0 or subnormal).
+    // from_chars leaves `value` alone if it is out of range. strtod distinguishes too large (inf) from too
+    // small (0 or subnormal).
     if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
     return value;
 }
@@ -59,7 +62,7 @@ std::string_view take_line(std::string_view& rest) {
     while (end < rest.size() && rest[end] != '\n' && rest[end] != '\r') ++end;
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end);
-    // Some programs write two carriage returns.
+    // Some programs write two carriage returns before the line feed.
     for (const std::string_view ending : {"\n", "\r\n", "\r\r\n", "\r"})
         if (rest.starts_with(ending)) {
             rest.remove_prefix(ending.size());

@@ -1,7 +1,8 @@
-// Words, lines and numbers of a text file, and the one form of a complaint about it: "<file>: line 7: ...".
+// Words, lines and numbers of a text file, and the form of all error messages about it: "<file>: line 7:
+// ...".
 //
-// Numbers are read by the standard's from_chars: exact, without locale. A coordinate must be finite also as
-// a 32-bit float, because that is what the importer keeps.
+// The standard's from_chars reads numbers: exactly and independently of the locale. A coordinate must also be
+// finite as a 32-bit float, because the mesh readers store floats.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,43 +13,44 @@
 
 namespace rayclock {
 
-/// Where something was found; the name of the file is shown printable. Line 0 means that lines make no sense
-/// here (a binary file).
+/// A position in a file, for error messages. Line 0 means that the file has no lines (a binary file).
 struct Place {
     std::string file;
     std::uint64_t line = 0;
+    /// Throws UserError "<file>: line <line>: <sentence>", with the file's name in printable characters.
     [[noreturn]] void refuse(const std::string& sentence) const;
 };
 
-/// Takes the next word off the front of `rest`; empty at its end.
+/// Removes the next word from the front of `rest` and returns it. Returns an empty word at the end.
 std::string_view take_word(std::string_view& rest);
 
-/// The words, with single blanks between them.
+/// Returns the words of `text`, separated by single blanks.
 std::string joined_words(std::string_view text);
 
-/// Takes the next line off the front of `rest`, without its end (\n, \r\n, or \r alone). Only while `rest` is
-/// not empty.
+/// Removes the next line from the front of `rest` and returns it without its end (\n, \r\n, \r\r\n or \r
+/// alone). `rest` must not be empty.
 std::string_view take_line(std::string_view& rest);
 
-/// A finite number that a 32-bit float can hold, or a refusal that names the word.
+/// Reads a finite number that fits a 32-bit float. Throws UserError that names the word if it is none.
 double finite_number(std::string_view word, const Place& at);
 
-/// The same number, or nothing.
+/// Reads the same kind of number. Returns nothing if the word is none.
 std::optional<float> float_of(std::string_view word);
 
-/// Any number, nan and inf included.
+/// Reads any number, including nan and inf. Throws UserError if the word is none.
 double any_number(std::string_view word, const Place& at);
 
-/// A whole number.
+/// Reads a whole number. Throws UserError if the word is none or does not fit 64 bits.
 std::int64_t whole_number(std::string_view word, const Place& at);
 
-/// The text without the mark that some editors put in front of UTF-8.
+/// Returns the text without the byte order mark that some editors put in front of UTF-8.
 std::string_view without_mark(std::string_view text);
 
-/// The same text in small letters (ASCII).
+/// Returns the text in lower case (ASCII only).
 std::string lower(std::string_view text);
 
-/// Refuses a line with control characters: it is not text, whatever the name of the file says.
+/// Throws UserError if a line holds control characters: it is not text, whatever the file's extension
+/// promises.
 void check_text(std::string_view line, const Place& at, std::string_view kind);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Morphing and skinning of COLLADA meshes, by the formulas of the COLLADA 1.4.1 specification.
 #include "sim/load/dae_controller.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int most_controllers = 8;   // one upon another
+constexpr int most_controllers = 8;   // nesting depth
 
 const XmlElement* input(const XmlElement& in, std::string_view semantic) {
     for (const XmlElement& child : in.children)
@@ -18,14 +19,14 @@ const XmlElement* input(const XmlElement& in, std::string_view semantic) {
     return nullptr;
 }
 
-/// A matrix as COLLADA writes it, row by row.
+/// Reads a matrix, which COLLADA writes row by row.
 glm::dmat4 matrix_at(const std::vector<float>& numbers, std::size_t first) {
     glm::dmat4 made(1);
     for (int i = 0; i < 16; ++i) made[i % 4][i / 4] = numbers[first + static_cast<std::size_t>(i)];
     return made;
 }
 
-/// Whole numbers of a text, taken one after another.
+/// Reads the whole numbers of an element's text one after the other.
 class Numbers {
 public:
     Numbers(const XmlElement& in, const DaeDocument& document)
@@ -58,7 +59,7 @@ void DaeControllers::apply(const XmlElement& controller, const XmlElement& insta
     const XmlElement *const skin = controller.find("skin"), *const morph = controller.find("morph"),
                             *const in = skin ? skin : morph;
     if (!in) return;
-    apply(document_.target(*in, "source"), instance, pose, depth + 1);   // what it works upon comes first
+    apply(document_.target(*in, "source"), instance, pose, depth + 1);   // its source comes first
     if (!positions(pose.geometry)) return;
     if (skin)
         this->skin(*skin, instance, pose);
@@ -120,7 +121,7 @@ void DaeControllers::skin(const XmlElement& in, const XmlElement& instance, DaeP
     carry(*weights, all, document_.up() * shape, pose);
 }
 
-/// What each joint does to a vertex: the bind shape, its inverse bind matrix, its node's place.
+/// Returns the matrix of each joint: node's place * inverse bind matrix * bind shape.
 std::vector<glm::dmat4> DaeControllers::joints(const XmlElement& skin, const XmlElement& instance,
                                                const glm::dmat4& shape) {
     const XmlElement* const list = skin.find("joints");
@@ -142,7 +143,7 @@ std::vector<glm::dmat4> DaeControllers::joints(const XmlElement& skin, const Xml
         const XmlElement* const found = node(name, instance);
         const auto place = places_.find(found);
         faults_.lost_joints += place == places_.end();
-        made.push_back(place == places_.end() ? document_.up() * shape   // as it was bound
+        made.push_back(place == places_.end() ? document_.up() * shape   // its bind pose
                                               : place->second * matrix_at(numbers, 16 * made.size()) * shape);
     }
     return made;
@@ -151,7 +152,7 @@ std::vector<glm::dmat4> DaeControllers::joints(const XmlElement& skin, const Xml
 const XmlElement* DaeControllers::node(const std::string& name, const XmlElement& instance) {
     for (const XmlElement& child : instance.children) {
         if (child.name != "skeleton") continue;
-        document_.charge(sizeof(XmlElement));   // each joint looks at each of them
+        document_.charge(sizeof(XmlElement));   // each joint searches every skeleton
         const XmlElement* const root = document_.find(joined_words(child.text));
         if (!root) continue;
         const Names& names = names_below(*root);

@@ -1,5 +1,5 @@
-// Controllers of COLLADA: a mesh that is mixed of several (morph), or carried by joints (skin), as the file's
-// nodes and weights place it. Animations do not move it.
+// Controllers of COLLADA: a mesh that blends several meshes (morph) or follows joints (skin). The file's
+// nodes and weights give one fixed pose; animations do not move it.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -14,26 +14,28 @@
 
 namespace rayclock {
 
-/// What a controller does to the vertices of its geometry.
+/// The vertices of a geometry after its controllers.
 struct DaePose {
     const XmlElement* geometry = nullptr;   ///< null if there is nothing to draw
-    std::vector<glm::dvec3> positions;      ///< in place of the geometry's; empty: those
-    std::vector<glm::dmat4> moves;          ///< of each vertex, into the scene; empty: it stays at its node
+    std::vector<glm::dvec3> positions;      ///< replace the geometry's positions; empty: keep those
+    std::vector<glm::dmat4> moves;   ///< of each vertex, into the scene's space; empty: the vertices move
+                                     ///< with their node
 };
 
-/// What could not be taken as it stands.
+/// Counts of parts of controllers that are ignored or changed.
 struct DaePoseFaults {
     std::uint64_t morph_normals = 0, other_targets = 0, lost_joints = 0, odd_weights = 0;
 };
 
+/// Computes the poses of the controllers of a document.
 class DaeControllers {
 public:
-    /// Where each node stands, with the document's up axis turned to y.
+    /// The place of each node, with the document's up axis turned to y.
     using Places = std::map<const XmlElement*, glm::dmat4>;
 
     DaeControllers(DaeDocument& document, const Places& places) : document_(document), places_(places) {}
 
-    /// The pose of an <instance_controller>.
+    /// Returns the pose of an <instance_controller>. Throws UserError if the document is wrong.
     DaePose pose(const XmlElement& instance);
     const DaePoseFaults& faults() const { return faults_; }
 

@@ -1,3 +1,4 @@
+// Reading numbers, references and <asset>s of a COLLADA document.
 #include "sim/load/dae_document.hpp"
 
 #include <cmath>
@@ -147,7 +148,8 @@ DaeTriples DaeDocument::read_triples(const XmlElement& source) {
     made.stride = whole(accessor, "stride", 1);
     if (made.stride < 3)
         refuse(accessor, fmt::format("a stride of {}, and a point has 3 numbers", made.stride));
-    // A parameter without a name is skipped. Where none has one, the first three numbers are the point.
+    // A parameter without a name is skipped. If fewer than three have a name, the first three numbers are the
+    // point.
     std::uint64_t named = 0, number = 0;
     for (const XmlElement& param : accessor.children) {
         if (param.name != "param") continue;

@@ -1,3 +1,4 @@
+// Triangles, polygons, strips and fans of COLLADA meshes.
 #include "sim/load/dae_geometry.hpp"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace {
 
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// A normal after a map of positions.
+/// Transforms a normal by the cofactor matrix of `move`, which keeps it perpendicular to the surface. A
+/// mirroring map negates the result.
 glm::dvec3 turned(const glm::dmat4& move, const glm::dvec3& normal) {
     const glm::dmat3 m(move);
     const glm::dvec3 made(glm::dot(glm::cross(m[1], m[2]), normal), glm::dot(glm::cross(m[2], m[0]), normal),
@@ -85,7 +87,7 @@ glm::dvec3 DaeGeometries::entry(const XmlElement& list, const DaeTriples& source
 
 DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, const Inputs& inputs,
                                                  const DaePose& pose) {
-    document_.charge(list.text.size());   // a geometry may be cut for many skins
+    document_.charge(list.text.size());   // a geometry may be cut again for many skins
     std::vector<std::uint64_t> indices;
     const Place at{document_.file(), list.line};
     std::string_view rest = list.text;
@@ -143,7 +145,7 @@ std::size_t DaeGeometries::primitive(const XmlElement& in, const DaePose& pose) 
         else if (in.name == "triangles")
             for (std::size_t k = 0; k + 2 < corners.size(); k += 3)
                 faces.push_back({corners[k], corners[k + 1], corners[k + 2]});
-        else   // a strip turns every second triangle over, a fan begins each at its first corner
+        else   // a strip reverses every second triangle; a fan begins each at its first corner
             for (std::size_t k = 0; k + 2 < corners.size(); ++k)
                 faces.push_back(in.name == "trifans"
                                     ? Corners{corners[0], corners[k + 1], corners[k + 2]}

@@ -1,4 +1,4 @@
-// Geometries of COLLADA as parts of a scene.
+// Converts geometries of COLLADA into parts of a scene.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -12,23 +12,26 @@
 
 namespace rayclock {
 
-/// Triangles of a mesh with one material, by the name that the mesh has for it.
+/// The triangles of a mesh with one material. `symbol` is the mesh's name for the material.
 struct DaePart {
-    std::size_t number;   ///< of the assembly
+    std::size_t number;   ///< index of the part in the assembly
     std::string symbol;
 };
 
+/// Cuts meshes into triangles. Throws UserError if the document is wrong.
 class DaeGeometries {
 public:
     DaeGeometries(DaeDocument& document, Assembly& assembly) : document_(document), assembly_(assembly) {}
 
-    /// The parts of a <geometry> in a pose; each <mesh> is cut anew. None if it is no mesh.
+    /// Adds the parts of a <geometry> in a pose to the assembly. Cuts each <mesh> anew at each call. Returns
+    /// no parts if it has no mesh.
     std::vector<DaePart> parts(const XmlElement& geometry, const DaePose& pose);
     std::uint64_t triangles() const { return triangles_; }
+    /// Adds notes to the loading about everything that was left out.
     void say_left_out() const;
 
 private:
-    /// What the inputs of a primitive say of each corner.
+    /// The sources of a primitive's corners, and the position of their indices in a corner.
     struct Inputs {
         std::optional<DaeTriples> positions, normals;
         std::uint64_t position_at = 0, normal_at = 0, stride = 1;

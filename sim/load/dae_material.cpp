@@ -1,3 +1,4 @@
+// Phong, Blinn, Lambert and constant shaders of COLLADA, converted to rayclock's material.
 #include "sim/load/dae_material.hpp"
 
 #include <optional>
@@ -20,7 +21,7 @@ void take_params(const XmlElement& in, const char* kind, const char* key, Params
 
 }   // namespace
 
-/// Reads the values of a shader, through its parameters.
+/// Reads the values of a shader, and follows its references to parameters.
 class DaeMaterials::Shader {
 public:
     Shader(const XmlElement& in, const Params& params, const DaeDocument& document)
@@ -45,7 +46,8 @@ public:
     }
 
 private:
-    /// What holds the numbers: a child of the kind, or the parameter that is named in its place.
+    /// Returns the element with the numbers: a child of this kind, or the parameter that the shader
+    /// references instead.
     const XmlElement* value(const char* what, const char* kind) const {
         const XmlElement* const found = in_.find(what);
         if (!found) return nullptr;
@@ -64,14 +66,14 @@ private:
     const DaeDocument& document_;
 };
 
-/// What "Determining Transparency" of COLLADA 1.5 makes of <transparent> and <transparency>.
+/// Returns the opacity by "Determining Transparency" of the COLLADA 1.5 specification.
 float DaeMaterials::opacity(const Shader& shader) {
     const XmlElement* const transparent = shader.find("transparent");
     const std::string mode = transparent ? transparent->attribute("opaque") : std::string{};
     const glm::vec4 colour = shader.colour("transparent").value_or(glm::vec4(1));
     const float strength = shader.number("transparency").value_or(1.0f);
     const float luminance = glm::dot(glm::vec3(colour), glm::vec3(0.212671f, 0.715160f, 0.072169f));
-    // A texture alone says nothing that could be drawn here.
+    // A texture alone has no value that can be drawn here.
     if (shader.has_texture("transparent") && (mode == "RGB_ZERO" || mode == "A_ZERO")) return 1;
     if (mode == "RGB_ZERO") return transparent ? 1 - luminance * strength : strength;
     if (mode == "A_ZERO") return 1 - colour.a * strength;
@@ -88,7 +90,7 @@ float DaeMaterials::seen_opacity(const Shader& shader) {
     const XmlElement* const transparent = shader.find("transparent");
     const auto strength = shader.number("transparency");
     if (!strength) return opacity(shader);
-    // COLLADA 1.4.0 did not say what 0 means, and programs of its time wrote it for what is opaque.
+    // COLLADA 1.4.0 did not define 0, and programs of its time wrote 0 for opaque materials.
     if (*strength == 0 && (!transparent || transparent->attribute("opaque").empty())) {
         ++zero_;
         return 1;
@@ -136,7 +138,7 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
     const auto is_light = [](const glm::vec4& c) { return c.r > 0 || c.g > 0 || c.b > 0; };
     const glm::vec4 black(0, 0, 0, 1);
     const glm::vec4 emission = shader.colour("emission").value_or(black);
-    // A shader without a diffuse colour scatters no light. What a texture says is not known here.
+    // A shader without a diffuse colour scatters no light. The colour of a texture is unknown here.
     MtlSurface surface{.diffuse = shader.has_texture("diffuse")
                                       ? glm::vec3(0.8f)
                                       : glm::vec3(shader.colour("diffuse").value_or(black))};
@@ -159,7 +161,7 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
                    is_light(shader.colour("reflective").value_or(black));
     odd_ += is_out_of_range(surface);
     Material out = material_of(surface, name);
-    if (glows) {   // its own light and no other's
+    if (glows) {   // emits its own light and reflects none
         out.ambient += out.diffuse;
         out.diffuse = 0;
     }

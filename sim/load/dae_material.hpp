@@ -8,17 +8,19 @@
 
 namespace rayclock {
 
-/// Materials of COLLADA by the common profile of their effects. What it leaves out is counted.
+/// Materials of COLLADA by the common profile of their effects. Counts the properties that it ignores.
 class DaeMaterials {
 public:
     explicit DaeMaterials(DaeDocument& document);
 
-    /// Of a <material>; grey if its effect says nothing of how it looks.
+    /// Returns the material of a <material>. It is grey if the effect has no shader of the common profile.
+    /// Throws UserError if the document is wrong.
     Material material(const XmlElement& in);
+    /// Adds notes to the loading about everything that was left out.
     void say_left_out() const;
 
 private:
-    /// Parameters by their names, and the shader that uses them.
+    /// The parameters of an effect by their names, and its shader.
     struct Effect {
         std::map<std::string, const XmlElement*> params;
         const XmlElement* shader = nullptr;
@@ -30,7 +32,7 @@ private:
     Material made(const Effect& effect, const std::string& name);
 
     DaeDocument& document_;
-    bool is_inverted_ = false;   ///< its program writes 0 where the standard has 1 for an opaque material
+    bool is_inverted_ = false;   ///< the exporter wrote 1 - opacity instead of the opacity
     std::map<const XmlElement*, Effect> effects_;
     std::uint64_t odd_ = 0, textured_ = 0, emitting_ = 0, reflecting_ = 0, zero_ = 0, without_effect_ = 0;
 };

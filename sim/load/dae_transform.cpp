@@ -1,4 +1,4 @@
-// What the children of a COLLADA node do to its coordinates.
+// The transformations of a COLLADA node.
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +18,7 @@ glm::dmat4 matrix(const std::vector<float>& m) {
     return made;
 }
 
-/// Rodrigues' rotation.
+/// Rodrigues' rotation formula; `v` is the axis and the angle in degrees.
 glm::dmat4 rotation(const std::vector<float>& v) {
     glm::dmat4 made(1);
     glm::dvec3 axis(v[0], v[1], v[2]);
@@ -33,7 +33,7 @@ glm::dmat4 rotation(const std::vector<float>& v) {
     return made;
 }
 
-/// Puts the origin at the eye, with -z towards the point of interest, as a camera's node.
+/// Places the origin at the eye, with -z towards the point of interest, as the node of a camera.
 glm::dmat4 lookat(const std::vector<float>& v) {
     const glm::dvec3 eye(v[0], v[1], v[2]), at(v[3], v[4], v[5]), up(v[6], v[7], v[8]);
     const glm::dvec3 back = glm::normalize(eye - at), right = glm::normalize(glm::cross(up, back));
@@ -41,7 +41,8 @@ glm::dmat4 lookat(const std::vector<float>& v) {
             glm::dvec4(eye, 1)};
 }
 
-/// RenderMan's skew: points move along `b`, so that those on `a` turn towards it by the angle.
+/// RenderMan's skew: moves points along `b`, so that vector `a` turns towards `b` by the angle v[0] in
+/// degrees.
 glm::dmat4 skew(const std::vector<float>& v) {
     const glm::dvec3 a = glm::normalize(glm::dvec3(v[1], v[2], v[3])),
                      b = glm::normalize(glm::dvec3(v[4], v[5], v[6])), across = a - b * glm::dot(a, b);

@@ -5,8 +5,8 @@
 
 namespace rayclock {
 
-/// A child of a node as a matrix: matrix, translate, rotate, scale, lookat or skew; of any other, the
-/// identity.
+/// Returns the matrix of a node's child: matrix, translate, rotate, scale, lookat or skew. Returns the
+/// identity for any other element. Throws UserError if its numbers are wrong.
 glm::dmat4 dae_transform(const XmlElement& in, const DaeDocument& document);
 
 }   // namespace rayclock

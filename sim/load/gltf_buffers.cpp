@@ -1,3 +1,4 @@
+// Decoding of GLB containers, data URIs, buffer views and accessors.
 #include "sim/load/gltf_buffers.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::string decode_base64(std::string_view text, const JsonValue& at) {
     return bytes;
 }
 
-/// %20 and the like.
+/// Decodes percent escapes such as %20.
 std::string decode_percent(std::string_view uri) {
     std::string name;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -113,7 +114,8 @@ GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path&
     if (const auto buffers = document.find("buffers")) inside_.resize(buffers->array().size());
 }
 
-/// A document from somewhere must not make the program read files from anywhere.
+/// Throws UserError if the name leads out of the file's folder: an untrusted document must not make the
+/// program read arbitrary files.
 std::string_view GltfBuffers::file(const JsonValue& uri, const std::string& name) {
     if (leaves_folder(name))
         uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
@@ -226,7 +228,7 @@ std::vector<double> GltfBuffers::take(const JsonValue& from, std::uint64_t count
     return numbers;
 }
 
-/// A sparse accessor says which elements are not as they were, and what they are.
+/// Applies a sparse accessor: a list of element indices and their new values.
 void GltfBuffers::put(const JsonValue& sparse, const Component& component, std::uint64_t width,
                       bool is_scaled, std::vector<double>& numbers) {
     const std::uint64_t count = sparse.at("count").whole(numbers.size() / width + 1);

@@ -1,3 +1,4 @@
+// Reading morph targets, joints and weights of glTF meshes.
 #include "sim/load/gltf_deform.hpp"
 
 #include <algorithm>
@@ -10,10 +11,10 @@
 namespace rayclock {
 namespace {
 
-// Weights of a vertex are rounded in files, to bytes at worst, which is no reason for a warning.
+// Files round the weights of a vertex, at worst to bytes. Sums within this distance of 1 get no warning.
 constexpr double most_off = 0.02;
 
-/// The weights that a node or its mesh gives to the targets.
+/// Returns the weights of the morph targets from the node, or from its mesh.
 std::optional<JsonValue> weights_of(const JsonValue& node, const JsonValue& mesh) {
     if (const auto own = node.find("weights")) return own;
     return mesh.find("weights");
@@ -71,7 +72,7 @@ Deforming GltfDeformer::make(const JsonValue& node, const JsonValue& mesh, const
     return made;
 }
 
-/// Looked up when it is asked first, which is when a number makes no sense.
+/// Reads the indices at the first query, which happens only when the file holds a bad number.
 GltfDeformer::Used GltfDeformer::used_by(const JsonValue& primitive) {
     const auto indices = primitive.find("indices");
     if (!indices) return [](std::size_t) { return true; };
@@ -85,8 +86,8 @@ GltfDeformer::Used GltfDeformer::used_by(const JsonValue& primitive) {
     };
 }
 
-/// Finite numbers that a float can hold. What is none is a fault where a triangle uses the vertex; of a
-/// normal, it is as if there were none.
+/// Reads triples of numbers that a float can hold. Throws UserError for any other number if a triangle uses
+/// the vertex. A bad normal counts as missing.
 std::vector<glm::dvec3> GltfDeformer::triples(const JsonValue& attribute, std::size_t count, bool are_normals,
                                               const Used& used) {
     const std::uint64_t index = accessor_of(attribute);
@@ -139,8 +140,8 @@ std::vector<double> GltfDeformer::fours(const JsonValue& attribute, std::size_t 
     return all;
 }
 
-/// From JOINTS_0 and WEIGHTS_0 on, four of a vertex in each. Weights need not sum to 1: their proportion
-/// counts, and without any the first joint has all.
+/// Reads JOINTS_0, WEIGHTS_0 and the sets that follow, each with four joints per vertex. Weights need not sum
+/// to 1, because normalise() divides by the sum. A vertex without weights follows its first joint.
 void GltfDeformer::add_pulls(const JsonValue& attributes, std::size_t vertices, const Used& used,
                              Deforming& to) {
     std::vector<std::vector<double>> joints, weights;
@@ -215,7 +216,7 @@ void GltfDeformer::add_joints(const JsonValue& skin, Deforming& to) {
         const std::optional<Where> where = where_of_(node);
         if (!where) list[i].refuse(fmt::format("names nodes[{}], which does not stand in the scene", node));
         Joint joint{where->node, where->place, glm::dmat4(1)};
-        for (int k = 0; k < 16 && !bind.empty(); ++k)   // columns first, as here
+        for (int k = 0; k < 16 && !bind.empty(); ++k)   // column by column, as in glm
             joint.inverse_bind[k / 4][k % 4] = bind[16 * i + std::size_t(k)];
         to.joints.push_back(joint);
     }

@@ -1,4 +1,4 @@
-// Meshes of a glTF document whose corners move: morph targets and skins.
+// Meshes of a glTF document that deform: morph targets and skins.
 #pragma once
 #include <functional>
 #include <optional>
@@ -10,13 +10,14 @@
 
 namespace rayclock {
 
-/// How many morph targets a mesh of the document has: each of its primitives has as many. Throws UserError.
+/// Returns the number of morph targets of a mesh, which all of its primitives share. Throws UserError if they
+/// differ.
 std::size_t gltf_target_count(const JsonValue& mesh);
 
-/// Makes Deforming of nodes. The document and the buffers must outlive it.
+/// Builds the Deforming of a node. The caller must keep the document and the buffers alive.
 class GltfDeformer {
 public:
-    /// Where a node stands in the scene; nothing if it is not in it.
+    /// Returns the place of a node in the scene, or nothing if the node is not in it.
     using WhereOf = std::function<std::optional<Where>(std::uint64_t node)>;
 
     GltfDeformer(const JsonValue& document, GltfBuffers& buffers, Loading& loading, Warnings& warnings,
@@ -27,15 +28,16 @@ public:
           warnings_(warnings),
           where_of_(std::move(where_of)) {}
 
-    /// Whether a node's mesh has another shape than that in which it is stored.
+    /// Returns true if a node's mesh may differ in shape from the stored one.
     static bool deforms(const JsonValue& node, const JsonValue& mesh, const GltfTracks* tracks);
 
-    /// The mesh of the node: vertices of its primitives of triangles, one after the other. `smooth`: some of
-    /// them have normals; the others' are 0. Throws UserError.
+    /// Returns the deforming mesh of a node: the vertices of its triangle primitives, one primitive after the
+    /// other. `smooth` means that some primitives have normals; vertices of the others get normals of 0.
+    /// Throws UserError if the document is wrong.
     Deforming make(const JsonValue& node, const JsonValue& mesh, const GltfTracks* tracks, bool smooth);
 
 private:
-    /// Whether a triangle of the primitive uses a vertex.
+    /// Returns true if a triangle of the primitive uses a vertex.
     using Used = std::function<bool(std::size_t vertex)>;
     Used used_by(const JsonValue& primitive);
     void add_primitive(const JsonValue& in, bool is_skinned, bool smooth, Deforming& to);

@@ -1,3 +1,4 @@
+// The checks of version and extensions, and the search for root nodes.
 #include "sim/load/gltf_document.hpp"
 
 #include <algorithm>

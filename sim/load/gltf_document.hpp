@@ -1,4 +1,4 @@
-// A glTF document as a whole: whether it is one that can be read, and where its tree of nodes begins.
+// A glTF document as a whole: whether it can be read, and the roots of its tree of nodes.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace rayclock {
 
-/// Before anything else, because version 1 has objects where 2 has arrays, and need not say that it is
-/// version 1. Throws UserError.
+/// Throws UserError if the version or a required extension is not supported. Call it before anything else:
+/// version 1 has objects where version 2 has arrays, and need not state its version.
 void check_gltf_version(const JsonValue& document, const Place& at);
 
-/// The nodes of the default scene; without any scene, the nodes that have no parent. `count`: nodes of the
-/// document.
+/// Returns the nodes of the default scene. Without any scene, returns the nodes that have no parent. `count`
+/// is the number of nodes in the document. Throws UserError if a node does not exist.
 std::vector<std::uint64_t> gltf_roots(const JsonValue& document, std::size_t count);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Conversion of glTF materials with their extensions, and of transforms, cameras and lights.
 #include "sim/load/gltf_material.hpp"
 
 #include <algorithm>
@@ -13,14 +14,14 @@ namespace {
 
 float single(double x) { return static_cast<float>(x); }
 
-/// True if the object itself says how to find a texture.
+/// Returns true if the object names a texture other than that of the base colour.
 bool names_texture(const JsonValue& in) {
     for (const auto& [key, ignored] : in.object().raw().items())
         if (key.ends_with("Texture") && key != "baseColorTexture" && key != "diffuseTexture") return true;
     return false;
 }
 
-/// `count` finite numbers under `key`, or false.
+/// Reads `count` finite numbers under `key`. Returns false if the key is missing.
 template <std::size_t count>
 bool numbers(const JsonValue& in, const char* key, std::array<float, count>& out) {
     const auto list = in.find(key);
@@ -34,8 +35,8 @@ float brightness(const glm::vec3& c) {
     return std::sqrt(0.299f * c.r * c.r + 0.587f * c.g * c.g + 0.114f * c.b * c.b);
 }
 
-/// The metal whose mixture with a dielectric of 4 % reflects as much as given: the appendix of
-/// KHR_materials_pbrSpecularGlossiness has the quadratic equation.
+/// Returns the metalness whose mixture with a dielectric of 4 % reflectance reflects as much as given. Solves
+/// the quadratic equation in the appendix of KHR_materials_pbrSpecularGlossiness.
 float metal_of(float diffuse, float specular, float rest) {
     constexpr float least = 0.04f;
     if (specular < least) return 0;
@@ -43,7 +44,7 @@ float metal_of(float diffuse, float specular, float rest) {
     return std::clamp((-b + std::sqrt(std::max(b * b - 4 * least * c, 0.0f))) / (2 * least), 0.0f, 1.0f);
 }
 
-/// KHR_materials_pbrSpecularGlossiness as colour, metal and roughness.
+/// Converts KHR_materials_pbrSpecularGlossiness to colour, metalness and roughness.
 void specular_glossiness(const JsonValue& in, GltfMaterial& out) {
     std::array<float, 4> diffuse{1, 1, 1, 1};
     std::array<float, 3> specular{1, 1, 1};
@@ -108,7 +109,7 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
     std::array<float, 3> emission{};
     if (numbers(in, "emissiveFactor", emission)) surface.emission = {emission[0], emission[1], emission[2]};
     if (const auto given = in.find("extensions")) extensions(*given, out);
-    // Only blending makes a surface show what is behind it.
+    // The opacity lets light through only in the mode BLEND.
     const auto mode = in.find("alphaMode");
     out.blends = mode && mode->string() == "BLEND";
     out.is_masked = mode && mode->string() == "MASK";
@@ -122,7 +123,7 @@ glm::dmat4 gltf_transform(const JsonValue& node) {
     std::array<float, 16> matrix{};
     std::array<float, 3> move{0, 0, 0}, scale{1, 1, 1};
     std::array<float, 4> turn{0, 0, 0, 1};
-    // All are read, so that all are checked.
+    // Read all three even if a matrix overrides them, so that all are checked.
     const bool is_moved = numbers(node, "translation", move), is_turned = numbers(node, "rotation", turn),
                is_scaled = numbers(node, "scale", scale);
     if (numbers(node, "matrix", matrix)) {
@@ -141,7 +142,7 @@ glm::dmat4 gltf_transform(const JsonValue& node) {
     return out;
 }
 
-// Cameras and lights are at the origin of their node and look along -z.
+// Cameras and lights sit at the origin of their node and look along -z.
 std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place) {
     const auto lens = in.find("perspective");
     if (!lens) return std::nullopt;
@@ -161,7 +162,7 @@ PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place) {
     const double intensity = in.number_or("intensity", 1);
     if (!(intensity >= 0 && colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
         in.refuse("must not be negative");
-    // A spot's cone is not in our lights.
+    // Ignore the cone of a spot light: rayclock has no spot lights.
     return {type == "directional", glm::vec3(colour) * single(intensity), glm::dvec3(place[3]),
             glm::dvec3(place[2])};
 }

@@ -8,24 +8,27 @@
 
 namespace rayclock {
 
+/// A material of the document, before its base texture is averaged.
 struct GltfMaterial {
     std::string name;
     GltfSurface surface;
-    bool blends = false;                     ///< its opacity counts
-    bool is_masked = false;                  ///< its opacity decides what is seen at all
-    bool is_invisible = false;               ///< nothing of it is
-    bool has_textures = false;               ///< others than that of the base colour
-    bool has_extensions = false;             ///< such as are not drawn
-    std::optional<JsonValue> base_texture;   ///< how the file names that of the base colour
+    bool blends = false;                     ///< alphaMode BLEND: the opacity counts
+    bool is_masked = false;                  ///< alphaMode MASK: the opacity decides which points exist
+    bool is_invisible = false;               ///< MASK with a constant opacity below the cutoff
+    bool has_textures = false;               ///< textures other than that of the base colour
+    bool has_extensions = false;             ///< extensions that are not drawn
+    std::optional<JsonValue> base_texture;   ///< reference to the texture of the base colour
 };
+/// Reads a material; `number` names it if it has no name. Throws UserError if the document is wrong.
 GltfMaterial gltf_material(const JsonValue& in, std::size_t number);
 
-/// The matrix of a node, with the 32-bit floats that the format is made for.
+/// Returns the matrix of a node, computed with 32-bit floats as the format specifies.
 glm::dmat4 gltf_transform(const JsonValue& node);
 
-/// Nothing for parallel rays, which are not in our camera.
+/// Returns a camera at a place, or nothing for an orthographic one, which rayclock does not have.
 std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place);
 
+/// Returns a light at a place. Throws UserError if the document is wrong.
 PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place);
 
 }   // namespace rayclock

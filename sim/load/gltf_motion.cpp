@@ -1,3 +1,4 @@
+// Reading animations and instancing of glTF.
 #include "sim/load/gltf_motion.hpp"
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace rayclock {
 namespace {
 
-/// One animation of the document.
+/// Reads one animation of the document.
 class AnimationReader {
 public:
     AnimationReader(const JsonValue& document, const JsonValue& animation, GltfBuffers& buffers)
@@ -27,7 +28,7 @@ private:
         const JsonValue target = in.at("target");
         const std::string path = target.at("path").string();
         const auto node = target.find("node");
-        if (!node) return;   // of an extension
+        if (!node) return;   // target of an extension
         const JsonValue samplers = in_.at("samplers").array();
         const JsonValue sampler = samplers[in.at("sampler").whole(samplers.size())];
         const std::uint64_t nodes = document_.find("nodes") ? document_.at("nodes").array().size() : 0;
@@ -47,7 +48,7 @@ private:
         check_turns(sampler, own.turns);
     }
 
-    /// One track for each morph target; at a key their values stand one after the other.
+    /// Reads one track for each morph target. The values of all targets at a key are adjacent in the file.
     void weights(const JsonValue& target, const JsonValue& sampler, std::uint64_t node, GltfTracks& own) {
         if (!own.weights.empty()) target.refuse("is moved by a channel before this one as well");
         const auto mesh = document_.at("nodes")[node].find("mesh");
@@ -119,7 +120,7 @@ private:
         return sampler.at(key).whole(document_.at("accessors").array().size());
     }
 
-    /// Every rotation is one.
+    /// Throws UserError if a rotation is far from a unit quaternion.
     static void check_turns(const JsonValue& sampler, const Track<glm::dquat>& turns) {
         const std::size_t width = turns.between == Between::cubic ? 3 : 1;
         for (std::size_t k = 0; k < turns.times.size(); ++k) {

@@ -10,27 +10,28 @@
 
 namespace rayclock {
 
-/// Tracks of a node, and where the file says so.
+/// The tracks of a node.
 struct GltfTracks {
     Track<glm::dvec3> translates, scales;
     Track<glm::dquat> turns;
-    std::vector<Track<double>> weights;   ///< of all morph targets of the node's mesh, or of none
+    std::vector<Track<double>> weights;   ///< one for each morph target of the node's mesh, or empty
 
-    /// It moves the node, and not its mesh alone.
+    /// Returns true if the animation moves the node itself, and not only the shape of its mesh.
     bool move_node() const { return !translates.empty() || !scales.empty() || !turns.empty(); }
 };
 
-/// The tracks of the document's first animation, by node. What is left out is noted: other animations. Throws
-/// UserError.
+/// Returns the tracks of the document's first animation by node. Notes that other animations are left out.
+/// Throws UserError if the document is wrong.
 std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers,
                                                 Loading& loading, const std::string& file);
 
-/// The places of EXT_mesh_gpu_instancing in the space of its node. `accessors`: how many the document has.
+/// Returns the transforms of EXT_mesh_gpu_instancing in the space of their node. `accessors` is the number of
+/// accessors in the document. Throws UserError if the document is wrong.
 std::vector<glm::dmat4> gltf_places(const JsonValue& attributes, GltfBuffers& buffers,
                                     std::uint64_t accessors);
 
-/// A node of the document as a node of ours, with its tracks if it has any. `matrix` is gltf_transform() of
-/// it.
+/// Returns a node of the document as a MotionNode, with its tracks if it has any. `matrix` is the node's
+/// gltf_transform(). Throws UserError if the node has both a matrix and tracks.
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks);
 
 }   // namespace rayclock

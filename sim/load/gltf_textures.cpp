@@ -1,3 +1,4 @@
+// Tinting materials by the average of their base texture.
 #include "sim/load/gltf_textures.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ bool GltfTextures::tint(GltfMaterial& material) {
     const JsonValue textures = list("textures"), reference = *material.base_texture;
     const JsonValue texture = textures[reference.at("index").whole(textures.size())];
     const auto source = texture.find("source");
-    if (!source) {   // of an extension
+    if (!source) {   // the picture comes from an extension
         material.has_textures = true;
         return false;
     }

@@ -1,4 +1,4 @@
-// Textures of a glTF document, each as one colour: its mean.
+// Textures of a glTF document, each reduced to its average colour.
 #pragma once
 #include <map>
 #include <optional>
@@ -11,15 +11,16 @@ namespace rayclock {
 
 constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
 
+/// Averages the textures, each once.
 class GltfTextures {
 public:
-    /// The document and the buffers must outlive it.
+    /// The caller must keep the document and the buffers alive.
     GltfTextures(const JsonValue& document, GltfBuffers& buffers, Loading& loading, Warnings& warnings,
                  std::string file)
         : in_(document), buffers_(buffers), loading_(loading), warnings_(warnings), file_(std::move(file)) {}
 
-    /// The base colour of a material with a texture is multiplied by the texture's mean. A mesh often travels
-    /// without its pictures: one that cannot be read is told, and leaves the colour as it is. Returns true if
+    /// Multiplies a material's base colour by the average of its texture. Meshes often travel without their
+    /// pictures: a picture that cannot be read causes a note and leaves the colour unchanged. Returns true if
     /// it could be read.
     bool tint(GltfMaterial& material);
 
@@ -35,7 +36,7 @@ private:
     Warnings& warnings_;
     std::string file_;
     const Json empty_ = Json::array();
-    std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images
+    std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // by image
 };
 
 }   // namespace rayclock

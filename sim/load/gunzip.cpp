@@ -1,3 +1,4 @@
+// Decompression by zlib in pieces of 64 KB, so that a small file cannot expand beyond the allowance.
 #include "sim/load/gunzip.hpp"
 
 #include <algorithm>
@@ -11,10 +12,10 @@
 namespace rayclock {
 namespace {
 
-constexpr int gzip_only = 16 + MAX_WBITS;   // no other wrapping is taken
+constexpr int gzip_only = 16 + MAX_WBITS;   // accept no other wrapping
 constexpr std::size_t piece = std::size_t{1} << 16;
 
-/// zlib's state, given back at the end.
+/// Owns zlib's state.
 class Stream {
 public:
     explicit Stream(const Place& at) {
@@ -40,7 +41,7 @@ std::string gunzip(const std::filesystem::path& path, const std::string& bytes, 
     std::string out;
     std::string_view rest = bytes;
     for (bool is_open = true; is_open || !rest.empty();) {
-        if (!is_open) {   // another one behind the last
+        if (!is_open) {   // another gzip member follows the last one
             if (inflateReset(&z) != Z_OK) at.refuse("cannot be decompressed");
             is_open = true;
         }

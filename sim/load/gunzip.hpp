@@ -1,4 +1,5 @@
 #pragma once
+// Meshes that are compressed by gzip.
 #include <filesystem>
 #include <string>
 
@@ -6,11 +7,11 @@
 
 namespace rayclock {
 
-/// The extension that says how to read a mesh: that before .gz, if there is one.
+/// Returns the extension that names the mesh's format: the one before .gz if the file is compressed.
 std::string mesh_extension(const std::filesystem::path& path);
 
-/// What a file compressed by gzip holds; several behind each other are one. What comes of it is held to
-/// Loading's allowance. Throws UserError for what is not gzip, is cut off or damaged.
+/// Decompresses a gzip file. Several gzip members in a row make one text. Charges the result to Loading's
+/// allowance. Throws UserError if the file is not gzip, is truncated or damaged, or exceeds the allowance.
 std::string gunzip(const std::filesystem::path& path, const std::string& bytes, Loading& loading);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Bridges between the outline of a polygon and its holes, in the plane of two coordinates.
 #include "sim/load/holes.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace rayclock {
 namespace {
 
-/// Twice the signed area of a triangle.
+/// Returns twice the signed area of a triangle.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -23,7 +24,7 @@ glm::dvec3 area_vector(const std::vector<Corner>& ring) {
     return area;
 }
 
-/// Drops the axis along which the outline is largest, so that the outline runs counter-clockwise.
+/// Projects the outline along the axis of its largest area component, so that it runs counter-clockwise.
 class Outline {
 public:
     explicit Outline(const std::vector<Corner>& outline) {
@@ -46,8 +47,8 @@ private:
     int u_ = 0, v_ = 1;
 };
 
-/// The corner of a counter-clockwise ring that `from`, inside of it, sees: the end of the first edge to the
-/// right, or a reflex corner in the triangle between the two.
+/// Returns a corner of a counter-clockwise ring that is visible from the point `from` inside it. It is the
+/// end of the first edge to the right, or a reflex corner in the triangle between the two.
 std::size_t seen_from(glm::dvec2 from, const std::vector<glm::dvec2>& ring) {
     const std::size_t n = ring.size();
     double nearest = std::numeric_limits<double>::infinity();
@@ -72,7 +73,7 @@ std::size_t seen_from(glm::dvec2 from, const std::vector<glm::dvec2>& ring) {
         if (side * turn(from, hit, p) < 0 || side * turn(hit, target, p) < 0 ||
             side * turn(target, from, p) < 0)
             continue;
-        // A place that bridges share has several corners: the bridge must start inside of this one's.
+        // Bridges give one place several corners: the bridge must start inside this corner's angle.
         if (!(turn(before, p, from) > 0 || turn(p, after, from) > 0)) continue;
         const double slope = std::abs(p.y - from.y) / (p.x - from.x);
         if (slope >= best) continue;
@@ -94,7 +95,7 @@ std::vector<Corner> joined_ring(const std::vector<Corner>& outline, std::vector<
         if (plane.area(hole) > 0) std::reverse(hole.begin(), hole.end());
         std::rotate(hole.begin(), hole.begin() + (rightmost(hole) - hole.cbegin()), hole.end());
     }
-    // From right to left: then no hole lies between a hole and what it sees.
+    // From right to left, so that no later hole lies between a hole and its visible corner.
     std::stable_sort(holes.begin(), holes.end(),
                      [&](const auto& a, const auto& b) { return plane(a.front()).x > plane(b.front()).x; });
     std::vector<Corner> ring = outline;

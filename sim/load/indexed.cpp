@@ -1,3 +1,4 @@
+// Building a scene from an indexed mesh.
 #include "sim/load/indexed.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ void check_vertices(const IndexedMesh& mesh, const Place& at, Warnings& warnings
                        fault.line == 0 ? std::to_string(fault.vertex) : std::string());
 }
 
-/// A colour with a number in it that is not finite is none.
+/// Returns the colour with this number, or nothing if it is missing or not finite.
 std::optional<glm::vec3> known(const std::vector<glm::vec3>& colours, std::size_t i) {
     if (i >= colours.size() || !std::isfinite(colours[i].r + colours[i].g + colours[i].b))
         return std::nullopt;

@@ -1,4 +1,4 @@
-// A mesh whose faces name their corners by number, as PLY and OFF have it.
+// A mesh whose faces name their corners by number, as in PLY and OFF.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,26 +11,29 @@
 
 namespace rayclock {
 
+/// The vertices and faces of such a mesh.
 struct IndexedMesh {
-    /// A vertex with coordinates that are not finite: a fault only where a face uses it.
+    /// A vertex with coordinates that are not finite. It is an error only if a face uses it.
     struct Fault {
         std::uint32_t vertex;
-        std::uint64_t line;   ///< 0: none
+        std::uint64_t line;   ///< 0: the file has no lines
     };
-    std::vector<glm::vec3> positions, normals;   ///< of vertices; either no normals, or one of each
-    std::vector<std::uint32_t> indices;          ///< of all faces' corners; each names a vertex
-    std::vector<std::size_t> ends;               ///< of each face, in `indices`; a face has three corners
-    std::vector<glm::vec3> colours;              ///< of the first vertices; one that is not finite is none
-    std::vector<glm::vec3> face_colours;         ///< the same of faces
-    std::vector<Fault> faults;                   ///< by vertex
+    std::vector<glm::vec3> positions, normals;   ///< of vertices; `normals` is empty or has one entry per
+                                                 ///< vertex
+    std::vector<std::uint32_t> indices;          ///< the corners of all faces; each is a valid vertex number
+    std::vector<std::size_t> ends;    ///< end of each face in `indices`; a face has at least three corners
+    std::vector<glm::vec3> colours;   ///< of the first vertices; a colour that is not finite counts as
+                                      ///< missing
+    std::vector<glm::vec3> face_colours;   ///< the same for faces
+    std::vector<Fault> faults;             ///< sorted by vertex
     bool has_normals = false;
 
-    /// The corners from the last face's end on are a face.
+    /// Ends a face: its corners are those since the end of the previous face.
     void end_face() { ends.push_back(indices.size()); }
 };
 
-/// One part in one place, of the default material or of the colours of faces or vertices. Refuses a mesh
-/// without faces, and one whose faces use a vertex with a fault.
+/// Returns a scene with one part in one place. Its material is the default one or has the colours of faces or
+/// vertices. Throws UserError if the mesh has no faces or a face uses a faulty vertex.
 Scene scene_of(const IndexedMesh& mesh, const Place& at, Loading& loading, Warnings warnings);
 
 }   // namespace rayclock

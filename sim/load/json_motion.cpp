@@ -1,3 +1,4 @@
+// Reading keyframes and copying the motion of parts.
 #include "sim/load/json_motion.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace rayclock {
 namespace {
 
-/// What is said of one key must be said of all.
+/// Throws UserError unless all keys set the same properties, and only the listed ones.
 void check_alike(const JsonValue& keyframes, std::initializer_list<std::string_view> keys) {
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
         keyframes[i].only_keys(keys);
@@ -34,14 +35,14 @@ template <class Value, class Read> Track<Value> track_of(const JsonValue& keyfra
 
 glm::dvec3 triple(const JsonValue& in) { return in.triple(); }
 
-/// Rotations. Between two keys about one axis the angle grows evenly, however far: so there are keys in
-/// between, no more than a quarter of a turn apart, which slerp joins the way that is meant. A few bytes can
-/// ask for thousands of these, so they are counted before they are made.
+/// Reads rotations. Between two keys about the same axis the angle grows linearly, whatever its size. So
+/// extra keys at most a quarter turn apart make slerp turn in the intended direction. A few bytes can request
+/// thousands of extra keys, so they are counted before they are made.
 Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>& times, Loading& loading) {
     Track<glm::dquat> track;
     if (!keyframes[0].find("rotate")) return track;
     std::vector<Turn> turns;
-    std::vector<int> parts;   // from the key before
+    std::vector<int> parts;   // number of steps from the previous key
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
         const JsonValue in = keyframes[i].at("rotate");

@@ -1,4 +1,5 @@
-// Keyframes of a JSON scene: scenes/README.md says what they mean.
+// Keyframes of a JSON scene, as scenes/README.md defines them. All functions throw UserError if the file is
+// wrong.
 #pragma once
 #include "model/scene/placed.hpp"
 #include "sim/files/json_value.hpp"
@@ -6,38 +7,39 @@
 
 namespace rayclock {
 
-/// The most that a rotation may turn between two keys, degrees.
+/// The largest rotation between two keys, in degrees.
 constexpr double most_degrees = 360'000;
-/// Times of keys lie within 0 and this, seconds.
+/// The latest time of a key, in seconds; the earliest is 0.
 constexpr double latest_time = 1e6;
 
-/// Where something stands: in the space of a node of a Motion, or in the scene.
+/// A place in the space of a node of a Motion, or of the scene if there is no node.
 struct Where {
     glm::dmat4 place{1};
     std::optional<std::uint32_t> node{};
 };
-/// A node for it, to be the parent of others; nothing for the scene itself.
+/// Returns a node at this place that can be the parent of others. Returns nothing for the scene's own space.
 std::optional<std::uint32_t> anchor(const Where& where, Motion& motion);
-/// Where an object or instance stands in what is above it: by its place, or by a new node with its keyframes.
+/// Returns the place of an object or instance below `above`. Adds a node to `motion` if it has keyframes.
 Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading& loading);
-/// A part's nodes once more, in another space; the number of the first.
+/// Copies a part's nodes below `where` and returns the number of the first copy.
 std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion);
-/// A part's meshes that deform, once more: they are the meshes from `first_mesh` on. Their joints move in the
-/// mesh's space, wherever it is placed.
+/// Copies a part's deforming meshes, which become the meshes from `first_mesh` on. Their joints move in the
+/// mesh's space, wherever the mesh is placed.
 void add_deforming(const Motion& part, std::uint32_t first_mesh, Motion& motion);
-/// By instance: how it hangs at a node, or null.
+/// Returns for each instance how it hangs at a node, or null.
 std::vector<const Hung*> hung_of(const PlacedScene& part);
 
-/// Times of all keys: they rise, and there are two or more, so no motion has the length 0.
+/// Returns the times of all keys. They must rise, and there must be at least two, so that no motion has the
+/// length 0.
 std::vector<double> key_times_of(const JsonValue& keyframes);
 
-/// A node from the keyframes of an object or an instance, in no parent.
+/// Returns a node without a parent from the keyframes of an object or instance.
 MotionNode node_of(const JsonValue& keyframes, Loading& loading);
 
-/// Of a camera. `first` becomes the camera at the first key.
+/// Returns the motion of a camera. `first` becomes the camera at the first key.
 CameraMotion camera_motion_of(const JsonValue& keyframes, Camera& first);
 
-/// Of the light with this number. `first` becomes the light at the first key.
+/// Returns the motion of the light with this number. `first` becomes the light at the first key.
 LightMotion light_motion_of(const JsonValue& keyframes, std::uint32_t light, Light& first);
 
 }   // namespace rayclock

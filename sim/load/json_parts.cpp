@@ -1,3 +1,4 @@
+// Reading cameras, lights, materials, primitives and transforms of a JSON scene.
 #include "sim/load/json_parts.hpp"
 
 #include <cmath>
@@ -33,7 +34,7 @@ void weight(const JsonValue& in, std::string_view key, double& out) {
     if (!(out >= 0 && out <= 1)) value->expected("a number within 0 and 1");
 }
 
-/// A vector that can be the side of something.
+/// Reads a vector that can span a plane: its length lies within 1e-100 and 1e100.
 glm::dvec3 side(const JsonValue& in) {
     const glm::dvec3 v = in.triple();
     const double length = glm::length(v);

@@ -1,4 +1,5 @@
-// The small parts of a JSON scene that need nothing but their own value.
+// The small parts of a JSON scene, each of which needs only its own value. All readers throw UserError if the
+// value is wrong.
 #pragma once
 #include <glm/mat4x4.hpp>
 
@@ -10,40 +11,41 @@ namespace rayclock {
 
 Camera camera_of(const JsonValue& in);
 Light light_of(const JsonValue& in);
-/// The same whatever other keys there are.
+/// Read the same, and allow other keys next to theirs.
 Camera camera_of_keys(const JsonValue& in);
 Light light_of_keys(const JsonValue& in);
-/// The material with the keys that are given.
+/// Returns `material` with the keys of `in` replaced.
 Material material_of(const JsonValue& in, Material material);
 
-/// Without their materials, which the file's names decide.
+/// Read a sphere or a plane without its material, which the caller looks up by name.
 Sphere sphere_of(const JsonValue& in);
 Plane plane_of(const JsonValue& in);
 
-/// Three numbers within 0 and 1.
+/// Returns three numbers within 0 and 1.
 glm::dvec3 colour_of(const JsonValue& in);
-/// True, false, or `otherwise` if the key is missing.
+/// Returns true or false, or `otherwise` if the key is missing.
 bool flag_or(const JsonValue& in, std::string_view key, bool otherwise);
 
-/// Inline "vertices" and "triangles", all of material 0.
+/// Reads inline "vertices" and "triangles", all of material 0.
 Scene inline_mesh(const JsonValue& in);
 
-/// A rotation as it is written: about a unit vector.
+/// A rotation about a unit vector.
 struct Turn {
     glm::dvec3 axis{0, 0, 1};
     double degrees = 0;
 };
 Turn turn_of(const JsonValue& in);
 glm::dquat quaternion(const Turn& turn);
-/// A number, or one for each axis. Refuses what flattens or blows up a mesh.
+/// Returns one scale per axis, from one number or three. Throws UserError if it flattens a mesh or scales it
+/// beyond 1e-100 to 1e100.
 glm::dvec3 scale_of(const JsonValue& in);
-/// 16 numbers, row by row, likewise.
+/// Returns a matrix from 16 numbers, row by row. Throws UserError for the same reasons.
 glm::dmat4 matrix_of(const JsonValue& in);
 
-/// translate * rotate * scale, or "matrix". Refuses what flattens or blows up a mesh.
+/// Returns translate * rotate * scale, or "matrix". Throws UserError for the same reasons.
 glm::dmat4 transform_of(const JsonValue& object);
 
-/// True if it keeps all angles, so that a sphere stays one.
+/// Returns true if the matrix keeps all angles, so that a sphere stays a sphere.
 bool keeps_spheres(const glm::dmat4& place);
 
 }   // namespace rayclock

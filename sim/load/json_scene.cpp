@@ -1,3 +1,4 @@
+// Building a scene from a JSON file and from all files that it includes.
 #include "sim/load/json_scene.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace {
 
 using Part = std::shared_ptr<PlacedScene>;
 
-/// All files of one load: each is read once, and none may contain itself.
+/// All files of one load. Reads each file once, and throws UserError if a file contains itself.
 class Library {
 public:
     explicit Library(Loading& loading) : loading_(loading) {}
@@ -40,7 +41,7 @@ private:
     std::vector<std::filesystem::path> open_;
 };
 
-/// Gathers one JSON file.
+/// Builds the scene of one JSON file.
 class JsonScene {
 public:
     JsonScene(const JsonValue& in, const std::filesystem::path& path, Library& library)
@@ -60,7 +61,7 @@ public:
                 material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
                 scene_.materials.push_back(material_of(materials->at(name), {.name = name}));
             }
-        // Whoever has spheres or planes needs no mesh.
+        // A scene with spheres or planes needs no mesh.
         const bool has_others = in_.find("spheres") || in_.find("planes");
         if (!has_others || in_.find("meshes")) read_meshes(in_.at("meshes").object());
         if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
@@ -71,16 +72,16 @@ public:
     }
 
 private:
-    /// Refuses what would make more than the files allow.
+    /// Charges bytes to the memory allowance of the files. Throws UserError if it is used up.
     void make_room(const JsonValue& from, std::uint64_t bytes) {
         if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
     }
 
-    /// A named mesh, and where its parts are in the scene once they are needed there.
+    /// A named mesh, and the positions of its parts in the scene from their first use on.
     struct Named {
         Part part;
         std::optional<std::uint32_t> material_base;   ///< of its own materials
-        std::optional<std::uint32_t> shared;          ///< of its own triangles as a mesh
+        std::optional<std::uint32_t> shared;          ///< its own triangles as a shared mesh
         std::optional<std::uint32_t> mesh_base;       ///< of the meshes that it places itself
     };
 
@@ -123,7 +124,7 @@ private:
         }
     }
 
-    /// The named one, or a grey one that all without a name share.
+    /// Returns the named material. All objects without a name share one grey material.
     std::uint32_t material(const JsonValue& in) {
         if (const auto name = in.find("material")) return known(material_numbers_, *name, "material");
         if (!grey_) {
@@ -162,10 +163,10 @@ private:
 
     void objects(const JsonValue& list) {
         if (list.size() == 0) list.refuse("is empty: there is nothing to see");
-        // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or
-        // nowhere.
+        // Count before anything is copied, because copies of copies could fill the memory. Find out as well
+        // whether the scene needs normals: all of its meshes have some, or none has.
         bool any_smooth = false;
-        std::uint64_t copied = 0;   // triangles; those of instances may be more, and then are not written out
+        std::uint64_t copied = 0;   // triangles; instances may have more, which then stay shared
         for (std::size_t i = 0; i < list.size(); ++i) {
             const PlacedScene& part = *named(list[i]).part;
             any_smooth = any_smooth || has_normals(part);
@@ -208,7 +209,7 @@ private:
         Named& mesh = named(in);
         if (is_smooth && !has_normals(*mesh.part)) {
             make_room(in, bytes_of(*mesh.part));
-            mesh.part = std::make_shared<PlacedScene>(*mesh.part);   // others may share it
+            mesh.part = std::make_shared<PlacedScene>(*mesh.part);   // other objects may share the part
             make_smooth(*mesh.part);
             make_room(in, bytes_of(*mesh.part));
         }
@@ -242,7 +243,7 @@ private:
             from.refuse("stretches spheres, which can only be scaled alike in all directions");
     }
 
-    /// Primitives of its own; what the part places, it places as well.
+    /// Copies the part's own primitives, and places the meshes that the part places.
     void copy(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
               std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
@@ -253,7 +254,7 @@ private:
         compose(from, mesh, {transform, {}}, material);
     }
 
-    /// Triangles that all its instances share. True spheres and planes are copied.
+    /// Places the part's triangles as an instance that shares them. Copies true spheres and planes.
     void share(const JsonValue& from, Named& mesh, const Where& where,
                std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
@@ -274,8 +275,8 @@ private:
         compose(from, mesh, where, material);
     }
 
-    /// The instances that the part has itself: a graph of any depth becomes one level. Its nodes move in what
-    /// it is placed in.
+    /// Places the instances of the part itself, so that a graph of any depth becomes one level. The nodes of
+    /// the part move in the space where the part is placed.
     void compose(const JsonValue& from, Named& mesh, const Where& where,
                  std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
@@ -310,7 +311,7 @@ private:
                   std::optional<std::uint32_t> material) {
         if (is_singular(where.place))
             from.refuse("flattens its mesh, or blows it up, with what it is placed in");
-        // Too many triangles are not written out.
+        // A scene with too many triangles stays folded: its instances are not expanded.
         const bool is_folded = placed_triangles_ > most_unfolded;
         make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
         if (where.node)
@@ -361,7 +362,7 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
     Part& part = known_[(primitives == Primitives::native ? "native:" : "builtin:") + spec];
     if (part) return part;
     try {
-        // About what it takes, before it is made.
+        // Charge roughly the size of the scene before it is made.
         const PrimitiveCounts count = builtin_counts(spec, primitives);
         if (!loading_.may_make(count.triangles * (sizeof(Triangle) + sizeof(glm::dvec3)) +
                                count.spheres * sizeof(Sphere)))

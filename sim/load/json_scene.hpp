@@ -1,4 +1,4 @@
-// Our own scene format, a JSON file; scenes/README.md describes it.
+// Rayclock's own scene format, a JSON file that scenes/README.md describes.
 #pragma once
 #include <filesystem>
 #include <string_view>
@@ -8,18 +8,18 @@
 
 namespace rayclock {
 
+/// A scene and whether its lights are complete.
 struct JsonLoad {
     PlacedScene scene;
-    bool has_lights;   ///< the file has the key "lights", though the list may be empty: then it is to be as
-                       ///< dark as that
+    bool has_lights;   ///< the file has the key "lights"; with an empty list, the scene stays dark
 };
 
-/// Throws UserError naming the file and the path of the value, for example "desk.json: objects[2].scale must
-/// be ...".
+/// Loads a scene. Throws UserError that names the file and the path of the value, for example "desk.json:
+/// objects[2].scale must be ...".
 JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading);
 
-/// The same of a text that has been read; `path` names the file in sentences, and its folder holds what the
-/// text refers to.
+/// Reads a scene from its text. `path` names the file in messages, and its folder holds the files that the
+/// text names. Throws UserError.
 JsonLoad read_json_scene(const std::filesystem::path& path, std::string_view text, Loading& loading);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Joining OBJ files into a mesh with keyed shapes.
 #include "sim/load/json_shapes.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace rayclock {
 namespace {
 
-/// Joins the shapes: they are one list of corners, each with a place and a normal in every shape.
+/// Joins the shapes into one list of corners, each with a position and a normal in every shape.
 class Joiner {
 public:
     Joiner(const JsonValue& list, std::vector<double> times, Loading& loading)
@@ -28,13 +29,13 @@ public:
     }
 
     PlacedScene join() {
-        // A corner without a normal anywhere, and all facets have their own.
+        // If one corner of any shape lacks a normal, all facets are flat.
         is_smooth_ = std::all_of(shapes_.begin(), shapes_.end(), [](const ObjShape& shape) {
             return std::all_of(shape.corners.begin(), shape.corners.end(),
                                [](const ObjShape::Corner& c) { return c.normal != 0; });
         });
         const ObjShape& first = shapes_[0];
-        // What the joined mesh takes: places and normals of each shape, and the way to find them.
+        // The joined mesh takes memory for positions and normals of each shape and for the vertex table.
         if (!loading_.may_make(first.corners.size() * shapes_.size() * (is_smooth_ ? 80 : 32)))
             list_.refuse(loading_.too_much());
         std::size_t begin = 0;
@@ -65,7 +66,7 @@ private:
         }
     }
 
-    /// Cut as the first shape wants it.
+    /// Cuts a face into triangles. All shapes use the triangulation of the first shape.
     void face(std::size_t f, std::size_t begin) {
         const ObjShape& first = shapes_[0];
         points_.clear(), cut_.clear();
@@ -82,7 +83,8 @@ private:
         }
     }
 
-    /// Two corners of files are one vertex if they are in all shapes.
+    /// Returns the vertex of a corner. Corners share a vertex if they have the same position and the same
+    /// normals in all shapes.
     std::uint32_t vertex(std::size_t corner) {
         std::vector<std::uint32_t> key{shapes_[0].corners[corner].position};
         for (std::size_t s = 0; is_smooth_ && s < shapes_.size(); ++s)
@@ -126,7 +128,7 @@ private:
     std::vector<ObjShape> shapes_;
     bool is_smooth_ = false;
     std::map<std::vector<std::uint32_t>, std::uint32_t> vertices_;
-    std::vector<std::size_t> corners_;   // of the files, by vertex
+    std::vector<std::size_t> corners_;   // corners of the files, by vertex
     std::vector<Triangle> triangles_;
     std::vector<glm::dvec3> points_;
     std::vector<std::array<std::uint32_t, 3>> cut_;

@@ -1,4 +1,4 @@
-// A mesh of a JSON scene that has several shapes, each at its time: scenes/README.md, Motion.
+// A mesh of a JSON scene that has several shapes, each at its own time; see scenes/README.md, Motion.
 #pragma once
 #include <filesystem>
 
@@ -8,8 +8,9 @@
 
 namespace rayclock {
 
-/// `list`: [{"time": 0, "file": "a.obj"}, ...]. The result has one mesh, which deforms, and one instance of
-/// it. Files lie in `folder`. Throws UserError unless all files have the same faces over as many vertices.
+/// Returns a scene with one mesh, which deforms, and one instance of it. `list` has the form [{"time": 0,
+/// "file": "a.obj"}, ...], and the files lie in `folder`. Throws UserError unless all files have the same
+/// faces and the same number of vertices.
 PlacedScene shapes_of(const JsonValue& list, const std::filesystem::path& folder, Loading& loading);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Placement of the key light and the fill light.
 #include "sim/load/lights.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ void add_missing_lights(Scene& scene) {
     const glm::dvec3 forward = glm::normalize(camera.at - camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::dvec3 up = glm::cross(right, forward);
-    // A camera inside the scene (a room) has its lights near by, one outside has them outside as well.
+    // A camera inside the scene (a room) has its lights close by. A camera outside has them outside too.
     const double size = glm::length(box.hi - box.lo);
     const bool is_inside =
         glm::all(glm::greaterThan(camera.eye, box.lo)) && glm::all(glm::lessThan(camera.eye, box.hi));

@@ -1,11 +1,12 @@
-// The lights of a scene that brings none.
+// The default lights of a scene without lights.
 #pragma once
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
 
-/// If the scene has no light: a key light over the right shoulder of its camera (or of the camera that would
-/// be fitted) and a weak fill light from the left, both at distances that go with the size of the scene.
+/// Adds two lights if the scene has none. A key light stands over the right shoulder of its camera, and a
+/// weak fill light on the left. Their distances are proportional to the size of the scene. A scene without a
+/// camera uses the camera that fit_camera() returns.
 void add_missing_lights(Scene& scene);
 
 }   // namespace rayclock

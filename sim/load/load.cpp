@@ -1,3 +1,4 @@
+// Choosing between built-in scenes and files, and completing the loaded scene.
 #include "sim/load/load.hpp"
 
 #include <filesystem>
@@ -16,8 +17,7 @@
 namespace rayclock {
 namespace {
 
-/// What has a dot or a slash, or lies on the disk, was meant as a file; the rest as the name of a built-in
-/// scene.
+/// Returns true if the name has a dot or a slash or exists on the disk. All other names mean built-in scenes.
 bool is_file_name(const std::string& spec) {
     std::error_code ignored;
     return spec.find_first_of("./") != spec.npos || std::filesystem::exists(spec, ignored);
@@ -30,14 +30,14 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
-    read_file(path);   // a directory or an unreadable file gets its own sentence
+    read_file(path);   // reports a directory or an unreadable file
     Place{spec}.refuse(
         "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, by Assimp .fbx "
         ".x3d "
         ".blend .lwo and others, these also with .gz behind, .json), nor a built-in scene");
 }
 
-/// What was asked for, and whether the lights in it are all there shall be.
+/// Loads a scene, and reports whether its lights are complete.
 JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& loading) {
     if (spec.empty()) throw UserError("the name of the scene is empty");
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
@@ -45,7 +45,7 @@ JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& 
     return is_made ? JsonLoad{make_placed(spec, primitives), true} : load_file(spec, loading);
 }
 
-/// Too many placed triangles to be written out.
+/// Returns a scene with too many placed triangles to expand its instances.
 Scene folded_scene(JsonLoad load, const std::string& where) {
     if (!load.has_lights)
         throw UserError(

@@ -1,4 +1,5 @@
 #pragma once
+// Loading any scene that the command line can name.
 #include <string>
 #include <vector>
 
@@ -8,11 +9,11 @@
 
 namespace rayclock {
 
-/// SCENE of the command line: a built-in name with an optional size, or a file (.obj .ply .stl .off .3ds
-/// .dae .glb .gltf, each also with .gz behind, .json). The result has passed check_scene(); the camera may be
-/// absent. A file without a light gets two, except a JSON scene whose list of lights is empty. `primitives`
-/// is the form of a built-in scene; a file decides for itself. What a file holds and is not drawn, or was
-/// changed, is told in `notes`, a sentence each. Throws UserError.
+/// Loads the SCENE of the command line: a built-in name with an optional size, or a file. Files are .json, or
+/// .obj .ply .stl .off .3ds .dae .glb .gltf and the formats of Assimp, each also with .gz. The result has
+/// passed check_scene(); it may lack a camera. A file without lights gets two, except a JSON scene whose list
+/// of lights is empty. `primitives` is the form of a built-in scene and does not affect files. `notes`
+/// receives one sentence for each kind of content that is changed or not drawn. Throws UserError.
 Scene load_scene(const std::string& spec, const Progress& progress = {},
                  Primitives primitives = Primitives::triangles, std::vector<std::string>* notes = nullptr);
 

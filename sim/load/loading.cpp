@@ -1,3 +1,4 @@
+// Allowance, notes and warnings of a load.
 #include "sim/load/loading.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// What one load has in common, however many files it reads: progress, what may be made of them, what is to be
-// said.
+// The state of one load, whichever files it reads: progress, the memory allowance and the notes for the user.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -16,27 +15,28 @@
 
 namespace rayclock {
 
-/// More triangles than this do not load: they would fill the memory long before they were traced.
+/// The largest number of triangles that loads. More would fill the memory long before tracing.
 constexpr std::uint64_t max_triangles = 100'000'000;
 
-/// More corners than this in one face are refused: cutting a polygon takes quadratic time.
+/// The largest number of corners of a face: cutting a polygon takes quadratic time.
 constexpr std::uint64_t max_corners = 10'000;
 
-/// A few bytes can ask for copies of copies. All that is made takes no more than this, or so many times the
-/// bytes of all files.
+/// The memory allowance: the larger of `least` bytes and `for_a_byte` bytes per byte of all files read. It
+/// exists because a few bytes can request copies of copies.
 constexpr std::uint64_t least_allowance = std::uint64_t{1} << 30, bytes_for_a_byte = 1024;
 
 struct Allowance {
     std::uint64_t least = least_allowance, for_a_byte = bytes_for_a_byte;
 };
 
-/// The mean of a picture's texels, linear red, green and blue and opacity, from the bytes of its file. Throws
-/// std::runtime_error with the reason if it cannot be read.
+/// Returns the mean of a picture's texels (linear red, green, blue, and opacity) from the bytes of its file.
+/// Throws std::runtime_error with the reason if the picture cannot be read.
 using AverageColour = std::function<glm::vec4(const std::string& bytes)>;
 
+/// Progress, allowance and notes of one load. Not safe to share between threads.
 class Loading {
 public:
-    /// `progress` must outlive it.
+    /// The caller must keep `progress` alive.
     explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {})
         : progress_(progress), allowance_(allowance), average_(std::move(average)) {}
     const Progress& progress() const { return progress_; }
@@ -44,20 +44,20 @@ public:
         if (progress_) progress_(what, done, total);
     }
 
-    /// A whole file; its size counts for the allowance.
+    /// Reads a whole file and adds its size to the allowance. Throws UserError like read_file().
     std::string read(const std::filesystem::path& path, const std::string& asked_by = {});
 
-    /// The mean of a texture; nothing, with the reason in `why`, if it cannot be had.
+    /// Returns the mean of a texture. Returns nothing, with the reason in `why`, if it cannot be read.
     std::optional<glm::vec4> average(const std::string& bytes, std::string& why) const;
 
-    /// Before so many bytes are made: false if that is more than the files allow. Refuse by the sentence
-    /// too_much().
+    /// Charges bytes before they are made. Returns false if the files do not allow that many; the caller then
+    /// throws UserError with the sentence too_much().
     bool may_make(std::uint64_t bytes);
     bool may_make(const Scene& part);
     std::string too_much() const;
 
-    /// One sentence about something that was left out or changed, with the file in front. The same is kept
-    /// once.
+    /// Adds a sentence about something that was left out or changed, with the file's name in front. Keeps
+    /// equal sentences once.
     void note(const std::string& file, const std::string& sentence);
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -69,22 +69,23 @@ private:
     AverageColour average_;
     std::uint64_t read_ = 0, made_ = 0;
     std::vector<std::string> notes_;
-    std::unordered_set<std::string> noted_;   ///< the same, to be searched
+    std::unordered_set<std::string> noted_;   ///< the sentences in `notes_`, for searching
 };
 
-/// "1 triangle", "2 triangles", "2 vertices".
+/// Returns a count with its noun: "1 triangle", "2 triangles", "2 vertices".
 std::string counted(std::uint64_t count, std::string_view what);
 
-/// What the reader of one file repairs or leaves out. A kind gives one sentence, whatever its number:
-/// "a.obj: 3 lines skipped that are no statements of OBJ (the first: line 7, 'foo')". Call say() at the end
-/// of a file that is drawn.
+/// Counts what the reader of one file repairs or leaves out. Each kind makes one sentence, whatever its
+/// count: "a.obj: 3 lines skipped that are no statements of OBJ (the first: line 7, 'foo')". Call say() at
+/// the end of a file that is drawn.
 class Warnings {
 public:
     explicit Warnings(std::string file) : file_(std::move(file)) {}
-    /// `what` is in the singular, and what has become of it follows. Of the first, `line` (0: none) and
-    /// `value` are shown.
+    /// Counts one occurrence. `what` is a noun in the singular, and `became` continues the sentence. The
+    /// sentence shows `line` (0: none) and `value` of the first occurrence.
     void count(std::string_view what, std::string_view became, std::uint64_t line = 0,
                std::string_view value = {});
+    /// Adds the sentences to the notes of the load.
     void say(Loading& loading) const;
 
 private:
@@ -94,16 +95,16 @@ private:
         std::uint64_t count;
     };
     std::string file_;
-    std::vector<Kind> kinds_;   ///< a handful, in the order in which they are met
+    std::vector<Kind> kinds_;   ///< a handful, in the order of their first occurrence
 };
 
-/// True for a name that leads out of the folder that it is relative to: absolute, or by "..".
+/// Returns true for a name that leads out of its folder: an absolute name, or one that begins with "..".
 bool leaves_folder(const std::filesystem::path& name);
 
-/// Bytes that a scene's primitives, vertices and materials take.
+/// Returns the bytes of a scene's primitives, vertices and materials.
 std::uint64_t bytes_of(const Scene& scene);
 std::uint64_t bytes_of(const SharedMesh& mesh);
-std::uint64_t bytes_of(const Motion& motion);       ///< of what deforms
-std::uint64_t bytes_of(const PlacedScene& scene);   ///< of its own and its meshes', each once
+std::uint64_t bytes_of(const Motion& motion);       ///< of deforming meshes
+std::uint64_t bytes_of(const PlacedScene& scene);   ///< of its own primitives and of each mesh once
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The table of mesh formats, and the assembly of a scene from parts.
 #include "sim/load/mesh_file.hpp"
 
 #include <algorithm>

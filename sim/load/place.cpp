@@ -1,3 +1,4 @@
+// Joining vertices by a hash table, and normals of facets.
 #include "sim/load/place.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
-/// -0 becomes +0, so that equal numbers have equal bits.
+/// Turns -0 into +0, so that equal numbers have equal bits.
 glm::dvec3 tidy(glm::dvec3 v) { return v + glm::dvec3(0); }
 
 std::uint64_t hash(const glm::dvec3& p, const glm::dvec3& n) {
@@ -25,7 +26,7 @@ std::uint64_t hash(const glm::dvec3& p, const glm::dvec3& n) {
     return h;
 }
 
-/// A triangle without area has no normal; any will do, for no ray meets it.
+/// Returns the normal of a triangle. A triangle without area gets an arbitrary one, because no ray hits it.
 glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 n = unit_or_zero(glm::cross(unit_or_zero(b - a), unit_or_zero(c - a)));
     return n == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : n;
@@ -57,7 +58,7 @@ PartBuilder::PartBuilder(std::size_t triangles, bool is_smooth)
     part_.triangles.reserve(triangles);
 }
 
-/// The slot of an equal vertex, or the free one where it belongs.
+/// Returns the slot of an equal vertex, or the free slot for a new one.
 std::size_t PartBuilder::slot(const glm::dvec3& position, const glm::dvec3& normal) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t slot = hash(position, normal) & mask;
@@ -123,7 +124,7 @@ void make_smooth(Scene& part) {
 
 void make_smooth(PlacedScene& part) {
     make_smooth(part.own);
-    // What deforms turns its facets' normals in every frame.
+    // A deforming mesh recomputes the normals of its facets in every frame.
     for (Deforming& deforming : part.motion.deforming)
         if (SharedMesh& mesh = part.meshes[deforming.mesh]; mesh.normals.empty())
             make_faceted(deforming, mesh);

@@ -1,5 +1,5 @@
-// Making the parts of a scene: flat and smooth ones side by side, exact joining. How they are put in their
-// places is model/scene/placed.hpp.
+// Building the parts of a scene: vertices are joined exactly, and flat and smooth parts can share a scene.
+// model/scene/placed.hpp places them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,25 +14,26 @@
 
 namespace rayclock {
 
-/// One corner of a triangle as a file gives it. A normal that is zero means that there is none.
+/// One corner of a triangle as stored in a file. A normal of zero means that the file has none.
 struct Corner {
     glm::dvec3 position{0};
     glm::dvec3 normal{0};
 };
 
-/// What becomes of a "face" whose corners have different colours.
+/// The continuation of a warning about a "face" whose corners have different colours.
 constexpr std::string_view mixed_colours = "with corners of different colours, drawn in their mean";
 
-/// A "vertex" whose colour has a component below 0 or above 1.
+/// The continuation of a warning about a "vertex" whose colour has a component below 0 or above 1.
 constexpr std::string_view odd_colour = "with a colour out of range, taken as the nearest within";
-/// Takes the nearest colour within, and returns true if it was another one.
+/// Clamps a colour to 0..1. Returns true if this changed it.
 bool clamp_colour(glm::vec3& colour);
 
-/// The colour of a face whose corners have colours: their mean, if every corner has one.
+/// Averages the colours of a face's corners. The face has a colour only if every corner has one.
 class FaceColour {
 public:
     void add(const std::optional<glm::vec3>& colour);
     bool varies() const { return varies_ && is_whole_; }
+    /// Returns the mean colour, or nothing if a corner has none.
     std::optional<glm::vec3> mean() const;
 
 private:
@@ -42,18 +43,18 @@ private:
     bool varies_ = false, is_whole_ = true;
 };
 
-/// Collects triangles. Corners with equal positions and normals, to the last bit, become one vertex;
-/// triangles with two corners in the same place are points or lines and are left out.
+/// Collects triangles. Corners with bitwise equal positions and normals become one vertex. Drops triangles
+/// with two corners in the same place: they are points or lines.
 class PartBuilder {
 public:
-    PartBuilder(std::size_t triangles, bool is_smooth);   ///< `triangles` is a guess
+    PartBuilder(std::size_t triangles, bool is_smooth);   ///< `triangles` is an estimate
     void add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material);
-    /// The number of a colour, for add(); 0 for none.
+    /// Returns the number of a colour, for add(). 0 means no colour.
     std::uint32_t colour(const std::optional<glm::vec3>& colour);
     Scene take() { return std::move(part_); }
-    /// Colour n - 1 is that of the triangles whose material has the number n.
+    /// Returns the colours: colour n - 1 belongs to the triangles with material n.
     std::vector<glm::vec3> take_colours() { return std::move(colours_); }
-    std::uint64_t dropped() const { return dropped_; }   ///< triangles that were left out
+    std::uint64_t dropped() const { return dropped_; }   ///< dropped triangles
 
 private:
     std::uint32_t vertex(const Corner& corner);
@@ -64,15 +65,15 @@ private:
     Scene part_;
     std::vector<glm::vec3> colours_;
     std::map<std::array<float, 3>, std::uint32_t> colour_numbers_;
-    std::vector<std::uint32_t> table_;   ///< open hashing, a power of two, at most two thirds in use
+    std::vector<std::uint32_t> table_;   ///< open addressing; size a power of two, at most two thirds full
 };
 
-/// Gives a flat part its facets' normals, so that it can stand beside smooth ones and stay flat.
+/// Gives a flat part the normals of its facets, so that it stays flat in a scene with normals.
 void make_smooth(Scene& part);
 
-/// The same of a part with instances.
+/// Does the same for a part with instances.
 void make_smooth(PlacedScene& part);
-/// Something in it has normals, so that all must have some.
+/// Returns true if any mesh of the part has normals, so that all of them need some.
 bool has_normals(const PlacedScene& part);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Parsing and checking of PLY headers.
 #include "sim/load/ply_header.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ PlyProperty property_of(std::string_view rest, const Place& at) {
     return property;
 }
 
-/// The elements that make a mesh.
+/// Throws UserError unless the elements make a mesh.
 void check_mesh(const PlyHeader& header, const Place& at) {
     const auto named = [&](const std::string& name) {
         return [&name](const auto& e) { return e.name == name; };
@@ -88,8 +89,8 @@ void check_mesh(const PlyHeader& header, const Place& at) {
     if (faces == 0) at.refuse("the file has no triangles");
 }
 
-/// The next line of the header. Where lines end in a carriage return alone, a byte after it belongs to the
-/// data.
+/// Takes the next line of the header. If lines end in a carriage return alone, the byte after the last one
+/// belongs to the data, even if it is a line feed.
 std::string_view header_line(std::string_view& rest, bool ends_in_return) {
     if (!ends_in_return) return take_line(rest);
     const std::size_t end = std::min(rest.find('\r'), rest.size());

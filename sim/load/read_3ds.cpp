@@ -1,6 +1,6 @@
-// 3DS: chunks inside chunks, each with its length. Meshes, their materials and colours are taken. Up is z in
-// this format and y here. Cameras, lights, textures, smoothing groups and the key frames of animations are
-// left out.
+// 3DS: nested chunks, each with its length. Reads meshes, their materials and colours. Turns z, which is up
+// in this format, to y. Leaves out cameras, lights, textures, smoothing groups and the key frames of
+// animations.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -42,7 +42,7 @@ enum Id : std::uint16_t {
     key_frames = 0xb000,
 };
 
-/// Bytes of a chunk, read from the front.
+/// Reads the bytes of a chunk from the front. Throws UserError at their end.
 class Bytes {
 public:
     Bytes(std::string_view bytes, const Place& at, const char* what) : rest_(bytes), at_(&at), what_(what) {}
@@ -61,7 +61,7 @@ public:
         rest_.remove_prefix(end + 1);
         return name;
     }
-    /// The next chunk's id and what it holds.
+    /// Takes the next chunk: its id and its content.
     std::pair<std::uint16_t, Bytes> chunk() {
         const auto id = take<std::uint16_t>();
         const auto length = take<std::uint32_t>();
@@ -86,7 +86,7 @@ struct Face {
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<Face> faces;
-    std::vector<std::uint32_t> material;   ///< of each face, by number of the name; 0: none
+    std::vector<std::uint32_t> material;   ///< of each face, number of a material name; 0: none
 };
 struct Found {
     MtlSurface surface{.diffuse = glm::vec3(0.8f)};
@@ -164,7 +164,7 @@ private:
         for (auto left = in.take<std::uint16_t>(); left > 0; --left) {
             Face face{};
             for (std::uint16_t& corner : face.corner) corner = in.take<std::uint16_t>();
-            in.take<std::uint16_t>();   // which edges are drawn
+            in.take<std::uint16_t>();   // flags of visible edges
             made.faces.push_back(face);
         }
         made.material.assign(made.faces.size(), 0);
@@ -221,7 +221,7 @@ private:
         return out;
     }
 
-    /// Faces in the order of the file; a part for each stretch of one material.
+    /// Joins the faces in the order of the file. Each run of faces with one material becomes a part.
     Scene joined() {
         Assembly assembly(at_.file, loading_);
         std::vector<std::uint32_t> of_part;

@@ -1,6 +1,6 @@
-// DAE (COLLADA 1.4 and 1.5): the tree of nodes, meshes, skins and morphs in the pose of the file, normals and
-// colours of materials. Up becomes y. Textures, cameras, lights and animations are left out, and that is
-// said.
+// DAE (COLLADA 1.4 and 1.5). Reads the tree of nodes, meshes, the file's pose of skins and morphs, normals
+// and colours of materials. Turns the up axis to y. Leaves out textures, cameras, lights and animations, with
+// a note.
 #include <deque>
 
 #include <fmt/format.h>
@@ -15,9 +15,9 @@
 namespace rayclock {
 namespace {
 
-constexpr int most_deep = 500;   // the tree is walked by recursion
+constexpr int most_deep = 500;   // visit() is recursive
 
-using Bindings = std::map<std::string, std::string>;   ///< a mesh's name of a material: its id
+using Bindings = std::map<std::string, std::string>;   ///< a mesh's name of a material -> its id
 
 class DaeReader {
 public:
@@ -52,7 +52,7 @@ private:
     /// A geometry in one place.
     struct Copy {
         const XmlElement* geometry;
-        const XmlElement* controlled;   ///< the <instance_controller>, null if there is none
+        const XmlElement* controlled;   ///< the <instance_controller>, or null
         glm::dmat4 place;
         Bindings bindings;
         const std::vector<DaePart>* parts = nullptr;
@@ -61,7 +61,8 @@ private:
     void visit(const XmlElement& node, glm::dmat4 place, int depth) {
         if (depth > most_deep)
             document_.refuse(node, fmt::format("nodes are nested deeper than {}", most_deep));
-        // A node that is met again and again is read, and its geometries are listed, again and again.
+        // A node may be instanced many times. Each visit reads it and lists its geometries, so charge every
+        // visit.
         std::uint64_t cost = sizeof(Copy) * (1 + node.children.size());
         for (const XmlElement& child : node.children) cost += child.text.size();
         document_.charge(cost);
@@ -93,7 +94,7 @@ private:
         return all;
     }
 
-    /// Makes the parts of a copy: once for all copies of a geometry, anew for each skin and morph.
+    /// Builds the parts of a copy. All copies of a geometry share them; each skin and morph has its own.
     void build(Copy& copy) {
         if (!copy.controlled) {
             const auto [found, is_new] = parts_.try_emplace(copy.geometry);
@@ -106,7 +107,7 @@ private:
         if (pose.moves.empty())
             ++morphs_;
         else
-            ++skins_, copy.place = glm::dmat4(1);   // joints place it, and not its node
+            ++skins_, copy.place = glm::dmat4(1);   // the joints place it instead of its node
         posed_.push_back(geometries_.parts(*pose.geometry, pose));
         copy.parts = &posed_.back();
     }
@@ -152,9 +153,9 @@ private:
     DaeControllers::Places places_;
     DaeControllers controllers_;
     DaeGeometries geometries_;
-    std::map<const XmlElement*, std::vector<DaePart>> parts_;   // of a geometry
-    std::deque<std::vector<DaePart>> posed_;                    // of a controller's copy
-    std::map<const XmlElement*, std::uint64_t> numbers_;        // of materials
+    std::map<const XmlElement*, std::vector<DaePart>> parts_;   // by geometry
+    std::deque<std::vector<DaePart>> posed_;                    // one per copy with a controller
+    std::map<const XmlElement*, std::uint64_t> numbers_;        // by material
     std::vector<Copy> copies_;
     std::uint64_t skins_ = 0, morphs_ = 0, empty_controllers_ = 0, lost_materials_ = 0, left_out_ = 0;
 };

@@ -1,5 +1,4 @@
-// Files of other programs, by Assimp and glTF. What its converter writes otherwise than it should is mended
-// here.
+// Files of other programs, which Assimp converts to glTF. Repairs known defects of its converter.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -14,7 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The name of a texture as the author's machine had it, as one beside the file: that is where it lies now.
+/// Replaces a texture's path on the author's machine by its file name, because the texture now lies next to
+/// the mesh.
 void mend_image(Json& image) {
     const auto uri = image.find("uri");
     if (uri == image.end() || !uri->is_string()) return;
@@ -25,9 +25,9 @@ void mend_image(Json& image) {
     *uri = name;
 }
 
-/// True if the material is transparent, and how much is lost.
+/// Returns true if the material is transparent but its opacity is lost.
 bool mend_material(Json& material) {
-    // The same once more without the opacity.
+    // This extension repeats the material without its opacity.
     if (const auto given = material.find("extensions"); given != material.end() && given->is_object())
         given->erase("KHR_materials_pbrSpecularGlossiness");
     if (!material.contains("alphaMode") || material["alphaMode"] != "BLEND") return false;
@@ -52,7 +52,7 @@ std::string glb_of(std::string text, std::string_view binary) {
 std::string mended(const std::filesystem::path& path, const std::string& glb, Loading& loading) {
     const GltfContainer container = open_gltf(path.string(), glb);
     Json document = Json::parse(container.text, nullptr, false);
-    if (!document.is_object()) return glb;   // the reader says what is wrong with it
+    if (!document.is_object()) return glb;   // the glTF reader reports the error
     for (Json& image : document["images"]) mend_image(image);
     std::uint64_t opaque = 0;
     for (Json& material : document["materials"]) opaque += mend_material(material);

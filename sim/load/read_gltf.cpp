@@ -1,7 +1,7 @@
-// glTF 2.0: the tree of nodes, the meshes in it, colours, cameras and lights are checked and taken, and the
-// first animation. A mesh that stands in several places, or moves, becomes instances. A texture of the base
-// colour is drawn as its mean, and so are the colours of a triangle's corners. Other textures are left out.
-// All this is said.
+// glTF 2.0. Checks and reads the tree of nodes, meshes, colours, cameras, lights and the first animation. A
+// mesh that stands in several places or moves becomes instances. Replaces a base-colour texture by its
+// average, and the colours of a triangle's corners by their mean. Leaves out other textures. Notes all of
+// this.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_depth = 500;   // the tree is walked by recursion
+constexpr int max_depth = 500;   // visit() is recursive
 
 class GltfReader {
 public:
@@ -71,16 +71,17 @@ public:
 
 private:
     static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
-    /// In the scene, the reference's hierarchy and the memory image together: 9 million took 2.7 GB.
+    /// Memory of the scene, the reference's hierarchy and the memory image together: 9 million triangles took
+    /// 2.7 GB.
     static constexpr std::uint64_t bytes_of_a_placed_triangle = 300;
 
-    /// Of an accessor, 0 where a number is not finite.
+    /// The vectors of an accessor, with 0 for numbers that are not finite.
     struct Vectors {
         std::vector<glm::vec3> values;
         std::vector<std::uint32_t> faults;   ///< elements with such a number
     };
     using Colours = std::vector<std::optional<glm::vec3>>;
-    /// Triangles of a mesh with one material. `indices` may be missing.
+    /// The triangles of a mesh with one material. `indices` may be null.
     struct Primitive {
         const std::vector<glm::vec3>* positions;
         const std::vector<glm::vec3>* normals;
@@ -88,13 +89,12 @@ private:
         const Colours* colours;
         std::uint64_t mode, material, corners;
     };
-    /// As far as it is drawn; read when a node has it first.
+    /// The drawn primitives of a mesh. mesh() reads them at the first use.
     struct Mesh {
         std::vector<Primitive> primitives;
         std::uint64_t triangles = 0;
         bool is_read = false;
         std::optional<Bounds> invisible;   ///< of primitives that are not drawn
-                                           ///< drawn
     };
     struct Copy {
         std::uint64_t mesh, from;   ///< from: the document's node
@@ -119,7 +119,7 @@ private:
         return made;
     }
 
-    /// Red, green and blue, with or without an opacity behind them.
+    /// Returns red, green and blue, whether or not the accessor has an opacity too.
     const Colours& colours(const JsonValue& attribute) {
         const std::uint64_t index = attribute.whole(count_of("accessors"));
         const auto [found, is_new] = colours_.try_emplace(index);
@@ -153,7 +153,7 @@ private:
         return found->second;
     }
 
-    /// Reads a mesh that a node has.
+    /// Reads a mesh that a node uses.
     const Mesh& mesh(std::uint64_t number) {
         Mesh& made = meshes_[number];
         if (made.is_read) return made;
@@ -198,8 +198,8 @@ private:
         return true;
     }
 
-    /// An empty picture. A triangle without area reaches from corner to corner of what would be seen, so that
-    /// the camera and the lights stand where they did.
+    /// Returns a scene that shows nothing. Its triangle has no area but spans the bounds of the invisible
+    /// primitives, so that camera and lights are placed as for visible ones.
     PlacedScene nothing_visible() {
         if (!invisible_) at_.refuse("the file has no triangles");
         Scene& own = placed_.own;
@@ -249,7 +249,7 @@ private:
         return made;
     }
 
-    /// Its accessors are without data then, which otherwise means zeros.
+    /// Throws UserError for Draco compression. Its accessors have no data, which would otherwise mean zeros.
     void refuse_compressed(const JsonValue& in, const JsonValue& position) const {
         const auto extensions = in.find("extensions");
         const JsonValue accessor = in_.at("accessors")[position.whole(count_of("accessors"))];
@@ -257,7 +257,7 @@ private:
             in.refuse("is compressed by KHR_draco_mesh_compression, which is not supported");
     }
 
-    /// A vertex without a place is only a fault where a triangle uses it.
+    /// Throws UserError if a triangle uses a vertex whose position is not finite. Counts unused ones.
     void check_positions(const JsonValue& position, const std::vector<std::uint32_t>& faults,
                          const Primitive& made) {
         if (faults.empty()) return;
@@ -289,7 +289,7 @@ private:
         return known->second && GltfDeformer::deforms(node, in, tracks_of(index));
     }
 
-    /// Where a node stands whose parent stands there.
+    /// Returns the place of a node below the place of its parent.
     Where where_of(const JsonValue& in, std::uint64_t index, const Where& above) {
         const glm::dmat4 own = gltf_transform(in);
         const auto tracks = tracks_.find(index);
@@ -351,7 +351,7 @@ private:
             visit((*children)[i].whole(visited_.size()), depth + 1, where);
     }
 
-    /// A node's mesh in its place; or in many, by EXT_mesh_gpu_instancing.
+    /// Adds a node's mesh at its place, or at many places by EXT_mesh_gpu_instancing.
     void add_copies(const JsonValue& in, std::uint64_t number, std::uint64_t index, const Where& where) {
         const bool does_deform = deforms(in, index, number);
         const auto extensions = in.find("extensions");
@@ -370,7 +370,7 @@ private:
         at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
     }
 
-    /// By the numbers of its vertices.
+    /// Calls `use` with the three vertex numbers of each triangle.
     template <class Use> static void each_triangle(const Primitive& primitive, const Use& use) {
         const auto vertex = [&](std::uint64_t k) {
             return primitive.indices ? (*primitive.indices)[k] : static_cast<std::uint32_t>(k);
@@ -378,7 +378,7 @@ private:
         if (primitive.mode == 4)
             for (std::uint64_t k = 0; k < primitive.corners; k += 3)
                 use(vertex(k), vertex(k + 1), vertex(k + 2));
-        else if (primitive.mode == 5)   // a strip: every second triangle is turned over
+        else if (primitive.mode == 5)   // a strip: every second triangle is reversed
             for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
                 use(vertex(k + k % 2), vertex(k + 1 - k % 2), vertex(k + 2));
         else   // a fan
@@ -386,7 +386,7 @@ private:
                 use(vertex(0), vertex(k + 1), vertex(k + 2));
     }
 
-    /// Makes the parts of a mesh, when it is placed first.
+    /// Builds the parts of a mesh, before its first placement.
     void build(std::uint64_t mesh) {
         for (const Primitive& primitive : meshes_[mesh].primitives) {
             if (!loading_.may_make(primitive.corners * sizeof(std::uint64_t)))
@@ -421,7 +421,7 @@ private:
         }
     }
 
-    /// An instance of the mesh, which is made when it is needed first.
+    /// Adds an instance of the mesh, and makes the shared mesh at the first one.
     void share(const Copy& copy) {
         const auto [found, is_new] =
             shared_.try_emplace(copy.mesh, static_cast<std::uint32_t>(placed_.meshes.size()));
@@ -437,8 +437,9 @@ private:
         add_instance(copy.from, found->second, copy.where);
     }
 
-    /// A mesh of its own, all of whose triangles stay, because they may get an area later. Joints say where a
-    /// skin is, and not the node that has it. Primitives without normals are facets where others have some.
+    /// Adds a mesh of its own for a node that deforms. It keeps degenerate triangles, because they may get an
+    /// area later. Joints place a skin instead of its node. Primitives without normals become facets if
+    /// others have normals.
     void deform(const Copy& copy) {
         const JsonValue node = in_.at("nodes")[copy.from];
         const std::vector<Primitive>& primitives = meshes_[copy.mesh].primitives;
@@ -517,18 +518,18 @@ private:
     std::map<std::uint64_t, Vectors> vectors_;   // by accessor
     std::map<std::uint64_t, Colours> colours_;
     std::map<std::uint64_t, std::vector<std::uint32_t>> indices_;
-    std::map<const void*, std::uint32_t> largest_;   // of indices
+    std::map<const void*, std::uint32_t> largest_;   // by list of indices
     std::vector<Mesh> meshes_;
-    std::vector<std::vector<std::size_t>> parts_;   // of meshes that are placed
+    std::vector<std::vector<std::size_t>> parts_;   // by mesh, for placed meshes
     std::vector<std::optional<GltfMaterial>> materials_;
-    std::map<std::uint64_t, bool> has_targets_;   // by mesh, once it was asked for
+    std::map<std::uint64_t, bool> has_targets_;   // by mesh, filled at the first query
     std::vector<bool> visited_;
-    std::vector<std::optional<Where>> wheres_;        // of nodes that stand in the scene
+    std::vector<std::optional<Where>> wheres_;        // of the nodes in the scene
     std::map<std::uint64_t, GltfTracks> tracks_;      // by node
-    std::map<std::uint64_t, std::uint32_t> shared_;   // meshes as meshes of ours
+    std::map<std::uint64_t, std::uint32_t> shared_;   // number of the shared mesh by the document's mesh
     PlacedScene placed_;
     std::vector<Copy> copies_;
-    std::optional<Bounds> invisible_;   // of what is not drawn
+    std::optional<Bounds> invisible_;   // of primitives that are not drawn
     std::vector<PlacedLight> lights_;
     std::optional<Camera> camera_;
     bool has_normals_ = false;

@@ -1,4 +1,4 @@
-// MTL: the statements that our surface model has a use for, checked with their line.
+// MTL: reads the statements that rayclock's surface model uses. A wrong value becomes a fault of its block.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,8 @@
 namespace rayclock {
 namespace {
 
-/// "Kd r g b" or "Kd r"; the spectral and CIE forms name a curve, which we do not have, and change nothing.
+/// Reads "Kd r g b" or "Kd r". The spectral and CIE forms name a curve, which rayclock does not support; they
+/// change nothing.
 void colour(std::string_view key, std::string_view rest, const Place& at, glm::vec3& out) {
     std::array<double, 3> rgb{};
     int count = 0;
@@ -52,7 +53,7 @@ void statement(std::string_view key, std::string_view rest, const Place& at, Mtl
             static_cast<int>(std::clamp<std::int64_t>(whole_number(take_word(rest), at), -1, 11));
     else if (key.starts_with("map_") || key == "bump" || key == "disp" || key == "decal" || key == "refl")
         block.has_textures = true;
-    // The rest: ambient light and the extensions of many programs.
+    // All other statements are ignored: ambient light, and extensions of many programs.
 }
 
 }   // namespace
@@ -69,7 +70,7 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
         const std::string_view key = take_word(line);
         if (key == "newmtl") {
             std::string name = joined_words(line);
-            if (name.empty()) {   // of an OBJ whose `usemtl` has no name either
+            if (name.empty()) {   // some OBJ files have a nameless `usemtl` that refers to it
                 warnings.count("material", "without a name, taken as the default", at.line);
                 name = "default";
             }
@@ -77,7 +78,7 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
         } else if (!blocks.empty() && blocks.back().fault.empty()) {
             try {
                 statement(key, line, at, blocks.back());
-            } catch (const UserError& error) {   // no fault unless a face has the material
+            } catch (const UserError& error) {   // an error only if a face uses the material
                 blocks.back().fault = error.what();
             }
         }

@@ -1,6 +1,6 @@
-// OBJ: every statement is checked with its line number; positions, normals, faces and the materials of faces
-// are taken, and the colours of vertices. Groups, objects, texture coordinates, curves, points and lines are
-// dropped. Faces stay in the order of the file.
+// OBJ: checks every statement and reports errors with their line. Reads positions, normals, faces, the
+// materials of faces and the colours of vertices. Drops groups, objects, texture coordinates, curves, points
+// and lines. Keeps faces in the order of the file.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -18,18 +18,19 @@
 namespace rayclock {
 namespace {
 
-/// Statements that the format knows and that say nothing about triangles.
+/// Statements of the format that do not affect triangles.
 constexpr std::array<std::string_view, 34> silent{
     "vt",     "vp",         "g",         "o",     "s",     "p",        "l",        "mg",   "cstype",
     "deg",    "bmat",       "step",      "curv",  "curv2", "surf",     "parm",     "trim", "hole",
     "scrv",   "sp",         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",  "maplib",
     "usemap", "shadow_obj", "trace_obj", "ctech", "stech", "call",     "csh"};
 
-/// Statements of the format, and those that only programs of their own know.
+/// The continuation of a warning about a statement that OBJ does not have, which is an extension of some
+/// program or an error.
 constexpr std::string_view unknown_statement = "skipped: OBJ has no such statement";
 
-/// Counts one kind of element and keeps what only matters if a face uses it: indices that only a later line
-/// could make good, and lines whose numbers make no sense.
+/// Counts one kind of element and resolves indices to it. An index may refer to a later line, so finish()
+/// checks indices against the final count.
 class Counted {
 public:
     explicit Counted(std::string_view what) : what_(what) {}
@@ -50,7 +51,8 @@ public:
             maxima_.push_back({forward, at.line});
         return forward;
     }
-    /// The same of an index that may name nothing; then 0, or what is larger than the final count.
+    /// Resolves an index that may refer to nothing. Such an index becomes 0 or a number above the final
+    /// count.
     std::uint32_t absolute_or_none(std::string_view word, const Place& at) const {
         const std::int64_t index = whole_number(word, at);
         if (index < 0 && static_cast<std::uint64_t>(-(index + 1)) >= count_) return 0;
@@ -74,7 +76,7 @@ private:
     std::vector<Forward> maxima_;
 };
 
-/// Three numbers, or nothing if they are not all there, and finite as 32-bit floats.
+/// Reads three numbers. Returns nothing if one is missing or not finite as a 32-bit float.
 std::optional<glm::vec3> triple(std::string_view& rest) {
     glm::vec3 point(0);
     for (int i = 0; i < 3; ++i) {
@@ -85,7 +87,7 @@ std::optional<glm::vec3> triple(std::string_view& rest) {
     return point;
 }
 
-/// Says what is wrong with a line of which triple() makes nothing.
+/// Throws UserError that explains why triple() rejected a line.
 [[noreturn]] void refuse_triple(std::string_view key, std::string_view rest, const Place& at) {
     int count = 0;
     for (std::string_view word = take_word(rest); !word.empty() && count < 3; word = take_word(rest), ++count)
@@ -119,7 +121,7 @@ public:
             check_text(line, at_, "OBJ");
     }
 
-    /// After the last statement, while the text is there.
+    /// Checks the whole file. Call it after the last statement, before the text is freed.
     void check_end() {
         at_.line = 0;
         vertices_.finish(at_.file);
@@ -161,19 +163,21 @@ public:
     }
 
 private:
-    /// Faces one after the other with the same material.
+    /// Consecutive faces with the same material.
     struct Run {
         std::size_t first_face, material;
         bool is_smooth = false;
     };
     using Index = ObjShape::Corner;
-    static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();   ///< none is named
+    static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();   ///< the face
+                                                                                            ///< names no
+                                                                                            ///< normal
 
-    /// A vertex whose place makes no sense, and the words after its `v`.
+    /// A vertex whose position cannot be read, and the words after its `v`.
     struct Fault {
         std::uint32_t index;   ///< counted from 1
         std::uint64_t line;
-        std::string_view rest;   ///< of the text, until check_end()
+        std::string_view rest;   ///< refers to the text; valid until check_end()
     };
 
     std::size_t end_of_run(std::size_t run) const {
@@ -181,7 +185,7 @@ private:
     }
     std::size_t corner_of_face(std::size_t face) const { return face == 0 ? 0 : ends_[face - 1]; }
 
-    /// A vertex without a place is only a fault where a face has it for a corner.
+    /// Throws UserError if a face uses a vertex whose position cannot be read. Counts unused ones.
     void check_positions() {
         if (faults_.empty()) return;
         const auto by_index = [](const Fault& fault, std::uint32_t index) { return fault.index < index; };
@@ -216,7 +220,8 @@ private:
         vertex_colour(rest);
     }
 
-    /// Three numbers after the place. One number there is a weight, which nothing uses.
+    /// Reads the colour of a vertex: three numbers after the position. A single number there is a weight,
+    /// which is ignored.
     void vertex_colour(std::string_view rest) {
         std::string_view words = rest;
         int count = 0;
@@ -235,7 +240,7 @@ private:
         colours_.back() = colour;
     }
 
-    /// A normal without a direction is none.
+    /// Reads a normal. A normal that is zero or not finite counts as missing.
     void normal(std::string_view rest) {
         normals_.add(at_);
         const std::string_view all = rest;
@@ -278,7 +283,7 @@ private:
     void material(std::string_view rest) {
         const std::string name = joined_words(rest);
         check_text(name, at_, "OBJ");
-        use(name.empty() ? "default" : name);   // exporters do leave it out
+        use(name.empty() ? "default" : name);   // some exporters omit the name
     }
 
     void use(const std::string& name) {
@@ -292,7 +297,7 @@ private:
 
     void library(std::string_view rest) {
         check_text(rest, at_, "OBJ");
-        // One name with blanks or several names: the file system knows which.
+        // One name with blanks or several names: check whether a file of the whole name exists.
         const std::string whole = joined_words(rest);
         std::error_code ignored;
         if (std::filesystem::exists(path_.parent_path() / whole, ignored))
@@ -301,7 +306,7 @@ private:
             libraries_.push_back({std::string(word), at_.line});
     }
 
-    /// A mesh often travels without its materials, so a missing file is no reason to refuse it.
+    /// Reads the material files. Meshes often travel without them, so a missing file only causes a note.
     std::map<std::string, MtlBlock> read_libraries() {
         std::map<std::string, MtlBlock> defined;
         std::set<std::string> done;
@@ -330,10 +335,12 @@ private:
         return defined;
     }
 
-    /// The vertices' colours stand for those of materials that the file lacks.
+    /// Returns the colour of materials that the file lacks: white if vertices have colours, which then show
+    /// unchanged.
     glm::vec3 unknown_colour() const { return glm::vec3(colours_.empty() ? 0.8f : 1.0f); }
 
-    /// All materials in use; the first definition of a name counts, and one that has none is plain grey.
+    /// Returns all materials in use. The first definition of a name counts. An undefined material is plain
+    /// grey.
     std::vector<Material> read_materials() {
         const std::map<std::string, MtlBlock> defined = read_libraries();
         if (!loading_.may_make(used_.size() * sizeof(Material))) at_.refuse(loading_.too_much());
@@ -346,8 +353,9 @@ private:
             }
             const MtlBlock& block = found->second;
             if (!block.fault.empty()) throw UserError(block.fault);
-            const auto tell = [&, &of = name](bool is_so, const char* became) {   // Clang captures no binding
-                                                                                  // by itself
+            const auto tell = [&, &of = name](bool is_so, const char* became) {   // Clang cannot capture a
+                                                                                  // structured binding
+                                                                                  // implicitly
                 if (is_so) warnings_.count("material", became, 0, of);
             };
             materials[number] = material_of(block.surface, name);
@@ -384,7 +392,7 @@ private:
         warnings_.count("line", unknown_statement, at_.line, key);
     }
 
-    /// There is nothing else in the file.
+    /// Throws UserError about the first unknown statement: the file holds no triangles.
     [[noreturn]] void refuse_unknown() const {
         std::vector<std::string> known(silent.begin(), silent.end());
         known.insert(known.begin(), {"v", "vn", "f", "usemtl", "mtllib"});
@@ -403,10 +411,11 @@ private:
     Warnings warnings_;
     Counted vertices_{"vertex"}, normals_{"normal"};
     std::vector<glm::vec3> positions_, directions_;
-    std::vector<std::optional<glm::vec3>> colours_;   ///< of the first vertices, up to the last that has one
+    std::vector<std::optional<glm::vec3>> colours_;   ///< of the first vertices, up to the last one with a
+                                                      ///< colour
     std::vector<Fault> faults_;
     std::vector<Index> corners_;
-    std::vector<std::size_t> ends_;   ///< of each face, in `corners_`
+    std::vector<std::size_t> ends_;   ///< end of each face in `corners_`
     std::vector<Run> runs_;
     std::uint64_t triangles_ = 0;
     std::map<std::string, std::size_t> used_;
@@ -414,10 +423,10 @@ private:
     Library unknown_{{}, 0};   ///< the first unknown statement
 };
 
-/// Joins lines that end in a backslash with the next, in place; line breaks inside become marks of their own
-/// so that the count of lines stays right.
+/// Replaces the line break between joined lines, so that the count of lines stays right.
 constexpr char joined_break = '\v';
 
+/// Joins each line that ends in a backslash with the next line, in place.
 void join_lines(std::string& text) {
     for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
         std::size_t end = at + 1;

@@ -1,5 +1,5 @@
-// OFF, the text form: the header, corners, faces. Colours of corners and faces are left out, and that is
-// said; blank lines and comments may stand anywhere.
+// OFF in text form: the header, the vertices, the faces. Leaves out the colours of vertices and faces, with a
+// note. Blank lines and comments may appear anywhere.
 #include <fmt/format.h>
 
 #include "sim/files/text.hpp"
@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    /// The next line that has a word in it, and is no comment.
+    /// Returns the next line with at least one word that is not a comment.
     std::string_view line(const char* wanted) {
         while (!rest_.empty()) {
             if (++at_.line % 65'536 == 0) loading_.tell("checking", bytes_ - rest_.size(), bytes_);
@@ -46,7 +46,7 @@ private:
     void header() {
         const std::string_view whole = line("the header");
         std::string_view words = whole, keyword = take_word(words);
-        // ModelNet has no blank between the keyword and the first count.
+        // Files of the ModelNet data set lack the blank between the keyword and the first count.
         if (const std::size_t digit = keyword.find_first_of("0123456789");
             digit != keyword.npos && digit > 0) {
             words = whole.substr(static_cast<std::size_t>(keyword.data() - whole.data()) + digit);
@@ -62,11 +62,13 @@ private:
         std::string_view counts = words;
         const std::string_view next = take_word(counts);
         if (lower(next) == "binary") at_.refuse("binary OFF cannot be read, only text");
-        counts = next.empty() ? line("the counts") : words;   // many programs put them beside the keyword
+        counts = next.empty() ? line("the counts") : words;   // many programs write them on the line of the
+                                                              // keyword
         vertices_ = count(counts, "vertices");
         faces_ = count(counts, "faces");
         if (const std::string_view edges = take_word(counts); !edges.empty()) whole_number(edges, at_);
-        // A vertex takes at least six characters and a face two: no room is made for what cannot follow.
+        // A vertex takes at least six characters and a face two. This check prevents an allocation for data
+        // that cannot follow.
         if (vertices_ > rest_.size() / 6 + 1 || faces_ > rest_.size() / 2 + 1)
             at_.refuse(fmt::format("the file is cut off: {} vertices and {} faces do not fit in {} bytes",
                                    vertices_, faces_, bytes_));

@@ -1,5 +1,5 @@
-// PLY, text and binary of both byte orders: every element is walked as the header says. Coordinates that
-// faces use must be finite, indices in range, and the file as long as its counts.
+// PLY, text and binary of both byte orders. Reads every element as the header declares it. Coordinates of
+// used vertices must be finite, indices must be in range, and the file must be as long as its counts require.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary files are read in place");
 
-/// One element a line, its words in the order of the properties.
+/// Reads the text form: one row of an element per line, its words in the order of the properties.
 class TextBody {
 public:
     TextBody(const PlyHeader& header, std::string_view rest, const std::string& file)
@@ -58,6 +58,7 @@ private:
     Place at_;
 };
 
+/// Reads the binary form.
 class BinaryBody {
 public:
     BinaryBody(const PlyHeader& header, std::string_view rest, const std::string& file)
@@ -111,7 +112,8 @@ private:
     std::uint64_t index_ = 0;
 };
 
-/// Which of the nine numbers of a vertex or a face that are kept; -1: none.
+/// Returns the position of a property in `row_`, the nine numbers that are kept of a vertex or a face.
+/// Returns -1 if it is not kept.
 int place_of(const std::string& name) {
     static const std::map<std::string, int> kept{{"x", 0},           {"y", 1},
                                                  {"z", 2},           {"nx", 3},
@@ -125,7 +127,8 @@ int place_of(const std::string& name) {
     return found == kept.end() ? -1 : found->second;
 }
 
-/// Whole numbers are the fractions of the largest one, and those of more than two bytes of 255.
+/// Returns the factor that scales a colour to 0..1. Integers of two bytes are fractions of 65535, all others
+/// of 255.
 double colour_scale(PlyType type) {
     if (type.kind == 'f') return 1;
     return type.bytes == 2 ? 1 / 65535.0 : 1 / 255.0;
@@ -198,7 +201,7 @@ private:
             glm::vec3 normal(row_[3], row_[4], row_[5]);
             if (!std::isfinite(normal.x) || !std::isfinite(normal.y) || !std::isfinite(normal.z)) {
                 warnings_.count("normal", "with components that are not finite, left out", body_.line());
-                normal = glm::vec3(0);   // counts as none
+                normal = glm::vec3(0);   // counts as missing
             }
             mesh_.normals.push_back(normal);
         }
@@ -237,7 +240,7 @@ private:
         if (length > max_corners)
             body_.refuse(element, i,
                          fmt::format("a face with {} corners; the most is {}", length, max_corners));
-        const bool is_kept = length >= 3;   // the others are points and lines
+        const bool is_kept = length >= 3;   // faces with fewer corners are points and lines
         for (double k = 0; k < length; ++k)
             if (is_kept)
                 mesh_.indices.push_back(vertex_of(element, i, body_.number(property.type)));
@@ -246,8 +249,8 @@ private:
         if (is_kept) add_triangles(element, i, static_cast<std::uint64_t>(length) - 2);
     }
 
-    /// Each vertex from a strip's third on makes a triangle with the two before it, every second one turned
-    /// over. A negative number ends a strip.
+    /// Reads strips: from the third vertex on, each vertex makes a triangle with the two before it. Every
+    /// second triangle is reversed. A negative number ends a strip.
     void strips(const PlyElement& element, std::uint64_t i, const PlyProperty& property, double length) {
         const double none = property.type.kind == 'u' ? std::exp2(8.0 * double(property.type.bytes)) - 1 : -1;
         std::uint32_t a = 0, b = 0;
@@ -280,7 +283,7 @@ private:
     Loading& loading_;
     std::uint64_t vertices_ = 0, triangles_ = 0;
     float row_[9] = {};
-    bool has_fault_ = false;   ///< the vertex that is being read
+    bool has_fault_ = false;   ///< of the vertex that is being read
     Warnings warnings_;
     IndexedMesh mesh_;
 };

@@ -1,6 +1,6 @@
-// STL, text and binary. Many binary files begin with "solid" as well, so their length decides, which follows
-// from the count of facets, and the bytes of the count, which no text has. Normals only repeat the facets and
-// are not read.
+// STL, text and binary. Many binary files begin with "solid" too. So the length decides, which must match the
+// count of facets, and so do the bytes of the count, which no text holds. Normals are ignored, because they
+// only repeat the facets.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -52,7 +52,7 @@ Corners binary_corners(const std::string& bytes, const Place& at, const Loading&
     return corners;
 }
 
-/// One pass over the text form: facet (normal) / outer loop / three of vertex / endloop / endfacet.
+/// Reads the text form in one pass: facet (normal) / outer loop / three of vertex / endloop / endfacet.
 class TextStl {
 public:
     TextStl(std::string_view text, const Place& at) : text_(text), at_(at), warnings_(at.file) {}
@@ -93,7 +93,7 @@ private:
             endfacet();
         else if (is_keyword(key) || state_ == State::loop || state_ == State::after_loop)
             at_.refuse(shown(word) + " is out of place in a text STL");
-        else   // such as colours
+        else   // for example colours
             warnings_.count("line", "skipped: STL has no such statement", at_.line, word);
     }
 
@@ -137,13 +137,14 @@ private:
     std::string_view text_;
     Place at_;
     State state_ = State::outside;
-    std::size_t first_ = 0;   ///< corner of the facet that is open
+    std::size_t first_ = 0;   ///< first corner of the current facet
     std::uint32_t facets_ = 0;
     Corners corners_;
     Warnings warnings_;
 };
 
-/// The count of a binary file has a byte that is none of text: it would be of 150 million facets otherwise.
+/// Returns true if the file is binary: the count has a byte that text lacks. Without such a byte it would
+/// count at least 150 million facets, more than `max_triangles`.
 bool is_binary(const std::string& bytes) {
     const std::size_t start = bytes.find_first_not_of(" \t\r\n");
     if (start == bytes.npos || lower(std::string_view(bytes).substr(start, 5)) != "solid") return true;

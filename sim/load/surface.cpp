@@ -1,3 +1,4 @@
+// The formulas of the conversions.
 #include "sim/load/surface.hpp"
 
 #include <algorithm>
@@ -12,13 +13,13 @@ namespace {
 double fraction(double x) { return std::clamp(x, 0.0, 1.0); }
 glm::dvec3 fractions(const glm::vec3& c) { return {fraction(c.r), fraction(c.g), fraction(c.b)}; }
 
-/// Infinite where a file's double is beyond a float: then as if it had not been said.
+/// Replaces infinity, to which a file's double beyond the range of float converts, by the default.
 double finite_or(float x, double otherwise) { return std::isfinite(x) ? x : otherwise; }
 
 bool is_fraction(double x) { return x >= 0 && x <= 1; }
 bool are_fractions(const glm::vec3& c) { return is_fraction(c.r) && is_fraction(c.g) && is_fraction(c.b); }
 
-/// What is reflected or let through is not scattered as well.
+/// Distributes the light: reflected and transmitted light is not scattered as well.
 void share(Material& out) {
     out.transmit = fraction(out.transmit);
     out.mirror = std::min(fraction(out.mirror), 1 - out.transmit);
@@ -35,7 +36,8 @@ Material material_of(const MtlSurface& in, const std::string& name) {
     out.colour = fractions(in.diffuse);
     const glm::dvec3 specular = fractions(in.specular);
     const double strength = std::max({specular.x, specular.y, specular.z});
-    // Models 0 and 1 have no highlight; from 3 on the specular colour also says how much is mirrored.
+    // Illumination models 0 and 1 have no highlight. In models 3 to 9 the specular colour is also the mirror
+    // weight.
     if (in.illumination >= 2) out.highlight = strength;
     if (in.illumination >= 3 && in.illumination <= 9) out.mirror = strength;
     out.shine = std::max(1.0, finite_or(in.shine, 1));
@@ -61,10 +63,10 @@ Material material_of(const GltfSurface& in, const std::string& name) {
     const double polish = (1 - rough) * (1 - rough);
     out.mirror = metallic * polish;
     out.highlight = 0.5 * polish;
-    // The Phong exponent whose lobe is as wide as that of the roughness squared.
+    // The Phong exponent whose lobe is as wide as that of the squared roughness.
     out.shine = std::clamp(2 / std::max(1e-6, std::pow(rough, 4)) - 2, 1.0, 1000.0);
     out.transmit = std::max(1 - fraction(finite_or(in.colour.a, 1)), fraction(finite_or(in.transmission, 0)));
-    // Blending is no refraction.
+    // Alpha blending does not refract.
     out.index = in.transmission > 0 && in.index > 0 ? in.index : 1;
     share(out);
     if (in.is_unlit) make_unlit(out);
@@ -72,7 +74,7 @@ Material material_of(const GltfSurface& in, const std::string& name) {
 }
 
 bool is_out_of_range(const GltfSurface& s) {
-    const bool is_index = s.index >= 1 || s.index == 0;   // the format gives 0 a meaning of its own
+    const bool is_index = s.index >= 1 || s.index == 0;   // 0 has a special meaning in KHR_materials_ior
     return !are_fractions(glm::vec3(s.colour)) || !is_fraction(s.colour.a) || !is_fraction(s.metal) ||
            !is_fraction(s.rough) || !is_fraction(s.transmission) || !are_fractions(s.emission) || !is_index;
 }
@@ -96,7 +98,7 @@ bool add_emission(Material& material, const glm::dvec3& emission) {
     const double ratio = most / strongest;
     const glm::dvec3 off = glm::abs(light - ratio * colour);
     if (std::max({off.x, off.y, off.z}) > 1e-6 * most) return false;   // files hold 32-bit floats
-    // A weight above 1 goes into the colour.
+    // An ambient weight above 1 moves into the colour.
     const double ambient = material.ambient + ratio, scale = std::max(ambient, 1.0);
     colour = glm::min(colour * scale, 1.0);
     material.ambient = ambient / scale;

@@ -1,3 +1,5 @@
+// Ear clipping that tests a corner again only when its obstacle is gone. The triangles equal those of the
+// plain algorithm. docs/decisions/input-files.md has the times.
 #include "sim/load/triangulate.hpp"
 
 #include <algorithm>
@@ -16,10 +18,10 @@ using Points = std::vector<glm::dvec2>;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Twice the signed area.
+/// Returns twice the signed area of a triangle.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return cross(b - a, c - a); }
 
-/// Drops the axis along which the polygon's area is largest; the result runs counter-clockwise.
+/// Projects the polygon along the axis of its largest area component. The result runs counter-clockwise.
 Points flatten(std::span<const glm::dvec3> corners) {
     glm::dvec3 area(0);
     const glm::dvec3 origin = corners[0];
@@ -37,12 +39,12 @@ Points flatten(std::span<const glm::dvec3> corners) {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// The polygon that is left, as a ring of corner numbers, and which of its corners may be ears.
+/// The rest of the polygon, as a ring of corner numbers, and the corners that may be ears.
 ///
-/// A corner is no ear while a spot with reflex corners lies in its triangle. Reflex corners only ever go
-/// away, so a spot that was found to lie outside need not be looked at again, and a corner waits for the spot
-/// that is in its way: with its neighbours unchanged every spot is looked at once for it, instead of once in
-/// every round. Spots lie side by side in the order of x, and many corners in one place are one spot.
+/// A corner is not an ear while a spot with reflex corners lies in its triangle. Corners only ever stop being
+/// reflex, so a spot outside the triangle needs no second test. A corner waits for the spot in its triangle.
+/// While its neighbours stay the same, it tests every spot once instead of once per round. Spots are sorted
+/// by x, and many corners in one place make one spot.
 class Ring {
 public:
     explicit Ring(const Points& points)
@@ -62,7 +64,7 @@ public:
     std::uint32_t next(std::uint32_t i) const { return corners_[i].next; }
     std::uint32_t previous(std::uint32_t i) const { return corners_[i].previous; }
 
-    /// The first ear from `at` on, around the ring; `at` itself if there is none.
+    /// Returns the first ear from `at` on, around the ring. Returns `at` itself if there is no ear.
     std::uint32_t ear_from(std::uint32_t at) {
         for (std::uint32_t i = marked(at, size()); i != none; i = marked(i + 1, size()))
             if (is_ear(i)) return i;
@@ -78,10 +80,10 @@ public:
         corners_[i].is_gone = true;
         unmark(i);
         no_longer_reflex(i);
-        // Cutting an ear only opens the corners beside it: a convex corner stays convex.
+        // Cutting an ear only shrinks the interior angles next to it: a convex corner stays convex.
         for (const std::uint32_t side : {before, after}) {
             if (corners_[side].is_reflex && bend(side) > 0) no_longer_reflex(side);
-            corners_[side].looked_at = 0;   // another triangle
+            corners_[side].looked_at = 0;   // its triangle has changed
             mark(side);
         }
     }
@@ -110,17 +112,18 @@ private:
         return static_cast<std::uint32_t>(found - spots_.begin());
     }
 
-    /// Convex, and no reflex or straight corner lies in the triangle that would go. If not, it waits.
+    /// Returns true for a convex corner without reflex or straight corners in its triangle. Otherwise the
+    /// corner waits for the spot in its triangle.
     bool is_ear(std::uint32_t i) {
         unmark(i);
         const glm::dvec2 a = points_[previous(i)], b = points_[i], c = points_[next(i)];
-        if (!(turn(a, b, c) > 0)) return false;   // until a neighbour goes
+        if (!(turn(a, b, c) > 0)) return false;   // no ear until a neighbour goes
         const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
         std::uint32_t& k = corners_[i].looked_at;
         for (k = std::max(k, first_spot(lo.x)); k < spots_.size() && spots_[k].p.x <= hi.x; ++k) {
             const glm::dvec2 p = spots_[k].p;
             if (spots_[k].reflex == 0 || p.y < lo.y || p.y > hi.y) continue;
-            // Other corners at the same place touch (bridges to holes do that); they do not block.
+            // Other corners in the same place only touch, as bridges to holes do. They do not block.
             if (p == a || p == b || p == c) continue;
             if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) {
                 waiting_.push_back({i, spots_[k].first_waiting});
@@ -132,8 +135,8 @@ private:
         return true;
     }
 
-    /// If its spot is free now, who waits for it may look again. One whose triangle has changed meanwhile
-    /// does so needlessly.
+    /// Marks the corners that wait for a spot once it has no reflex corner. A corner whose triangle has
+    /// changed meanwhile is tested needlessly.
     void no_longer_reflex(std::uint32_t r) {
         if (!corners_[r].is_reflex) return;
         corners_[r].is_reflex = false;
@@ -147,7 +150,7 @@ private:
     void mark(std::uint32_t i) { may_be_ear_[i / 64] |= std::uint64_t{1} << i % 64; }
     void unmark(std::uint32_t i) { may_be_ear_[i / 64] &= ~(std::uint64_t{1} << i % 64); }
 
-    /// The first marked corner of [from, end).
+    /// Returns the first marked corner of [from, end).
     std::uint32_t marked(std::uint32_t from, std::uint32_t end) const {
         if (from >= end) return none;
         std::uint64_t word = may_be_ear_[from / 64] & ~std::uint64_t{0} << from % 64;
@@ -162,15 +165,15 @@ private:
 
     struct InRing {
         std::uint32_t next = 0, previous = 0;
-        std::uint32_t looked_at = 0;   ///< of `spots_`, for this corner's triangle
+        std::uint32_t looked_at = 0;   ///< first spot that this corner's triangle has not been tested with
         std::uint32_t spot = none;     ///< of a reflex corner
         bool is_reflex = false, is_gone = false;
     };
-    /// One place, and the reflex corners there.
+    /// One place, and the reflex corners in it.
     struct Spot {
         glm::dvec2 p;
-        std::uint32_t reflex = 0;             ///< how many there are
-        std::uint32_t first_waiting = none;   ///< in `waiting_`: who waits until there are none
+        std::uint32_t reflex = 0;             ///< number of reflex corners
+        std::uint32_t first_waiting = none;   ///< first corner, in `waiting_`, that waits for this spot
     };
     struct Waiting {
         std::uint32_t who, next;
@@ -180,7 +183,7 @@ private:
     std::vector<InRing> corners_;
     std::vector<Spot> spots_;
     std::vector<Waiting> waiting_;
-    std::vector<std::uint64_t> may_be_ear_;   ///< a bit for each corner
+    std::vector<std::uint64_t> may_be_ear_;   ///< one bit per corner
 };
 
 }   // namespace
@@ -189,11 +192,11 @@ void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std
     if (corners.size() == 3) return out.push_back({0, 1, 2});
     const Points points = flatten(corners);
     Ring ring(points);
-    std::uint32_t at = 1;   // quads split from corner 0 to corner 2, as is the custom
+    std::uint32_t at = 1;   // splits a quad from corner 0 to corner 2, as is usual
     for (std::size_t left = corners.size(); left > 3; --left) {
         const std::uint32_t ear = ring.ear_from(at);
         out.push_back({ring.previous(ear), ear, ring.next(ear)});
-        // Going on beyond the next corner keeps a round polygon from becoming a fan of slivers.
+        // Skip the next corner, so that a round polygon does not become a fan of slivers.
         at = ring.next(ring.next(ear));
         ring.remove(ear);
     }

@@ -1,9 +1,8 @@
-// Cutting a polygon into triangles.
+// Cuts a polygon into triangles by ear clipping, in the plane of the polygon's own area vector. So concave
+// polygons come out right.
 //
-// Ear clipping on the plane of the polygon's own area vector, so concave polygons come out right. Always
-// gives n - 2 triangles with the polygon's winding: where there is no ear (crossing edges, no area) it cuts
-// off a corner nevertheless. That is why the importer's own step is not used: it gives up there and loses the
-// rest of the face.
+// It always yields n - 2 triangles with the polygon's winding. Where no ear exists (crossing edges, no area),
+// it cuts off a corner nevertheless. Other importers give up there and lose the rest of the face.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace rayclock {
 
-/// Appends index triples into `corners` (at least 3 of them).
+/// Appends triples of indices into `corners`, which has at least 3 entries.
 void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& out);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Expat's callbacks, which build the tree.
 #include "sim/load/xml.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace rayclock {
 namespace {
 
-/// Newer releases of Expat have a function for it whose result has 64 bits everywhere, and call the other one
-/// deprecated.
+/// Returns the current line. Newer releases of Expat have a function with a 64-bit result on all platforms,
+/// and deprecate the old one.
 template <class Parser> std::uint64_t line_of(Parser parser) {
     if constexpr (requires { XML_GetCurrentLineNumber64(parser); })
         return XML_GetCurrentLineNumber64(parser);
@@ -21,12 +22,12 @@ template <class Parser> std::uint64_t line_of(Parser parser) {
 
 constexpr std::size_t most_nested_elements = 600;
 
-/// What is being read. Expat is C: no exception may cross it, so the first complaint is kept and the parser
-/// stopped.
+/// The state of the parser. Expat is written in C, so no exception may cross it. stop() keeps the first error
+/// and stops the parser.
 struct Reading {
     XML_Parser parser;
     Loading* loading;
-    XmlElement top;   // holds the document's own element
+    XmlElement top;   // its only child is the document's element
     std::vector<XmlElement*> open{&top};
     std::optional<std::string> complaint;
     std::uint64_t line = 0;

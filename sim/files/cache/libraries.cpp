@@ -1,3 +1,4 @@
+// The cache of built libraries on a POSIX file system: flock() for locks, rename() to publish.
 #include "sim/files/cache/libraries.hpp"
 
 #include <atomic>
@@ -37,13 +38,13 @@ const char* variable(const char* name) {
     return value && *value ? value : nullptr;
 }
 
-/// Whether nobody but this user and root can put anything there. A cache of an installed program may be
-/// root's.
+/// Returns true if only this user and root can write there. The cache of an installed program may belong to
+/// root.
 bool is_trusted(const struct stat& status) {
     return (status.st_uid == geteuid() || status.st_uid == 0) && (status.st_mode & 022) == 0;
 }
 
-/// What is loaded from a cache runs as this user. So a folder that others can write to is refused.
+/// Throws UserError if others can write to the folder: a library from the cache runs with this user's rights.
 void check_trusted(const fs::path& folder, const char* why) {
     struct stat status {};
     if (stat(folder.c_str(), &status) != 0 || is_trusted(status)) return;
@@ -55,7 +56,8 @@ void check_trusted(const fs::path& folder, const char* why) {
         is_own ? "; take that away (chmod go-w), or set RAYCLOCK_CACHE to another" : cure));
 }
 
-/// Anybody may make a folder of a known name among the temporary files.
+/// Creates the temporary folder of this user. Throws UserError if it is a link or not this user's alone: in a
+/// temporary directory, anybody may create a folder of a known name.
 fs::path private_temporary() {
     const fs::path folder = fs::temp_directory_path() / fmt::format("rayclock-{}", geteuid());
     mkdir(folder.c_str(), 0700);
@@ -70,18 +72,18 @@ bool is_plain_file(const fs::path& path) {
     return fs::symlink_status(path, error).type() == fs::file_type::regular;
 }
 
-/// All bytes of an ordinary file; empty if it is none or cannot be read.
+/// Returns all bytes of an ordinary file. Returns an empty string if it is not one or cannot be read.
 std::string bytes_of(const fs::path& path) {
     return is_plain_file(path) ? read_if_there(path) : std::string{};
 }
 
-/// First lines of a seal. What follows is for readers.
+/// Returns the first lines of a seal. Further lines of a seal are a note for people.
 std::string seal_of(const std::string& library) {
     return fmt::format("rayclock RTL 1\nsize {}\nhash {:016x}\n", library.size(), hash_of(library));
 }
 
-/// The entry that a lock or a work folder belongs to, or empty if the name is none of ours:
-/// module-hash-hash.(lock|number).
+/// Returns the entry that a lock or a work folder belongs to. Its name is module-hash-hash.(lock|number).
+/// Returns an empty string for any other name.
 std::string entry_of(const std::string& name) {
     const std::size_t dot = name.find('.'), dash = name.find('-');
     if (dot == std::string::npos || dash > dot || !name.starts_with("rc_")) return {};
@@ -92,7 +94,7 @@ std::string entry_of(const std::string& name) {
     return name.substr(0, dot);
 }
 
-/// Removes what builders have left who no longer hold their lock. What cannot be removed stays.
+/// Removes the files that builders left without holding their lock any more. Leaves what it cannot remove.
 void sweep(const fs::path& cache) {
     std::error_code error;
     std::multimap<std::string, fs::path> left;
@@ -105,7 +107,7 @@ void sweep(const fs::path& cache) {
         bool free = false;
         try {
             free = lock.take();
-        } catch (const UserError&) {}   // a cache that can only be read has no litter of ours
+        } catch (const UserError&) {}   // a read-only cache holds no files of ours
         for (; it != left.end() && it->first == entry; ++it)
             if (free && it->second.extension() != ".lock") fs::remove_all(it->second, error);
     }
@@ -116,7 +118,7 @@ void sweep(const fs::path& cache) {
 CachePlace cache_place() {
     if (const char* chosen = variable("RAYCLOCK_CACHE"))
         return {fs::absolute(chosen).lexically_normal(), "RAYCLOCK_CACHE", {}};
-    // A relative path there is to be ignored, says the XDG specification.
+    // The XDG specification says to ignore a relative path.
     if (const char* xdg = variable("XDG_CACHE_HOME"); xdg && fs::path(xdg).is_absolute())
         return {fs::path(xdg) / "rayclock", "XDG_CACHE_HOME", {}};
     if (const char* home = variable("HOME"); home && fs::path(home).is_absolute())
@@ -132,8 +134,8 @@ fs::path rtl_cache() {
     static std::once_flag said;
     if (!place.warning.empty())
         std::call_once(said, [&] { fmt::print(stderr, "rayclock: {}\n", place.warning); });
-    // Made here, whatever comes into it, since a wide umask would let others in.
-    std::error_code ignored;   // whoever writes there says what is wrong
+    // Create it here with mode 0700, since a wide umask would let others in.
+    std::error_code ignored;   // the code that writes there reports the error
     fs::create_directories(place.folder.parent_path(), ignored);
     mkdir(place.folder.c_str(), 0700);
     check_trusted(place.folder, "");
@@ -168,7 +170,7 @@ void seal(const fs::path& folder, const std::string& made_by) {
 bool is_whole(const fs::path& entry) {
     std::error_code error;
     if (fs::symlink_status(entry, error).type() != fs::file_type::directory) return false;
-    // It may be older than the folder's rights.
+    // A file in it may be older than the rights of the folder.
     for (const fs::path& part : {entry, entry / "seal", library_of(entry)})
         if (struct stat status{}; lstat(part.c_str(), &status) != 0 || !is_trusted(status)) return false;
     const std::string text = bytes_of(entry / "seal");
@@ -215,7 +217,7 @@ bool BuildLock::take() {
         }, there{};
         const bool ordinary = file_ >= 0 && fstat(file_, &here) == 0 && S_ISREG(here.st_mode);
         if (ordinary && flock(file_, LOCK_EX | LOCK_NB) == 0) {
-            // Whoever had it has removed the file: then this is the lock of nothing.
+            // The previous holder may have removed the file: then the name no longer refers to this lock.
             if (lstat(path_.c_str(), &there) == 0 && there.st_ino == here.st_ino &&
                 there.st_dev == here.st_dev)
                 return true;
@@ -236,15 +238,15 @@ bool BuildLock::take() {
 BuildLock::~BuildLock() {
     if (file_ < 0) return;
     unlink(path_.c_str());
-    flock(file_, LOCK_UN);   // a guard may hold the file still (process.hpp)
+    flock(file_, LOCK_UN);   // a guard process may still hold the file open (process.hpp)
     close(file_);
 }
 
 WorkFolder::WorkFolder(const fs::path& entry) {
     static std::atomic<int> number = 0;
     path_ = entry.string() + fmt::format(".{}-{}", getpid(), number++);
-    clear_place(path_);   // a dead builder may have had the same number
-    // With a wide umask a group could write to it.
+    clear_place(path_);   // a dead builder may have used the same number
+    // chmod() too: with a wide umask, mkdir() alone could leave the folder writable by a group.
     if (mkdir(path_.c_str(), 0755) != 0 || chmod(path_.c_str(), 0755) != 0)
         cannot(path_, "cannot write the RTL cache here", std::strerror(errno));
 }

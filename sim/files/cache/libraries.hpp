@@ -1,58 +1,64 @@
 #pragma once
-// The folder of built libraries. An entry is a folder with a library and a seal, which holds the library's
-// size and hash, so that whatever happened to the disk is noticed before anything is loaded. Entries appear
-// whole, by a rename. Whoever builds one holds its lock; what a dead builder has left is swept by the next
-// program.
+// The cache of built libraries. An entry is a folder with a library and a seal. The seal holds the library's
+// size and hash, so that damage on the disk is noticed before anything is loaded. Entries appear complete, by
+// a rename. A builder holds the lock of its entry. The next program removes the files that a dead builder
+// left.
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace rayclock {
 
-/// Where built libraries are kept, and who says so.
+/// The folder of the cache, and the variable that set it.
 struct CachePlace {
     std::filesystem::path folder;   ///< absolute
-    std::string from;               ///< RAYCLOCK_CACHE, XDG_CACHE_HOME, HOME, or nothing of these
-    std::string warning;            ///< a sentence if it is no good place
+    std::string from;               ///< RAYCLOCK_CACHE, XDG_CACHE_HOME or HOME; empty if none of them is set
+    std::string warning;            ///< a sentence if the folder is a poor choice, or empty
 };
-/// $RAYCLOCK_CACHE, $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock. Without a home it is a folder of temporary
-/// files that must belong to this user alone; throws UserError if it does not.
+/// Returns $RAYCLOCK_CACHE, $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock. Without a home it returns a
+/// temporary folder, which must belong to this user alone. Throws UserError if it does not.
 CachePlace cache_place();
-/// Its folder. A warning is said on standard error, once.
+/// Creates and returns the cache's folder. Prints the warning of cache_place() on standard error, once per
+/// program. Throws UserError if others can write to the folder.
 std::filesystem::path rtl_cache();
 
-/// FNV-1a, 64 bits.
+/// Returns the 64-bit FNV-1a hash.
 std::uint64_t hash_of(const std::string& bytes);
 
-/// The entry of Verilator's own sources begins so, and its library is an object that is linked to the others.
+/// The prefix of the entry for Verilator's own sources. Its library is an object file that is linked to the
+/// others.
 inline constexpr const char *support_begin = "rc_verilated-", *support_name = "support.o";
 
-/// The entry of a netlist begins so, and its library is Verilog.
+/// The prefix of entries that hold a netlist. Their library is Verilog.
 inline constexpr const char* netlist_begin = "rc_netlist-";
 
-/// The library of an entry.
+/// Returns the path of an entry's library.
 std::filesystem::path library_of(const std::filesystem::path& entry);
 
-/// Writes the seal of the library in a folder. `made_by` is for readers.
+/// Writes the seal of the library in a folder. `made_by` is a note for people. Throws UserError if it cannot
+/// write.
 void seal(const std::filesystem::path& folder, const std::string& made_by);
 
-/// Whether the entry is a folder with a library as it was sealed. Links and devices are not followed.
+/// Returns true if the entry is a folder with an unchanged library, which only this user and root can write.
+/// Does not follow links or open devices.
 bool is_whole(const std::filesystem::path& entry);
 
-/// A whole entry whose name begins so, or empty: for a machine without tools, where any will do.
+/// Returns a whole entry whose name begins with `begin`, or an empty path. A machine without tools can use
+/// any such entry.
 std::filesystem::path whole_entry(const std::string& begin);
 
-/// Makes the cache's folder, and removes what dead builders have left there: once for a program and a folder.
-/// Throws UserError if the folder cannot be made.
+/// Creates the cache's folder and removes what dead builders left in it, once per program and folder. Throws
+/// UserError if the folder cannot be made.
 void open_cache();
 
-/// Removes whatever is at this place of the cache. Throws UserError if it cannot.
+/// Removes the file or folder at a place of the cache. Throws UserError if it cannot.
 void clear_place(const std::filesystem::path& place);
 
-/// Text into a new file of the cache. Throws UserError if it cannot be written.
+/// Writes text into a file of the cache. Throws UserError if it cannot.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// The right to build an entry. It ends with this object, and with the program, however it ends.
+/// The exclusive right to build an entry. It ends with this object or with the program, however the program
+/// ends.
 class BuildLock {
 public:
     explicit BuildLock(const std::filesystem::path& entry) : path_(entry.string() + ".lock") {}
@@ -60,7 +66,7 @@ public:
     BuildLock(const BuildLock&) = delete;
     BuildLock& operator=(const BuildLock&) = delete;
 
-    /// False if another builder has it. Throws UserError if the cache cannot be written.
+    /// Returns false if another builder holds the lock. Throws UserError if the cache cannot be written.
     bool take();
 
 private:
@@ -68,7 +74,7 @@ private:
     int file_ = -1;
 };
 
-/// An empty folder of its own beside an entry, removed in the end.
+/// An empty folder next to an entry, for one builder. The destructor removes it.
 class WorkFolder {
 public:
     explicit WorkFolder(const std::filesystem::path& entry);
@@ -77,7 +83,7 @@ public:
     WorkFolder& operator=(const WorkFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// Becomes the entry, in whose place nothing is.
+    /// Renames the folder to the entry, which must not exist. Throws UserError if it cannot.
     void publish(const std::filesystem::path& entry);
 
 private:

@@ -1,3 +1,4 @@
+// The cache of computed figures: JSON files with key, checksum and value.
 #include "sim/files/cache/results.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ std::string hash_text(const std::string& text) {
 
 namespace {
 
-/// An entry takes some kilobytes.
+/// The largest file that is read. An entry takes some kilobytes.
 constexpr std::uint64_t most_bytes = 1 << 20;
 
 }   // namespace
@@ -28,7 +29,7 @@ constexpr std::uint64_t most_bytes = 1 << 20;
 std::optional<ordered_json> entry_value(const std::string& path, const std::string& text,
                                         const std::string& key) {
     try {
-        parse_json(path, text);   // refuses what would take the next line too long, or too deep
+        parse_json(path, text);   // rejects text that is too long or too deep for the next line
     } catch (const UserError&) {
         return std::nullopt;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Figures that were worked out before, in files of their own.
+// The cache of computed figures: one file per entry.
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -9,25 +9,26 @@
 
 namespace rayclock::jobs {
 
-/// FNV-1a, 64 bits, as 16 hexadecimal digits.
+/// Returns the 64-bit FNV-1a hash as 16 hexadecimal digits.
 std::string hash_text(const std::string& text);
 
-/// The value of an entry, from the text of its file, if it is whole and of this key. `path` only names it.
+/// Returns the value in an entry's text if the entry is whole and has this key. `path` only names the file.
 std::optional<nlohmann::ordered_json> entry_value(const std::string& path, const std::string& text,
                                                   const std::string& key);
 
-/// One file per entry, named by the kind of entry and a hash of its key; the key stands in it in full, and a
-/// checksum. A file that is not whole, or that has another key, counts as missing. Files appear whole or not
-/// at all, so several programs may share the folder, and may be killed at any time.
+/// A folder with one file per entry. A file's name holds the kind of the entry and a hash of its key. The
+/// file holds the full key and a checksum. A damaged file, or one with another key, counts as missing. Files
+/// appear whole or not at all, so several programs may share the folder and may be killed at any time.
 class Cache {
 public:
-    /// `fresh`: nothing is found, but everything is kept. A folder that cannot be made or written is told by
-    /// trouble().
+    /// Opens the folder and creates it if necessary. With `fresh`, find() finds nothing, but keep() still
+    /// stores. trouble() reports a folder that cannot be made or written.
     Cache(std::filesystem::path folder, bool fresh);
 
+    /// Returns the value of an entry, or nothing if the entry is missing or damaged.
     std::optional<nlohmann::ordered_json> find(const std::string& kind, const std::string& key) const;
-    /// What `read` makes of the value. An entry that it cannot read counts as missing, although its checksum
-    /// is right.
+    /// Returns read(value). An entry that `read` rejects with a JSON exception counts as missing, although
+    /// its checksum is right.
     template <class Read> auto find(const std::string& kind, const std::string& key, Read read) const
         -> std::optional<decltype(read(nlohmann::ordered_json()))> {
         const auto value = find(kind, key);
@@ -38,9 +39,10 @@ public:
             return std::nullopt;
         }
     }
+    /// Stores an entry. trouble() reports an error, after which nothing more is stored.
     void keep(const std::string& kind, const std::string& key, const nlohmann::ordered_json& value);
 
-    /// Why nothing can be kept, or empty.
+    /// Returns the reason why nothing can be stored, or an empty string.
     std::string trouble() const;
     const std::filesystem::path& folder() const { return folder_; }
 

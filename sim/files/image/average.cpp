@@ -1,3 +1,4 @@
+// The mean colour of a texture, from the library of picture formats.
 #include "sim/files/image/average.hpp"
 
 #include "sim/files/image/codec.hpp"

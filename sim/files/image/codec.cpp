@@ -1,4 +1,5 @@
-// What knows OpenImageIO: a library of its own, see codec.hpp. It throws nothing that only the program knows.
+// The library of picture formats, the only code that includes OpenImageIO (see codec.hpp). It throws only
+// standard exceptions, never the program's own types.
 #include "sim/files/image/codec.hpp"
 
 #include <algorithm>
@@ -15,7 +16,8 @@
 namespace rayclock {
 namespace {
 
-/// A format: the file's header, and how one pixel lies in its own types, packed channel by channel.
+/// A file format: the file's header, and a function that packs one pixel into the format's types, channel by
+/// channel.
 struct Encoding {
     OIIO::ImageSpec spec;
     std::function<void(std::size_t pixel, std::byte* to)> put;
@@ -50,8 +52,8 @@ Encoding encoding_of(const char* plugin, const Picture& picture, const HitFrame&
     return std::string_view(plugin) == "png" ? png(picture) : exr(picture, hits);
 }
 
-/// Calls band(first row, row behind the last, their pixels in the file's types) for a few rows at a time,
-/// until one returns false or `stop` is true. False if one did.
+/// Calls band(first row, row after the last, their pixels in the file's types) for a few rows at a time.
+/// Stops early if `band` returns false or `stop` returns true. Returns false if `band` did.
 template <class Band>
 bool for_each_band(const Encoding& encoding, const std::function<bool()>& stop, Band&& band) {
     constexpr int rows = 64;
@@ -66,11 +68,11 @@ bool for_each_band(const Encoding& encoding, const std::function<bool()>& stop, 
     return true;
 }
 
-// OIIO::TypeUnknown: the data is in the file's own types, so nothing is converted. The strides are always
-// given: with TypeUnknown and default strides, OpenImageIO 2.5.18 writes wrong pixels and reports success.
+// OIIO::TypeUnknown: the data has the file's own types, so nothing is converted. Always pass the strides:
+// with TypeUnknown and default strides, OpenImageIO 2.5.18 writes wrong pixels and reports success.
 
-/// The bytes of a file. Into memory, because the library does not see an error of the last bytes, nor of
-/// closing the file.
+/// Returns the bytes of a file. It writes to memory, because the library misses errors in the last bytes and
+/// in closing the file.
 std::string encode(const char* plugin, const Picture& picture, const HitFrame& hits,
                    const std::function<bool()>& stop) {
     const Encoding encoding = encoding_of(plugin, picture, hits);
@@ -93,7 +95,7 @@ std::string encode(const char* plugin, const Picture& picture, const HitFrame& h
     throw std::runtime_error("OpenImageIO " OIIO_VERSION_STRING " encoded it wrongly: read back, " + where);
 }
 
-/// Whether both have pixels of the same channels and types, and as many.
+/// Returns true if both have the same size, channels and types.
 bool have_the_same_pixels(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
     if (a.width != b.width || a.height != b.height || a.channelnames != b.channelnames) return false;
     for (int c = 0; c < a.nchannels; ++c)
@@ -132,8 +134,9 @@ bool is_floating(OIIO::TypeDesc type) {
            type.basetype == OIIO::TypeDesc::DOUBLE;
 }
 
-/// Integer formats hold sRGB, floating ones linear light: true of what write_picture() writes and of common
-/// use. One or two channels are grey (and alpha); channels beyond the third are not read.
+/// Reads a picture file as linear RGB. Assumes that integer formats hold sRGB and floating-point formats
+/// linear light. This holds for the output of write_picture() and is common use. One or two channels are grey
+/// (and alpha). Channels beyond the third are not read.
 Picture decode(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw std::runtime_error(OIIO::geterror());
@@ -177,7 +180,7 @@ Texels texels(const std::string& png) {
     return all;
 }
 
-/// Row by row, so that a large picture takes little memory; sums in the order of the rows.
+/// Averages row by row, so that a large picture takes little memory. Adds in the order of the rows.
 glm::vec4 average(const std::string& bytes) {
     const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8");
     if (!is_png && !is_jpeg) throw std::runtime_error("it is neither PNG nor JPEG");

@@ -1,7 +1,7 @@
 #pragma once
-// Between the program and the library that encodes pictures, OpenImageIO. That brings 250 libraries, which
-// take a fifth of a second to load: what knows it is a library of its own, which is loaded when the first
-// picture is read or written.
+// The interface between the program and its library of picture formats, which uses OpenImageIO. OpenImageIO
+// pulls in 250 libraries, which take 0.2 s to load. So it lives in a library of its own, which the program
+// loads when it first reads or writes a picture.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -14,35 +14,37 @@
 
 namespace rayclock {
 
-/// A picture of 8-bit colours that are not multiplied by alpha, row by row from the top.
+/// A picture with 8-bit sRGB colours and alpha, row by row from the top. The colours are not multiplied by
+/// alpha.
 struct Texels {
     FrameSize size;
     std::vector<std::array<std::uint8_t, 4>> rgba;
 };
 
+/// The functions of the library.
 struct PictureCodec {
-    /// The bytes of a file. `plugin` is OpenImageIO's name of the format: png or openexr. Throws
-    /// std::runtime_error with the reason. `stop` is asked every few rows; once it is true, the bytes are not
-    /// a whole file.
+    /// Returns the bytes of a file. `plugin` is OpenImageIO's name of the format: png or openexr. Throws
+    /// std::runtime_error with the reason. Calls `stop` every few rows. Once it returns true, the bytes are
+    /// not a whole file.
     std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits,
                           const std::function<bool()>& stop);
-    /// Reads the bytes of a whole file and throws std::runtime_error if they do not hold exactly the picture
-    /// and the hits: a library that encodes wrongly reports success. Once `stop` is true, it may return
-    /// early.
+    /// Decodes the bytes of a whole file and throws std::runtime_error if they do not hold exactly the
+    /// picture and the hits. OpenImageIO can encode wrongly and report success. It may return early once
+    /// `stop` returns true.
     void (*check)(const char* plugin, const std::string& bytes, const Picture& picture, const HitFrame& hits,
                   const std::function<bool()>& stop);
-    /// Throws std::runtime_error with the reason.
+    /// Reads a picture file as linear RGB. Throws std::runtime_error with the reason.
     Picture (*decode)(const std::string& path);
-    /// Of the bytes of a PNG with three or four channels. Throws std::runtime_error with the reason.
+    /// Decodes a PNG in memory with three or four channels. Throws std::runtime_error with the reason.
     Texels (*texels)(const std::string& png);
     /// See average_colour(). Throws std::runtime_error with the reason.
     glm::vec4 (*average)(const std::string& bytes);
 };
 
-/// Throws UserError if the library is missing.
+/// Returns the functions of the library and loads it at the first call. Throws UserError if it is missing.
 const PictureCodec& picture_codec();
 
-/// For tests: while it lives, it takes the place of the library.
+/// Replaces the library during this object's life. Only tests use it.
 class StandInCodec {
 public:
     explicit StandInCodec(const PictureCodec& codec);

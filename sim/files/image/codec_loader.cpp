@@ -1,3 +1,4 @@
+// Finding and loading the library of picture formats with dlopen().
 #include "sim/files/image/codec.hpp"
 
 #include <filesystem>
@@ -16,7 +17,8 @@ namespace {
 
 constexpr const char* file_name = "rayclock_pictures.so";
 
-/// Beside the program, where an installed one has its libraries, and where it was built.
+/// Returns the places to search: next to the program, the library folder of an installation, and the build
+/// tree.
 std::vector<fs::path> places() {
     std::error_code error;
     const fs::path own = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -33,7 +35,7 @@ const PictureCodec& load() {
             if (const void* codec = dlsym(library, "rayclock_picture_codec"))
                 return *static_cast<const PictureCodec*>(codec);
         complaint = dlerror();
-        // The loader's words for a lack of address space.
+        // The dynamic loader's messages when address space runs out.
         for (const char* words : {"failed to map segment", "annot allocate memory", "annot create"})
             if (complaint.find(words) != complaint.npos) throw std::bad_alloc();
         break;

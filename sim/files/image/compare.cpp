@@ -1,3 +1,4 @@
+// Comparing two pictures as 8-bit sRGB.
 #include "sim/files/image/image.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ void check_same_size(FrameSize a, FrameSize b) {
                                     a.height, b.width, b.height));
 }
 
-/// Largest difference over the three channels, in steps of 8-bit sRGB.
+/// Returns the largest difference over the three channels, in steps of 8-bit sRGB.
 int largest_difference(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
     int largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - b[c]));

@@ -1,3 +1,4 @@
+// Checking a picture against its golden picture.
 #include "sim/files/image/golden.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace rayclock {
 
 std::string golden_path(const std::string& folder, const std::string& scene_spec, FrameSize size) {
     std::string name = scene_spec;
-    // A scene may also be the path of a file, which must not lead out of the folder.
+    // The scene may be the path of a file: replace the slashes, so that the name stays inside the folder.
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == ':' || c == '/'; }, '_');
     return (std::filesystem::path(folder) / fmt::format("{}_{}x{}.png", name, size.width, size.height))

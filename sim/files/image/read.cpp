@@ -1,3 +1,4 @@
+// Reading a picture file, with the library's errors as UserError.
 #include <filesystem>
 
 #include <fmt/format.h>

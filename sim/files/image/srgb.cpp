@@ -1,3 +1,4 @@
+// The two branches of the sRGB curve, and its 8-bit rounding.
 #include "sim/files/image/srgb.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double linear_from_srgb(double srgb) {
 }
 
 std::uint8_t srgb_byte(double linear) {
-    const double clamped = linear > 0 ? std::min(linear, 1.0) : 0.0;   // false for NaN
+    const double clamped = linear > 0 ? std::min(linear, 1.0) : 0.0;   // the comparison is false for NaN
     return static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(clamped)));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+// The sRGB transfer curve, IEC 61966-2-1, for values from 0 to 1.
 #include <array>
 #include <cstdint>
 
@@ -6,12 +7,10 @@
 
 namespace rayclock {
 
-// The sRGB transfer curve, IEC 61966-2-1, for values 0..1.
-
 double srgb_from_linear(double linear);
 double linear_from_srgb(double srgb);
 
-/// Clamped to 0..1 (NaN counts as 0), encoded, and rounded to the nearest of 0..255.
+/// Clamps to 0..1 (NaN counts as 0), encodes, and rounds to the nearest integer in 0..255.
 std::uint8_t srgb_byte(double linear);
 std::array<std::uint8_t, 3> srgb_bytes(const glm::vec3& linear);
 

@@ -32,14 +32,15 @@ const Format& format_of(const std::string& path) {
     throw UserError(fmt::format("{}: unknown picture ending '{}'; known ones are {}", path, ending, known));
 }
 
-/// The library's message as the end of a sentence.
+/// Returns the library's message in a form that ends a sentence: one line, without a final full stop.
 std::string reason(std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
     while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
     return message.empty() ? "unknown reason" : message;
 }
 
-/// The bytes of a file, which were read back and compared; `path` is for messages.
+/// Returns the bytes of a file after reading them back and comparing. `path` is for messages. Throws
+/// UserError if the library fails.
 std::string file_bytes(const std::string& path, const Format& format, const Picture& picture,
                        const HitFrame& hits, const std::function<bool()>& stop) {
     const PictureCodec& codec = picture_codec();

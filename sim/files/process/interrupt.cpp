@@ -1,3 +1,4 @@
+// Handlers of SIGINT and SIGTERM, with a timer for programs that do not poll interrupted().
 #include "sim/files/process/interrupt.hpp"
 
 #include <atomic>
@@ -12,7 +13,8 @@ namespace rayclock {
 
 namespace {
 
-constexpr suseconds_t patience = 500'000;   // microseconds, of the second that Ctrl-C may take
+constexpr suseconds_t patience = 500'000;   // microseconds until the program ends by itself; Ctrl-C may take
+                                            // one second
 
 std::atomic<bool> seen, heard;
 static_assert(std::atomic<bool>::is_always_lock_free);

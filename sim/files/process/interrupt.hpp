@@ -1,10 +1,12 @@
 #pragma once
+// Ctrl-C and SIGTERM: a long run that polls interrupted() stops and keeps its results.
 
 namespace rayclock {
 
-/// Ctrl-C and SIGTERM stop long runs with what they have. If nobody asks interrupted() soon, or at the second
-/// one, the program ends at once and removes what lies under temporary names (sim/files/scratch.hpp).
+/// Installs the signal handlers. If nothing calls interrupted() within 0.5 s, or at the second signal, the
+/// program ends at once. It then removes its temporary files (sim/files/scratch.hpp).
 void catch_interrupts();
+/// Returns true after the first Ctrl-C or SIGTERM. The caller must then stop soon.
 bool interrupted();
 
 }   // namespace rayclock

@@ -1,3 +1,5 @@
+// Processes with a guard: this program -> guard -> the program to run. The guard is a child subreaper, so it
+// also waits for the orphans of that program.
 #include "sim/files/process/process.hpp"
 
 #include <array>
@@ -27,17 +29,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int parent_died = SIGUSR1;   // from the kernel, while the parent may still be seen dying; SIGTERM
-                                       // comes from the parent
-constexpr int could_not_start = 127, ended_by_signal = 126;   // exit codes of the guard, as of a shell
+constexpr int parent_died = SIGUSR1;   // from the kernel when the parent dies, even if getppid() still names
+                                       // it; the parent sends SIGTERM
+constexpr int could_not_start = 127, ended_by_signal = 126;   // exit codes of the guard, as a shell has them
 
-/// All that is needed after fork(), where no memory may be asked for: another thread may have held the lock.
+/// All data that the child needs after fork(). It must not allocate there: another thread may have held the
+/// allocator's lock.
 struct Plan {
     std::string program, folder, output, litter;
     std::vector<std::string> words, variables;
     std::vector<char*> argv, envp;
     pid_t parent = getpid();
-    sigset_t signals;   ///< blocked before
+    sigset_t signals;   ///< the caller's mask, from before all signals were blocked
 
     explicit Plan(const Launch& launch)
         : program(find_program(launch.words.at(0)).string()),
@@ -56,6 +59,7 @@ struct Plan {
     }
 };
 
+/// Turns this process into the program. Does not allocate.
 [[noreturn]] void become_program(const Plan& plan) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -71,9 +75,9 @@ struct Plan {
     _exit(could_not_start);
 }
 
-/// Kills the program's group and waits for its members: whatever loses its parent comes to the guard. A
-/// member may have left the group on purpose, as a compiler's server does; it is not waited for longer than
-/// a third of a second, since Ctrl-C may take no more than one.
+/// Kills the program's group and waits for its members: orphans become children of the guard. A member may
+/// have left the group on purpose, as a compiler server does. Waits at most 0.33 s for such a member, because
+/// Ctrl-C may take no more than one second.
 void end_group(pid_t program) {
     kill(-program, SIGKILL);
     for (int i = 0; i < 66; ++i) {
@@ -85,8 +89,8 @@ void end_group(pid_t program) {
     }
 }
 
-/// The guard: starts the program, and ends it when the kernel says that the parent is dead, or the parent
-/// asks for it. It holds the parent's open files, and so its locks, until the litter is gone.
+/// Runs the guard. It starts the program and ends it when the kernel reports the parent's death or the parent
+/// sends SIGTERM. It keeps the parent's open files, and so its locks, until the litter is gone.
 [[noreturn]] void guard(const Plan& plan) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, parent_died);
@@ -97,11 +101,12 @@ void end_group(pid_t program) {
     sigaddset(&awaited, SIGCHLD);
     sigaddset(&awaited, SIGTERM);
     sigaddset(&awaited, parent_died);
-    bool orphan = getppid() != plan.parent, stop = orphan;   // it died before the kernel was told to say so
+    bool orphan = getppid() != plan.parent, stop = orphan;   // the parent died before prctl()
     const pid_t program = stop ? -1 : fork();
     if (program == 0) become_program(plan);
     if (program > 0)
-        setpgid(program, program);   // both do, so that neither comes too late
+        setpgid(program, program);   // parent and child both call it, so it has happened before either
+                                     // continues
     else if (!stop)
         _exit(could_not_start);
     while (!stop) {
@@ -110,7 +115,7 @@ void end_group(pid_t program) {
         stop = orphan || signal == SIGTERM;
         int status = 0;
         if (stop || waitpid(program, &status, WNOHANG) != program) continue;
-        kill(-program, SIGKILL);   // what it has left behind
+        kill(-program, SIGKILL);   // processes that the program left behind
         _exit(WIFEXITED(status) ? WEXITSTATUS(status) : ended_by_signal);
     }
     if (program > 0) end_group(program);
@@ -126,7 +131,8 @@ Process::Process(const Launch& launch)
     Plan plan(launch);
     sigset_t all;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &plan.signals);   // no handler of this program runs in the guard
+    pthread_sigmask(SIG_SETMASK, &all, &plan.signals);   // block all signals: no handler of this program may
+                                                         // run in the guard
     guard_ = fork();
     if (guard_ == 0) guard(plan);
     pthread_sigmask(SIG_SETMASK, &plan.signals, nullptr);
@@ -163,7 +169,8 @@ int Process::wait(const char* stopped, const std::function<void()>& meanwhile) {
     for (int turn = 0; !ended(); ++turn) {
         if (interrupted()) throw Interrupted(stopped);
         if (meanwhile) meanwhile();
-        std::this_thread::sleep_for(std::chrono::milliseconds(turn < 20 ? 1 : 10));   // most end at once
+        std::this_thread::sleep_for(std::chrono::milliseconds(turn < 20 ? 1 : 10));   // most programs end at
+                                                                                      // once
     }
     if (interrupted()) throw Interrupted(stopped);
     return code_;
@@ -206,11 +213,11 @@ std::string output_of(const std::vector<std::string>& words) {
     try {
         Process process({words, {}, fmt::format("/proc/self/fd/{}", file), {}, 1 << 20});
         std::array<char, 4096> block;
-        ssize_t got = 0;   // the program has opened it anew: here it still stands at its beginning
+        ssize_t got = 0;   // the program opened the file itself, so this descriptor is still at offset 0
         const int code = process.wait("interrupted: nothing is written");
         while (code == 0 && (got = read(file, block.data(), block.size())) > 0)
             text.append(block.data(), std::size_t(got));
-    } catch (const UserError&) {   // it says far too much, or cannot be started
+    } catch (const UserError&) {   // it printed too much, or could not be started
     } catch (...) {
         close(file);
         throw;

@@ -1,5 +1,5 @@
 #pragma once
-// Programs that this program runs, and that never outlive it.
+// Running other programs, which never outlive this program.
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -10,35 +10,36 @@
 
 namespace rayclock {
 
-/// What to run, and where.
+/// The program to run, and its folder and output.
 struct Launch {
-    std::vector<std::string> words;   ///< the program, as a path or a name in PATH, and its arguments: no
-                                      ///< shell sees them
-    std::filesystem::path folder;     ///< to run in, and where it keeps its temporary files; empty: this
-                                      ///< program's
-    std::filesystem::path output;     ///< what it prints goes there
-    std::filesystem::path litter;     ///< removed if this program dies meanwhile; may be empty
-    std::uint64_t most_output = 16 << 20;   ///< bytes; a program that prints more is ended
+    std::vector<std::string> words;   ///< the program (a path or a name in PATH) and its arguments; not
+                                      ///< parsed by a shell
+    std::filesystem::path folder;     ///< working folder and TMPDIR of the program; empty: those of this
+                                      ///< program
+    std::filesystem::path output;     ///< file for standard output and standard error; empty: discard both
+    std::filesystem::path litter;   ///< file or folder to remove if this program dies meanwhile; may be empty
+    std::uint64_t most_output = 16 << 20;   ///< bytes; a program that prints more is killed
 };
 
-/// A running program with all that it has started. They end when this object does, and when this program
-/// dies, however it dies: a guard, which is a process of its own, stands between and is told by the kernel.
-/// Ctrl-C at a terminal reaches this program alone. The thread that starts a process must stay until it has
-/// ended.
+/// A running program and all of its children. They end with this object, and with this program, however it
+/// dies. A guard process stands between the two programs, and the kernel signals it when this program dies.
+/// Ctrl-C at a terminal reaches only this program. The thread that starts a process must live until the
+/// process has ended.
 class Process {
 public:
-    /// Throws UserError if there is no such program, std::runtime_error if it cannot be started.
+    /// Starts the program. Throws UserError if it does not exist or the guard cannot be started. If the guard
+    /// cannot start it, wait() returns 127.
     explicit Process(const Launch& launch);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// Whether it has ended; does not wait. Throws UserError if it has printed too much.
+    /// Returns true if the program has ended; does not wait. Throws UserError if it printed too much.
     bool ended();
-    /// Waits for its end, and gives its exit code. `meanwhile` is called some times a second. Throws
-    /// Interrupted with this sentence after Ctrl-C.
+    /// Waits for the end of the program and returns its exit code. Calls `meanwhile` every 10 ms or more
+    /// often. Throws Interrupted with the sentence `stopped` after Ctrl-C.
     int wait(const char* stopped, const std::function<void()>& meanwhile = {});
-    /// Exit code, or -1 if a signal ended it. Only after it has ended.
+    /// Returns the exit code, or -1 if a signal ended the program. Call it only after the program has ended.
     int code() const { return code_; }
 
 private:
@@ -49,15 +50,15 @@ private:
     int code_ = -1;
 };
 
-/// The path of a program in PATH, or empty if there is none. A name with a slash is a path.
+/// Returns the path of a program in PATH, or an empty path if there is none. A name with a slash is a path.
 std::filesystem::path find_program(const std::string& name);
 
-/// What a tool says was wrong, fit for a sentence: the first line of its log with an error in it, or the last
-/// line.
+/// Returns a tool's error message for use in a sentence: the first line of its log that holds an error, or
+/// the last line.
 std::string complaint_of(const std::string& log);
 
-/// What a short command prints on both outputs, without the last line's end, or empty if it fails, prints
-/// more than a megabyte, or is not there. Throws Interrupted after Ctrl-C.
+/// Runs a short command and returns what it prints on both outputs, without trailing newlines. Returns an
+/// empty string if it does not exist, fails, or prints more than a megabyte. Throws Interrupted after Ctrl-C.
 std::string output_of(const std::vector<std::string>& words);
 
 }   // namespace rayclock

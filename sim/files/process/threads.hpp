@@ -1,6 +1,5 @@
 #pragma once
-// Pieces of work on several threads, by TBB. What comes of them does not depend on how many threads there
-// are.
+// Parallel work on TBB threads. The results do not depend on the number of threads.
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -10,22 +9,23 @@
 
 namespace rayclock::jobs {
 
-/// As many threads as asked for, but not more than there are cores; 0: one for each.
+/// Returns the number of threads to use: `asked`, but at most the number of cores. 0 means one per core.
 inline int threads_of(int asked) {
     const int cores = tbb::this_task_arena::max_concurrency();
     return asked > 0 ? std::min(asked, cores) : cores;
 }
 
-/// Calls make(0), make(1), ... for as long as goes_on(i), begun in this order on several threads, and
-/// take(what make gave) one after the other, in the same order. The first exception lets nothing more begin,
-/// and is thrown here. While a piece waits for threads of its own, its thread begins no other piece.
+/// Calls make(0), make(1), ... while goes_on(i) is true. The calls start in this order on several threads.
+/// Calls take(result of make) for one result after the other, in the same order. After the first exception no
+/// new call starts, and in_order() rethrows it. While a make() waits for threads of its own, its thread
+/// starts no other make().
 template <class GoesOn, class Make, class Take>
 void in_order(int threads, GoesOn goes_on, Make make, Take take) {
     using Made = decltype(make(std::size_t()));
     using tbb::filter_mode;
     const int cores = threads_of(threads);
-    const std::size_t ahead = cores > 1 ? 4 * std::size_t(cores) : 1;   // pieces that may be done before
-                                                                        // their turn to be taken
+    const std::size_t ahead = cores > 1 ? 4 * std::size_t(cores) : 1;   // results that may wait for their
+                                                                        // turn
     std::size_t next = 0;
     const auto begin = [&](tbb::flow_control& flow) {
         if (goes_on(next)) return next++;
@@ -41,7 +41,7 @@ void in_order(int threads, GoesOn goes_on, Make make, Take take) {
     });
 }
 
-/// Calls piece(i) for every i below `count`, begun in this order. The rest is as above.
+/// Calls piece(i) for every i below `count`. Order and exceptions are those of in_order().
 template <class Piece> void for_each(std::size_t count, int threads, Piece piece) {
     const auto make = [&](std::size_t i) {
         piece(i);

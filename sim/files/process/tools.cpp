@@ -1,3 +1,4 @@
+// Finding the tools and parsing their version lines.
 #include "sim/files/process/tools.hpp"
 
 #include <algorithm>
@@ -58,7 +59,8 @@ const std::vector<TriedTool>& tried_tools() {
 
 std::string short_version(const std::string& tool, const std::string& line) {
     const bool clang = line.find("clang version ") != std::string::npos;
-    // GCC's line ends with it (c++ (Debian 12.2.0-14) 12.2.0), others begin with their name and it.
+    // GCC's line ends with the version: c++ (Debian 12.2.0-14) 12.2.0. Other lines begin with the name and
+    // the version.
     std::size_t at = line.find(' ') + 1;
     if (clang)
         at = line.find("clang version ") + 14;

@@ -1,11 +1,12 @@
 #pragma once
-// Ray against triangle in whole numbers of any width, written from the geometry: on which side of each edge
-// the ray passes, by signed volumes. Shares no formula with the units it judges.
+// Ray against triangle in integers of any width. It follows from the geometry alone: signed volumes show on
+// which side of each edge the ray passes. It shares no formula with the units that it judges.
 //
-// Two kinds of number: Short for coordinates, differences and products of two of them, Int for volumes. With
-// N-bit coordinates and M-bit directions, differences have N + 1 bits, cross products of two are below 2^(2N
-// + 3), volumes with a direction below 2^(2N + M + 4) and of three differences below 2^(3N + 5). 64 and 128
-// bits do for N = 20, M = 24; 256 bits that notice overflow judge them (tests/system).
+// There are two number types. Short holds coordinates, differences and products of two of them; Int holds
+// volumes. With N-bit coordinates and M-bit directions, differences have N + 1 bits. Cross products of two
+// differences are below 2^(2N + 3). Volumes with a direction are below 2^(2N + M + 4), and volumes of three
+// differences below 2^(3N + 5). 64 and 128 bits suffice for N = 20, M = 24. A version with 256 bits that
+// detects overflow judges them (tests/system).
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@ struct Corners {
     Vec3i a{}, b{}, c{};
 };
 
+/// Returns true if the triangles have a corner in common.
 inline bool share_corner(const Corners& s, const Corners& t) {
     for (const Vec3i& p : {s.a, s.b, s.c})
         if (p == t.a || p == t.b || p == t.c) return true;
@@ -30,21 +32,21 @@ template <class Number> using Triple = std::array<Number, 3>;
 template <class Number> Triple<Number> triple(const Vec3i& v) {
     return {Number(v[0]), Number(v[1]), Number(v[2])};
 }
-/// From b to a.
+/// Returns the vector from b to a.
 template <class Number> Triple<Number> way(const Triple<Number>& b, const Triple<Number>& a) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Area of the parallelogram over two vectors, as a vector.
+/// Returns the cross product: the area of the parallelogram over two vectors, as a vector.
 template <class Short> Triple<Short> area(const Triple<Short>& a, const Triple<Short>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// (b - a) x (c - a).
+/// Returns (b - a) x (c - a).
 template <class Number> Triple<Number> normal(const Corners& t) {
     const auto a = triple<Number>(t.a);
     return area(way(a, triple<Number>(t.b)), way(a, triple<Number>(t.c)));
 }
-/// Signed volume of the parallelepiped over a vector and an area.
+/// Returns the signed volume of the parallelepiped over a vector and an area.
 template <class Int, class Short> Int volume(const Triple<Short>& a, const Triple<Short>& bc) {
     return Int(a[0]) * Int(bc[0]) + Int(a[1]) * Int(bc[1]) + Int(a[2]) * Int(bc[2]);
 }
@@ -53,11 +55,11 @@ template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, cons
     return volume<Int>(a, area(b, c));
 }
 
-/// On which side of the directed edge p -> q the line along d through the origin passes, if the origin is
-/// moved by (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'), given its value without the move.
-/// p and q are relative to the origin. Its coefficient of o'[k] is -volume(d, axis k, q) - volume(d, p, axis
-/// k), and terms of two moves vanish, since both would stand in equal rows. 0 only if d is parallel to the
-/// edge.
+/// Returns the side of the directed edge p -> q on which the line along d through the origin passes. The
+/// origin is moved by o' = (e, e^2, e^3), e -> 0+. The result is the sign of volume(d, p - o', q - o');
+/// `value` is that volume without the move. Both p and q are relative to the origin. The coefficient of o'[k]
+/// is -volume(d, axis k, q) - volume(d, p, axis k). Terms with two moves vanish, since both would stand in
+/// equal rows. The result is 0 only if d is parallel to the edge.
 template <class Int, class Short>
 int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const Triple<Short>& q) {
     if (value != 0) return value > 0 ? 1 : -1;
@@ -70,19 +72,19 @@ int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const
     return 0;
 }
 
-/// Where a ray crosses a triangle: at o + d num / den. The sense is 1 if the ray passes from the side to
-/// which the normal (b - a) x (c - a) points to the other, that is, enters a body whose normals point
-/// outwards; -1 if it leaves.
+/// The crossing of a ray and a triangle, at o + d num / den. The sense is 1 if the ray passes from the side
+/// to which the normal (b - a) x (c - a) points to the other side. That is, it enters a body whose normals
+/// point outwards. The sense is -1 if it leaves.
 template <class Int> struct Passage {
     Int num, den;   ///< den > 0
     int sense;
 };
 
-/// The crossing at t > 0, or nothing. A triangle seen edge-on is not crossed.
+/// Returns the crossing at t > 0, or nothing. A triangle seen edge-on is not crossed.
 ///
-/// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal and n . a =
-/// volume(a, b, c), so that n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a)
-/// + volume(d, a, b)).
+/// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal. It satisfies n .
+/// a = volume(a, b, c). So n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a) +
+/// volume(d, a, b)).
 template <class Int, class Short = Int>
 std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
     const Triple<Short> o = triple<Short>(origin), d = triple<Short>(direction);
@@ -91,7 +93,7 @@ std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, c
     const Triple<Short> bc = area(b, c), ca = area(c, a);
     const Int along_bc = volume<Int>(d, bc), along_ca = volume<Int>(d, ca);
     if ((along_bc > 0 && along_ca < 0) || (along_bc < 0 && along_ca > 0))
-        return std::nullopt;   // most end here
+        return std::nullopt;   // most calls end here
     const Int along_ab = volume<Int>(d, area(a, b));
     const int first = side(along_bc, d, b, c);
     if (first == 0 || side(along_ca, d, c, a) != first || side(along_ab, d, a, b) != first)

@@ -1,15 +1,15 @@
 #pragma once
-// Exact truth for the arithmetic units, in integers and fractions of any size. Written from the geometry;
-// shares no formula with the units it judges, and knows nothing of their roundings but what they promise.
-// Needs Boost; used by tests only.
+// Exact truth for the arithmetic units, in integers and fractions of any size. It follows from the geometry
+// alone. It shares no formula with the units that it judges, and assumes only the rounding that they promise.
+// Needs Boost; only tests use it.
 #include <array>
 #include <optional>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-// A fraction divided by a whole number. Boost 1.82 and 1.83 have a special case for the fractions 0 and 1
-// that takes the whole number as the new denominator with its sign, so that 0 / -5 is less than 0 and 1 / -5
-// greater. Every operator finds this overload first, because it is no template.
+// Division of a fraction by an integer. Boost 1.82 and 1.83 have a special case for the fractions 0 and 1. It
+// takes the integer as the new denominator with its sign, so that 0 / -5 is less than 0 and 1 / -5 is
+// greater. Every operator finds this overload first, because it is not a template.
 namespace boost::multiprecision::backends {
 
 inline void eval_divide(cpp_rational_backend& result, const cpp_rational_backend& a, cpp_int_backend<> b) {
@@ -28,11 +28,12 @@ using Point = std::array<Int, 3>;
 
 template <class V> Point point(const V& v) { return {Int(v[0]), Int(v[1]), Int(v[2])}; }
 
+/// Returns 2^exponent.
 inline Rational power_of_two(int exponent) {
     return exponent >= 0 ? Rational(Int(1) << exponent) : Rational(Int(1), Int(1) << -exponent);
 }
 
-/// Largest integer not above q, and smallest not below.
+/// Returns the largest integer not above q; ceil() returns the smallest one not below q.
 inline Int floor(const Rational& q) {
     const Int num = numerator(q), den = denominator(q);   // den > 0; division truncates towards zero
     const Int cut = num / den;
@@ -42,32 +43,31 @@ inline Int ceil(const Rational& q) { return -floor(-q); }
 
 // ---- Ray and triangle.
 
-/// Value that moves with an infinitesimal eps > 0: c[0] + c[1] eps + c[2] eps^2 + c[3] eps^3.
+/// A value that moves with an infinitesimal eps > 0: c[0] + c[1] eps + c[2] eps^2 + c[3] eps^3.
 template <class Number> using Moving = std::array<Number, 4>;
 
-/// Sign for eps -> 0 from above: that of the lowest coefficient that is not zero.
+/// Returns the sign for eps -> 0+: that of the lowest coefficient that is not zero.
 template <class Number> int sign(const Moving<Number>& m) {
     for (const Number& c : m)
         if (c != 0) return c > 0 ? 1 : -1;
     return 0;
 }
 
-/// Three equations in t, u, v, each with a right side that moves.
+/// Three linear equations in t, u, v; their right sides move.
 template <class Number> struct Equations {
     std::array<std::array<Number, 3>, 3> left;
     std::array<Moving<Number>, 3> right;
 };
 
-/// Their solution as fractions: above / below each. `below` is the determinant of the left side, or its
-/// negative.
+/// The solution as fractions above / below. `below` is the determinant of the left side or its negative.
 template <class Number> struct Solution {
     std::array<Moving<Number>, 3> above;
     Number below;
 };
 
-/// Solves by elimination (Gauss and Jordan), in the form in which whole numbers stay whole (Bareiss,
-/// Sylvester's identity and multistep integer-preserving Gaussian elimination, 1968): every division comes
-/// out even. Nothing if the left side is singular.
+/// Solves by Gauss-Jordan elimination in the form in which integers stay integers: every division is exact.
+/// See Bareiss, "Sylvester's identity and multistep integer-preserving Gaussian elimination", 1968. Returns
+/// nothing if the left side is singular.
 template <class Number> std::optional<Solution<Number>> solve(Equations<Number> e) {
     Number before = 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,18 +91,18 @@ template <class Number> std::optional<Solution<Number>> solve(Equations<Number> 
     return Solution<Number>{e.right, before};
 }
 
-/// Where a ray meets a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of (d, b -
-/// a, c - a).
+/// The crossing of a ray and a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of
+/// the tetrahedron (d, b - a, c - a).
 struct Crossing {
     Rational t, u, v, volume;
 };
 
-/// The crossing of a ray with a triangle, t > 0. Whether it passes inside is decided for the origin o + (eps,
-/// eps^2, eps^3), eps -> 0+, so a ray through an edge or a corner belongs to one side; everything else is
-/// said of the origin as it stands. A triangle seen edge-on is not crossed.
+/// Returns the crossing of a ray with a triangle at t > 0. The origin o + (eps, eps^2, eps^3), eps -> 0+,
+/// decides whether the ray passes inside. So a ray through an edge or a corner belongs to one side. All other
+/// values hold for the unmoved origin. A triangle seen edge-on is not crossed.
 ///
-/// Coordinates have 60 bits at most: then the last products have 2 * 3 * 61 + 4 and fit, and they would throw
-/// if they did not.
+/// Coordinates have at most 60 bits. Then the last products have 2 * 3 * 61 + 4 bits and fit; they would
+/// throw if they did not.
 inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Point& a, const Point& b,
                                         const Point& c) {
     using Whole = boost::multiprecision::checked_int512_t;
@@ -125,8 +125,8 @@ inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Po
     return Crossing{over(t[0]), over(u[0]), over(v[0]), Rational(size)};
 }
 
-/// Whether a hit at t of primitive `prim` goes before one at other_t of other_prim: nearer, or as near and of
-/// lower or the same number.
+/// Returns true if a hit at t of primitive `prim` precedes one at other_t of other_prim. It does if it is
+/// nearer, or equally near with a lower or the same number.
 inline bool goes_before(const Rational& t, std::uint32_t prim, const Rational& other_t,
                         std::uint32_t other_prim) {
     return t < other_t || (t == other_t && prim <= other_prim);
@@ -136,32 +136,33 @@ inline bool goes_before(const Rational& t, std::uint32_t prim, const Rational& o
 
 struct Box {
     Point lo, hi;
-    Point step;   ///< distance of two neighbouring quantised planes
+    Point step;   ///< distance between two adjacent quantised planes
 };
 
-/// Distances at which a ray is inside a box; without `leave` there is no end.
+/// The distances at which a ray is inside a box. Without `leave` the interval has no end.
 struct Interval {
     Rational enter;
     std::optional<Rational> leave;
 };
 
-/// What box may err: its reciprocals have `precision` bits, and distances beyond `most` are all the same to
-/// it.
+/// The errors that the box test may make: its reciprocals have `precision` bits, and it does not distinguish
+/// distances beyond `most`.
 struct Licence {
     int precision = 0;
     Rational most;
-    Int drift = 0;   ///< how far off on each axis the origin may be taken to lie
+    Int drift = 0;   ///< error of the origin on each axis
 };
 
-/// The part with t >= 0 of the ray o + d t / unit that lies in the box (faces belong to it), or nothing.
+/// Returns the part with t >= 0 of the ray o + d t / unit that lies in the closed box, or nothing.
 ///
-/// A licence grants what the box test may err. With R-bit reciprocals, a reciprocal of the direction that is
-/// cut to an R-bit mantissa is low by less than 2^(1-R) of its value, and one unit added to it makes it high
-/// by as much; the product with the distance to the node's corner is rounded to a multiple of what one plane
-/// step gives with a reciprocal of 1, which is again 2^(1-R) of the true time for a plane step; and t is
-/// rounded to an integer at last. So either end of each axis' interval may lie outwards by
-///     2^(1-R) (|t| + t_step) + 1,    t_step: what the ray needs for one plane step of the axis.
-/// A drift of the origin is further time on top, longer by the reciprocal's error.
+/// A licence grants the errors of the box test. With R-bit reciprocals, a reciprocal of the direction that is
+/// cut to an R-bit mantissa is low by less than 2^(1-R) of its value. One unit added to it makes it high by
+/// as much. The product with the distance to the node's corner is rounded to a multiple of a unit. The unit
+/// is the value of one plane step with a reciprocal of 1, which is again 2^(1-R) of the true time for a plane
+/// step. Finally t is rounded to an integer. So either end of each axis' interval may lie outwards by
+///     2^(1-R) (|t| + t_step) + 1,    t_step: the time that the ray needs for one plane step of the axis.
+/// A drift of the origin adds its own time, which is longer by the reciprocal's error.
+///
 /// If a component of d is zero, o is compared on the grid of planes: less than one step outside may count as
 /// inside.
 inline std::optional<Interval> interval(const Point& o, const Point& d, const Box& box, const Rational& unit,
@@ -196,24 +197,25 @@ inline std::optional<Interval> interval(const Point& o, const Point& d, const Bo
 
 // ---- Camera ray.
 
-/// Number of binary digits of |d|.
+/// Returns the number of binary digits of |d|.
 inline int digits(const Int& d) {
     int n = 0;
     for (Int rest = abs(d); rest != 0; rest >>= 1) ++n;
     return n;
 }
 
-/// 1 / |d|, scaled so that it lies in (2^(R-1), 2^R]: what a reciprocal of R bits must bracket. d is not 0.
+/// Returns 1 / |d|, scaled to (2^(R-1), 2^R]: the value that an R-bit reciprocal must bracket. d must not be
+/// 0.
 inline Rational scaled_reciprocal(const Int& d, int precision) {
     return power_of_two(precision - 1 + digits(d)) / Rational(abs(d));
 }
 
-/// The integer nearest to q, halves up.
+/// Returns the integer nearest to q; halves round up.
 inline Int nearest(const Rational& q) { return floor(q + Rational(1, 2)); }
 
-/// What raygen makes of a direction that the camera's registers give (model/core/frame.hpp): times the
-/// largest power of two up to 2^most_doubled for which all components lie within -2^(bits-1) <= d <
-/// 2^(bits-1), and then the nearest integers that do.
+/// Returns raygen's result for a direction from the camera's registers (model/core/frame.hpp). The direction
+/// is multiplied by the largest power of two up to 2^most_doubled for which all components lie within
+/// -2^(bits-1) <= d < 2^(bits-1). Then each component is rounded to the nearest integer in that range.
 inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_doubled) {
     const Int end = Int(1) << (bits - 1);
     const auto fits_twice = [&](const Rational& q) { return -end <= 2 * q && 2 * q < end; };
@@ -224,7 +226,7 @@ inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_d
     return whole;
 }
 
-/// The largest component's size.
+/// Returns the magnitude of the largest component.
 inline Int longest(const std::array<Int, 3>& d) {
     return std::max<Int>(abs(d[0]), std::max<Int>(abs(d[1]), abs(d[2])));
 }

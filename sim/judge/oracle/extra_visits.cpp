@@ -1,3 +1,4 @@
+// The three traversals, which differ in their box test and in their type of distance.
 #include "sim/judge/oracle/extra_visits.hpp"
 
 #include <algorithm>
@@ -20,10 +21,10 @@ namespace {
 using oracle::Fraction;
 using oracle::LatticeVec;
 
-/// Boxes of the children of every node, by the node's line.
+/// The boxes of the children of every node, by the node's line.
 using Boxes = std::unordered_map<std::uint32_t, std::array<LatticeBox, max_width>>;
 
-/// The real ones: of the triangles below.
+/// Computes the boxes before quantisation: the bounds of the triangles below.
 LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) {
     const WideNode& node = decoder.node(line);
     LatticeBox all;
@@ -40,14 +41,15 @@ LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) 
     return all;
 }
 
-/// What all walks share: camera rays and the exact test. `Time` is the way's own.
+/// The common part of the traversals: camera rays and the exact triangle test. Derived classes define the
+/// type of distance.
 struct CameraWay {
     const Decoder& decoder;
     const Config& config;
     const Ray& ray;
     Best best{};
 
-    /// True if the primitive is the closest so far.
+    /// Tests a primitive. Returns true if it is the closest hit so far.
     bool meets(std::uint32_t half_line, TriRsp& rsp) {
         tri_test(ray.o, ray.d, decoder.prim(half_line), best, config, rsp);
         if (rsp.closer) best = {1, rsp.num, rsp.det, rsp.prim};
@@ -56,7 +58,7 @@ struct CameraWay {
     static bool stop() { return false; }
 };
 
-/// The machine's own decisions: t_near and t in its units. What it says of boxes is judged and counted.
+/// The machine's own decisions: t_near and t in its units. Judges and counts its answers about boxes.
 struct ByMachine : CameraWay {
     using Order = ByDistance;
     ExtraVisits* count;
@@ -75,7 +77,7 @@ struct ByMachine : CameraWay {
         for (std::uint32_t i = 0; i < node.children; ++i) judge(node, i, (hits >> i & 1) != 0, t_near[i]);
         return node;
     }
-    /// Against exact arithmetic. With unit = 2^(M-1+F) a t_near is late if t_near / unit > enter.
+    /// Compares with exact arithmetic. With unit = 2^(M-1+F), a t_near is late if t_near / unit > enter.
     void judge(const WideNode& node, std::uint32_t child, bool taken, std::uint32_t t_near) const {
         const auto [lo, hi] = quantised_box(node, child);
         const auto enter = oracle::overlap(oracle::wide(ray.o), oracle::wide(ray.d), lo, hi);
@@ -110,7 +112,7 @@ struct Exactly {
     static Time beyond() { return {{std::int64_t(1) << 62, 1}}; }
 };
 
-/// Exact entries and exact hits; `real`: the boxes to test, or null for those of the node.
+/// Exact entries and exact hits. `real` holds the boxes to test; null means those of the node.
 struct ByOracle : CameraWay {
     using Order = Exactly;
     const Boxes* real;
@@ -148,7 +150,7 @@ struct Counter {
     static void decided(std::uint32_t, bool) {}
 };
 
-/// Walks a ray; returns its closest hit.
+/// Traces a ray and returns its closest hit.
 template <class Way>
 Best walked(Way&& way, GroupStack<typename Way::Order>& stack, std::uint32_t root, WalkWork& work) {
     WalkRoom<typename Way::Order> room;

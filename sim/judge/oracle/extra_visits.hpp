@@ -1,7 +1,7 @@
 #pragma once
-// What conservatism costs: a frame's rays walked through the memory image three times, with the box test of
-// the machine, with an exact one of the same quantised boxes, and with an exact one of the boxes before they
-// were quantised.
+// Measures the cost of conservative boxes. It traces a frame's rays through the memory image three times. The
+// first pass uses the machine's box test, the second an exact test of the same quantised boxes. The third
+// uses an exact test of the boxes before quantisation.
 #include <cstdint>
 
 #include <utility>
@@ -12,26 +12,27 @@
 
 namespace rayclock {
 
-/// One way of walking.
+/// The work of one traversal.
 struct WalkWork {
-    std::uint64_t visits = 0;      ///< nodes, the root too
-    std::uint64_t triangles = 0;   ///< tested
-    std::uint64_t taken = 0;       ///< child boxes that the test took
+    std::uint64_t visits = 0;      ///< visited nodes, the root included
+    std::uint64_t triangles = 0;   ///< tested triangles
+    std::uint64_t taken = 0;       ///< child boxes that the test accepted
 };
 
+/// The counts of all rays.
 struct ExtraVisits {
     std::uint64_t rays = 0;
     std::uint64_t boxes = 0;         ///< child boxes that the machine tested
-    std::uint64_t boxes_extra = 0;   ///< of these taken, although the ray does not meet the quantised box
-    std::uint64_t boxes_lost = 0;    ///< of these not taken, although it does: a fault
-    std::uint64_t t_late = 0;        ///< of those taken, with a t_near beyond the entry: a fault
-    std::uint64_t other_hits = 0;    ///< rays whose closest hit differs between the walks: a fault
-    WalkWork machine;                ///< box(), distances rounded as the machine has them
-    WalkWork exact;                  ///< exact entries and hits, quantised boxes
-    WalkWork real;                   ///< exact entries and hits, boxes as they were before Node::lo and hi
+    std::uint64_t boxes_extra = 0;   ///< accepted ones whose quantised box the ray does not meet
+    std::uint64_t boxes_lost = 0;    ///< rejected ones whose quantised box the ray meets: a fault
+    std::uint64_t t_late = 0;        ///< accepted ones with a t_near beyond the true entry: a fault
+    std::uint64_t other_hits = 0;    ///< rays whose closest hit differs between the traversals: a fault
+    WalkWork machine;                ///< box() with the machine's rounded distances
+    WalkWork exact;                  ///< exact entries and hits with quantised boxes
+    WalkWork real;   ///< exact entries and hits with boxes before quantisation (Node::lo and hi)
 
-    /// Visits that the machine's rounding adds to those of exact boxes, in parts of these; and those that
-    /// quantisation adds.
+    /// rounding() returns the visits that the machine's rounding adds, as a fraction of those with exact
+    /// tests. quantisation() returns those that quantised boxes add.
     double rounding() const {
         return exact.visits > 0 ? double(machine.visits) / double(exact.visits) - 1 : 0;
     }
@@ -40,11 +41,11 @@ struct ExtraVisits {
     }
 };
 
-/// A child's quantised box, from the bytes: its corners.
+/// Returns the corners of a child's quantised box, from the node's bytes.
 std::pair<oracle::LatticeVec, oracle::LatticeVec> quantised_box(const WideNode& node, std::size_t child);
 
-/// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks are TreeWalk's, with the
-/// distances of each test.
+/// Traces every `every`-th pixel of the frame, counted row by row, on all cores. All traversals use TreeWalk
+/// with the distances of their own test.
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every = 1);
 
 }   // namespace rayclock

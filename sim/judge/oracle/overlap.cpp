@@ -1,10 +1,11 @@
+// The latest entry of the three axes, compared with each exit.
 #include "sim/judge/oracle/overlap.hpp"
 
 namespace rayclock::oracle {
 
 std::optional<Fraction> overlap(const LatticeVec& o, const LatticeVec& d, const LatticeVec& lo,
                                 const LatticeVec& hi) {
-    Fraction enter{0, 1};   // the largest so far; s >= 0
+    Fraction enter{0, 1};   // the largest so far; starts at s = 0
     std::array<Fraction, 3> leave;
     std::size_t leaves = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,7 +1,7 @@
 #pragma once
-// Exact ray-box overlap in wide integers, by cross-multiplication: no division, no reciprocal, no rounding.
-// Written from the geometry; shares nothing with model/engine/bvh. Unlike exact.hpp it needs no Boost and is
-// fast enough for whole frames.
+// Exact ray-box overlap in 64-bit integers by cross-multiplication: without division, reciprocal or rounding.
+// It follows from the geometry alone and shares nothing with model/engine/bvh. Unlike exact.hpp it needs no
+// Boost and is fast enough for whole frames.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,7 @@ namespace rayclock::oracle {
 struct Fraction {
     std::int64_t num = 0, den = 1;
 };
-/// Exact; the products have at most 126 bits.
+/// Compares exactly: the products have at most 126 bits.
 inline bool less(const Fraction& a, const Fraction& b) {
     __extension__ using Wide = __int128;
     return Wide(a.num) * b.den < Wide(b.num) * a.den;
@@ -21,14 +21,15 @@ inline bool less(const Fraction& a, const Fraction& b) {
 using LatticeVec = std::array<std::int64_t, 3>;
 inline LatticeVec wide(const std::array<std::int32_t, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Where the ray o + s d, s >= 0, enters the closed box [lo, hi]: the least such s, or nothing if no point of
-/// the ray is in the box. Coordinates of magnitude 2^30 at most, components of d 2^31 at most, so that every
-/// product has 63 bits.
+/// Returns the point where the ray o + s d, s >= 0, enters the closed box [lo, hi]: the least such s. Returns
+/// nothing if no point of the ray is in the box. Coordinates have a magnitude of at most 2^30, and components
+/// of d at most 2^31, so every product fits 63 bits.
 ///
-/// A component d_k > 0 is between the planes for s in [(lo - o) / d, (hi - o) / d], d_k < 0 for s in
-/// [(o - hi) / -d, (o - lo) / -d], and d_k = 0 always or never. Intervals of a line have a point in common if
-/// and only if every two of them have one (Helly's theorem in one dimension), and [0, inf) is one of them. So
-/// the answer is yes if no interval begins after another ends, which cross-multiplication decides.
+/// A component d_k > 0 is between the planes for s in [(lo - o) / d, (hi - o) / d]. For d_k < 0, the interval
+/// is [(o - hi) / -d, (o - lo) / -d]. For d_k = 0 it is between them always or never. Intervals of a line
+/// have a common point if and only if every two of them do (Helly's theorem in one dimension). The interval
+/// [0, inf) is one of them. So the answer is yes if no interval begins after another one ends, which
+/// cross-multiplication decides.
 std::optional<Fraction> overlap(const LatticeVec& o, const LatticeVec& d, const LatticeVec& lo,
                                 const LatticeVec& hi);
 

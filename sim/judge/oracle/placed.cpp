@@ -1,3 +1,4 @@
+// Boxes of instances with their margins, and the searches through them.
 #include "sim/judge/oracle/placed.hpp"
 
 #include <algorithm>
@@ -7,19 +8,19 @@ namespace rayclock::oracle {
 
 namespace {
 
-/// floor(n / d), d > 0.
+/// Returns floor(n / d), d > 0.
 Int128 whole_below(Int128 n, Int128 d) {
     const Int128 cut = n / d;
     return cut * d > n ? cut - 1 : cut;
 }
 Int128 whole_above(Int128 n, Int128 d) { return -whole_below(-n, d); }
-/// The whole number nearest to n / 2^bits, halves up.
+/// Returns the integer nearest to n / 2^bits; halves round up.
 std::int32_t nearest_whole(Int128 n, int bits) {
     return std::int32_t(whole_below(2 * n + (Int128(1) << bits), Int128(1) << (bits + 1)));
 }
 Int128 size_of(Int128 n) { return n < 0 ? -n : n; }
 
-/// The inverse of a map's linear part, times its determinant, which is positive here: cofactors.
+/// The inverse of a map's linear part times its determinant, by cofactors. The determinant is made positive.
 struct Inverse {
     std::array<Int128, 9> rows{};
     Int128 volume = 0;
@@ -35,14 +36,15 @@ struct Inverse {
         volume = -volume;
         for (Int128& entry : rows) entry = -entry;
     }
-    /// How many of the scene's steps one of the mesh's makes at most, rounded up.
+    /// Returns the largest number of the scene's steps that one step of the mesh makes on an axis, rounded
+    /// up.
     Int128 reach(std::size_t row, int frac) const {
         const Int128 sum = size_of(rows[3 * row]) + size_of(rows[3 * row + 1]) + size_of(rows[3 * row + 2]);
         return whole_above(sum << frac, volume);
     }
 };
 
-/// The image of the mesh's bounds in the scene's lattice, rounded outward.
+/// Returns the image of the mesh's bounds in the scene's lattice, rounded outward.
 Extent image_of(const SolidPlace& place, const Inverse& inverse, const Extent& bounds, int frac) {
     Extent box;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -53,14 +55,15 @@ Extent image_of(const SolidPlace& place, const Inverse& inverse, const Extent& b
                          hi = entry * ((Int128(bounds.hi[i]) << frac) - place.b[i]);
             least += std::min(lo, hi), most += std::max(lo, hi);
         }
-        const Int128 far = Int128(1) << 24;   // nothing that is asked for lies there
+        const Int128 far = Int128(1) << 24;   // no ray reaches this far
         box.lo[k] = std::int32_t(std::clamp(whole_below(least, inverse.volume), -far, far));
         box.hi[k] = std::int32_t(std::clamp(whole_above(most, inverse.volume), -far, far));
     }
     return box;
 }
 
-/// What of a mesh has an end, and whether it has something without one. Nothing is said of what no ray meets.
+/// The bounds of a mesh, and whether it has unbounded primitives. Primitives that no ray can meet do not
+/// count.
 struct Bounds {
     std::optional<Extent> box;
     bool is_endless = false;
@@ -84,7 +87,7 @@ Bounds bounds_of(const Solids& mesh) {
             continue;
         }
         const Triple<std::int64_t> n = normal<std::int64_t>(solid.corners);
-        if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;   // nothing meets it
+        if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;   // no ray meets it
         if (solid.kind == Solid::Kind::plane) {
             all.is_endless = true;
             continue;
@@ -95,7 +98,7 @@ Bounds bounds_of(const Solids& mesh) {
     return all;
 }
 
-/// The box of an instance with its margin; nothing if no margin is large enough.
+/// Returns the box of an instance with its margin, or nothing if no margin suffices.
 std::optional<Extent> box_of(const SolidPlace& place, const Extent& bounds, int frac, int coord_bits,
                              std::int32_t least) {
     const Inverse inverse(place.a);
@@ -110,7 +113,7 @@ std::optional<Extent> box_of(const SolidPlace& place, const Extent& bounds, int 
     const Int128 longest =
         whole_above(2 * (farthest + (Int128(1) << (coord_bits - 1))) + reach, 2 * least - reach);
     const Int128 margin = whole_above(reach * (1 + std::max<Int128>(longest, 1)), 2) + 1;
-    if (farthest + margin >= Int128(1) << 21) return std::nullopt;   // the tree's limit
+    if (farthest + margin >= Int128(1) << 21) return std::nullopt;   // limit of the tree (tree.hpp)
     for (std::size_t k = 0; k < 3; ++k) box.lo[k] -= std::int32_t(margin), box.hi[k] += std::int32_t(margin);
     return box;
 }
@@ -179,7 +182,7 @@ SolidRay PlacedSolids::seen_by(std::uint32_t place, const PlacedRay& ray) const 
     seen.direction = placed_direction(places_[place], ray.ray.direction, frac_);
     const std::uint32_t first = places_[place].first, count = std::uint32_t(mesh_of(place).all().size());
     const bool is_own = ray.ray.self >= first && ray.ray.self - first < count;
-    seen.self = is_own ? ray.ray.self - first : no_primitive;   // as its mesh numbers it
+    seen.self = is_own ? ray.ray.self - first : no_primitive;   // the number within the mesh
     return seen;
 }
 
@@ -251,7 +254,7 @@ std::uint32_t PlacedSolids::meets_any(const PlacedRay& ray) const {
     return met;
 }
 
-/// A shadow ray has s below 1, so its margin is one of s <= 1, however short it is.
+/// The end of a shadow ray has s <= 1. So its margin holds however short the direction is.
 std::uint32_t PlacedSolids::blocks(const PlacedRay& ray, int frac_end) const {
     std::uint32_t met = PlacedRay::nowhere;
     const double end = 2 * std::ldexp(double(longest_of(ray.ray.direction)), -frac_end) * (1 + 0x1p-40);

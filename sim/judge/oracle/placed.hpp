@@ -1,89 +1,95 @@
 #pragma once
-// The truth about rays in a scene of two levels: meshes in their places, each seen by the ray as it was
-// rounded for it.
+// Exact truth about rays in a scene of two levels: placed meshes, each hit by the ray that was rounded for
+// it.
 //
-// The stated rule (docs/motion.md): o' = round(A o + b), d' = round(A d), round(y) = floor(y + 1/2), once for
-// each ray and instance; in the instance that a ray leaves, o' and d' are given. What a ray then meets in
-// that instance is decided by Solids, in whole numbers, and instances are compared by t as exact fractions.
-// Only the rule is shared with the unit that moves rays, and no formula of it.
+// The rule (docs/motion.md) is o' = round(A o + b), d' = round(A d), round(y) = floor(y + 1/2), once for each
+// ray and instance. In the instance that a ray leaves, o' and d' are given. Solids decides in integers what
+// the ray meets in an instance. Instances are compared by t as exact fractions. Only this rule is shared with
+// the unit that transforms rays, and none of its formulas.
 //
-// Which instances are asked. A ray that meets a mesh at o' + s d' has o + s d in the image of the mesh's
-// bounds under the map's inverse, but for r (1/2 + s/2) steps, r being the largest row of sizes of that
-// inverse. As o lies in the lattice, and the largest component of d is D, s (D - r/2) is at most the farthest
-// coordinate of that image plus the lattice's end plus r/2. So the image's box with a margin for that s holds
-// the ray at the very s at which it meets the mesh. A ray with a shorter direction than `least`, for which
-// the margins were taken, asks every instance; so does an instance that turns steps into too many, or has
-// planes. All of it is worked out in whole numbers; a step is added for divisions.
+// The search for instances is conservative. Let r be the largest row sum of magnitudes of the map's inverse.
+// If a ray meets a mesh at o' + s d', consider o + s d. It lies in the image of the mesh's bounds under the
+// inverse, except for r (1/2 + s/2) steps. Let D be the largest component of d. As o lies in the lattice, s
+// (D - r/2) is at most the farthest coordinate of that image plus the lattice's end plus r/2. So the image's
+// box, with a margin for that s, holds the ray at the very s at which it meets the mesh.
+//
+// The margins are computed for directions of at least `least`. A ray with a shorter direction tests every
+// instance. All rays test an instance whose map is too coarse for a margin, or that has planes. All of this
+// uses integers; one step is added for divisions.
 #include "sim/judge/oracle/solids.hpp"
 
 namespace rayclock::oracle {
 
-/// A mesh in its place: 2^frac x' = a x + b.
+/// A placed mesh: 2^frac x' = a x + b.
 struct SolidPlace {
-    std::uint32_t mesh = 0;            ///< which Solids
+    std::uint32_t mesh = 0;            ///< index of its Solids
     std::uint32_t first = 0;           ///< number of its first primitive
     std::array<std::int64_t, 9> a{};   ///< [3 * row + column]
     std::array<std::int64_t, 3> b{};
 };
 
-/// A ray of the scene's space, and what it is in the instance that it leaves or at which it ends.
+/// A ray in the scene's space, and the same ray in the instance that it leaves or at which it ends.
 struct PlacedRay {
     static constexpr std::uint32_t nowhere = ~0u;
     SolidRay ray;
-    std::uint32_t home = nowhere;   ///< an instance
+    std::uint32_t home = nowhere;   ///< an instance, or nowhere
     SolidRay at_home{};
 };
 
-/// The closest triangle or plane, and the closest sphere: which of the two is closer is left open, as in
-/// Nearest. `hit` and `sphere` are numbered in their meshes.
+/// The closest triangle or plane, and the closest sphere. It does not decide which of the two is closer;
+/// neither does Nearest. `hit` and `sphere` use the primitive numbers of their meshes.
 struct PlacedHit {
-    std::uint32_t place = PlacedRay::nowhere;   ///< nowhere: no triangle and no plane is met
+    std::uint32_t place = PlacedRay::nowhere;   ///< nowhere: the ray meets neither a triangle nor a plane
     FlatHit hit;
-    std::uint32_t sphere_place = PlacedRay::nowhere;   ///< likewise
+    std::uint32_t sphere_place = PlacedRay::nowhere;   ///< nowhere: the ray meets no sphere
     SphereHit sphere;
 
     bool is_none() const { return place == PlacedRay::nowhere && sphere_place == PlacedRay::nowhere; }
 };
 
+/// All instances of a scene, with a search tree over their boxes.
 class PlacedSolids {
 public:
-    /// Spheres and planes are in meshes whose maps are the identity. `frac`: of the maps; lattice coordinates
-    /// and directions have so many bits.
+    /// Builds the tree. Meshes with spheres and planes must have the identity as their map. `frac` is the
+    /// number of fraction bits of the maps. `coord_bits` and `dir_bits` are the widths of lattice coordinates
+    /// and directions.
     PlacedSolids(std::vector<Solids> meshes, std::vector<SolidPlace> places, int frac, int coord_bits,
                  int dir_bits);
 
     const std::vector<SolidPlace>& places() const { return places_; }
     const Solids& mesh_of(std::uint32_t place) const { return meshes_[places_[place].mesh]; }
 
-    /// The instance of a primitive; `nowhere` if its number belongs to none.
+    /// Returns the instance of a primitive, or `nowhere` if the number belongs to none.
     std::uint32_t place_of(std::uint32_t primitive) const;
 
-    /// The ray as an instance sees it.
+    /// Returns the ray in the space of an instance.
     SolidRay seen_by(std::uint32_t place, const PlacedRay& ray) const;
 
-    /// Closest along t > 0; of equal triangles and planes the lowest number.
+    /// Returns the closest hit along t > 0. Of equally close triangles and planes it takes the lowest number.
     PlacedHit nearest(const PlacedRay& ray) const;
-    /// An instance that has something in the way 0 < t; `nowhere` if none has.
+    /// Returns an instance that the ray meets at 0 < t, or `nowhere` if it meets none.
     std::uint32_t meets_any(const PlacedRay& ray) const;
-    /// The same in the way 0 < t < 2^-frac_end of a shadow ray.
+    /// Returns an instance that blocks a shadow ray in 0 < t < 2^-frac_end, or `nowhere`.
     std::uint32_t blocks(const PlacedRay& ray, int frac_end) const;
-    /// The same of one instance alone: all of the way, or that of a shadow ray.
+    /// Decides the same for one instance: at any t > 0, or in the range of a shadow ray if `ends`.
     bool is_met(std::uint32_t place, const PlacedRay& ray, bool ends, int frac_end) const;
 
 private:
-    /// Calls ask(place) until it returns false, for all instances that the ray may meet and some more.
+    /// Calls ask(place) for all instances that the ray may meet, and some more, until it returns false.
     template <class After, class Ask>
     void each(const PlacedRay& ray, bool is_long, const After& after, const Ask& ask) const;
 
     std::vector<Solids> meshes_;
     std::vector<SolidPlace> places_;
     int frac_;
-    std::int32_t least_;   ///< a direction's largest component, for the boxes' margins
-    std::vector<std::uint32_t> boxed_, always_, empty_;   ///< places
+    std::int32_t least_;   ///< the least largest component of a direction for which the margins hold
+    std::vector<std::uint32_t> boxed_, always_, empty_;   ///< numbers of instances: in the tree, without a
+                                                          ///< box, and never met
     Tree tree_;
 };
 
-/// A v, rounded: that of a direction; with b and the fraction bits of v that of a point.
+/// placed_direction() returns A v, rounded. placed_point() adds b, for a point with `origin_frac` fraction
+/// bits.
 Vec3i placed_direction(const SolidPlace& place, const Vec3i& d, int frac);
 Vec3i placed_point(const SolidPlace& place, const Vec3i& o, int origin_frac, int frac);
 

@@ -1,8 +1,8 @@
-// The search. Included inside a namespace, once for each instruction set, with Lanes being as long as the
-// machine's own vectors: the compiler takes longer ones apart.
+// The search through the oracle's tree. tree.hpp includes it inside a namespace, once for each instruction
+// set. Lanes must be as long as the machine's own vectors, because the compiler splits longer ones.
 
-/// The children that the ray may meet, a bit each; `near` gets twice the way to their near planes on the main
-/// axis.
+/// Returns a bit for each child that the ray may meet. `near` receives twice the distance to the children's
+/// near planes on the main axis.
 inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     constexpr unsigned lanes = sizeof(Lanes) / sizeof(double);
     const auto load = [](const double* from) {
@@ -18,7 +18,7 @@ inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
         const Lanes u = load(&boxes.width[0][h]), v = load(&boxes.width[1][h]), w = load(&boxes.width[2][h]);
         const Lanes xy = d[0] * y - d[1] * x, yz = d[1] * z - d[2] * y, zx = d[2] * x - d[0] * z;
         const Lanes r_xy = s[0] * v + s[1] * u, r_yz = s[1] * w + s[2] * v, r_zx = s[2] * u + s[0] * w;
-        // The least margin is negative where the ray passes by on one side.
+        // The least margin is negative if the ray passes by on one side.
         Lanes margin = ray.forward[0] * x + u;
         const auto least = [&](const Lanes& other) { margin = other < margin ? other : margin; };
         least(ray.forward[1] * y + v);
@@ -37,11 +37,11 @@ inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     return ~met & 15u;
 }
 
-/// Calls meet(place) for every leaf whose box the ray meets. If `in_order`, nearer boxes come first, and none
-/// that is after().
+/// Calls meet(place) for every leaf whose box the ray meets. If `in_order`, visits nearer boxes first and
+/// skips those for which after() is true.
 template <bool in_order, class After, class Meet>
 void search(const Ray& ray, const Node* nodes, std::uint32_t root, const After& after, const Meet& meet) {
-    // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.
+    // 2^31 triangles in quarters make at most 16 levels, and each leaves three siblings on the stack.
     std::array<std::pair<std::uint32_t, double>, 64> stack;
     std::size_t depth = 0;
     stack[depth++] = {root, -1e18};
@@ -59,7 +59,7 @@ void search(const Ray& ray, const Node* nodes, std::uint32_t root, const After& 
                 continue;
             }
             std::size_t at = depth++;
-            if (in_order)   // farthest first, so that the nearest is popped first
+            if (in_order)   // push the farthest first, so that the nearest is popped first
                 for (; at > below && stack[at - 1].second < near[i]; --at) stack[at] = stack[at - 1];
             stack[at] = {node.child[i], near[i]};
         }

@@ -1,3 +1,4 @@
+// The signs of the unmoved path, and those of the moves where they are 0.
 #include "sim/judge/oracle/sight.hpp"
 
 namespace rayclock::oracle {
@@ -11,12 +12,12 @@ int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 Triple<Int128> between(const Vec3i& from, const Vec3i& to) {
     return way(triple<Int128>(from), triple<Int128>(to));
 }
-/// From a lattice point to a place, times its den.
+/// Returns the vector from a lattice point to a place, times its den.
 Triple<Int128> between(const Vec3i& from, const Place& to) {
     return {to.num[0] - to.den * from[0], to.num[1] - to.den * from[1], to.num[2] - to.den * from[2]};
 }
 
-/// Three independent directions each.
+/// Eight sets of three independent directions.
 constexpr int moves[8][9] = {{1, 2, 3, -2, 1, 1, 3, -1, 2},   {-3, 1, 2, 1, 1, -2, 2, 3, 1},
                              {2, -3, 1, 1, 2, 1, -1, 1, 3},   {3, 2, -1, 2, -1, 1, 1, 3, 2},
                              {-1, -2, 3, 3, 1, 1, 1, -3, 2},  {2, -1, -3, 1, 3, 2, -2, 1, -1},
@@ -40,7 +41,7 @@ Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path)
             for (std::size_t j = 0; j < 9; ++j) set.moves[j / 3][j % 3] = moves[i][j];
         if (moved_plane(surface, set) != facing)
             for (auto& x : set.moves[0]) x = -x;
-        // If the first move lies in the surface's plane, one of the others must lead off it.
+        // If the first move lies in the surface's plane, one of the others must lead off the plane.
         for (std::size_t j = 1; j < 4 && moved_plane(surface, set) != facing; ++j)
             for (auto& x : set.moves[j]) x = -x;
     }
@@ -76,7 +77,7 @@ int Sight::moved_edge(const Vec3i& p, const Vec3i& q, const Set& set) const {
 
 bool Sight::look(const Corners& t) {
     const Signs s = signs(t);
-    // Nothing that is decided may speak against a crossing.
+    // The path crosses only if no decided sign contradicts a crossing.
     if (s.end == 0 || s.begin == s.end) return true;
     const bool some = s.ab > 0 || s.bc > 0 || s.ca > 0, other = s.ab < 0 || s.bc < 0 || s.ca < 0;
     if (some && other) return true;

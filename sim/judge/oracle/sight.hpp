@@ -1,17 +1,17 @@
 #pragma once
-// The truth about secondary rays: is the way from a point of a surface free, to a light or without end? By
-// signed volumes, in 128 bits.
+// Exact truth about secondary rays: is the path from a point of a surface free, to a light or to infinity? By
+// signed volumes in 128 bits.
 //
-// The surface stands in the way of all that lies behind it. A surface that holds the light does not: the end
-// does not count. Otherwise the way may pass exactly through edges and corners, run in a triangle's plane, or
-// begin on several surfaces at once. What is right then? Whatever holds for points beside it. So the way is
-// moved by e m1 + e^2 m2 + ..., e -> 0+, for several sets of directions m, m1 leading off the surface to the
-// side on which the way leaves. If all of them find it blocked, or all find it free, that is the truth; if
-// not, either answer is right. In eight sets the directions are just any; in the ninth m1 is the way itself,
-// which then has left all that touches its first point, and the axes follow.
+// The surface blocks everything behind it. A surface that holds the light does not block, because the end of
+// the path does not count. Otherwise the path may pass exactly through edges and corners, run in a triangle's
+// plane, or begin on several surfaces at once. Then the truth is the one that holds for nearby points. So the
+// path is moved by e m1 + e^2 m2 + ..., e -> 0+, for several sets of directions m. The direction m1 leads off
+// the surface to the side on which the path leaves. If all sets find the path blocked, or all find it free,
+// that is the truth. If not, either answer is right. Eight sets have arbitrary directions. In the ninth, m1
+// is the path itself, which then has left all that touches its first point, and the axes follow.
 //
-// Widths: for a point with den < 2^(2N+M+1) no volume is above 6 2^(5N+M+1), and 128 bits do for 5N + M <=
-// 123.
+// Widths: for a point with den < 2^(2N+M+1), every volume is below 6 2^(5N+M+1). So 128 bits suffice for 5N +
+// M <= 123.
 #include <optional>
 #include <span>
 
@@ -25,24 +25,25 @@ struct Place {
     Int128 den = 1;
 };
 
-/// A way from a point to a lattice point, or along a direction without end.
+/// A path from a point to a lattice point, or along a direction to infinity.
 struct Path {
     Place from;
     std::optional<Vec3i> to;
     Vec3i direction{};
 };
 
-/// The point lies in the triangle's plane.
+/// Returns true if the point lies in the triangle's plane.
 bool in_plane(const Place& place, const Corners& triangle);
 
-/// What the way meets, looked at triangle by triangle.
+/// Collects what the path meets, one triangle at a time.
 class Sight {
 public:
-    /// `surface` holds path.from, which is in_plane; the way leaves it on the side `facing` of its normal (1
-    /// or -1).
+    /// `surface` must hold path.from (see in_plane()). `facing` is the side of its normal on which the path
+    /// leaves it: 1 or -1.
     Sight(const Path& path, const Corners& surface, int facing);
 
-    /// False once nothing can change any more: the way is blocked for certain.
+    /// Tests a triangle. Returns false once no other triangle can change the answer, because the path is
+    /// blocked.
     bool look(const Corners& triangle);
 
     enum class Answer { free, blocked, either };
@@ -54,8 +55,8 @@ private:
     struct Set {
         std::array<Triple<Int128>, 4> moves{};
     };
-    /// The five signs that decide about a triangle: on which side of its plane the way begins and ends, and
-    /// on which side of each edge it passes. 0 is undecided.
+    /// The five signs that decide about a triangle; 0 is undecided. They are the sides of its plane on which
+    /// the path begins and ends, and the side of each edge on which it passes.
     struct Signs {
         int begin, end, ab, bc, ca;
     };
@@ -64,9 +65,9 @@ private:
     int moved_edge(const Vec3i& p, const Vec3i& q, const Set& set) const;
 
     Path path_;
-    Triple<Int128> way_;   ///< of any length
+    Triple<Int128> way_;   ///< direction of the path; its length is arbitrary
     std::array<Set, sets> sets_;
-    unsigned blocked_ = 0;   ///< bit i: by set i
+    unsigned blocked_ = 0;   ///< bit i: blocked for set i
 };
 
 }   // namespace rayclock::oracle

@@ -1,3 +1,4 @@
+// The tests of single primitives, and the searches through the tree.
 #include "sim/judge/oracle/solids.hpp"
 
 #include <cmath>
@@ -13,13 +14,13 @@ using Short = std::int64_t;
 
 int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// From the origin to a lattice point, in units of 2^-frac.
+/// Returns the vector from the origin to a lattice point, in units of 2^-frac.
 Triple<Short> from_origin(const SolidRay& ray, const Vec3i& p) {
     return by_axis([&](std::size_t k) { return Short(p[k]) * (Short(1) << ray.frac) - ray.origin[k]; });
 }
 
-/// The plane through three points, as the ray meets it: num / den directions away, times 2^frac; den < 0:
-/// from the side to which the normal does not point.
+/// The plane through three points, at num / den directions from the origin, times 2^frac. If den < 0, the ray
+/// comes from the side to which the normal points.
 struct Height {
     Int128 num, den;
 };
@@ -28,7 +29,7 @@ Height height(const SolidRay& ray, const Corners& t) {
     return {volume<Int128>(from_origin(ray, t.a), n), volume<Int128>(triple<Short>(ray.direction), n)};
 }
 
-/// The direction, the corners from the origin, and the volumes of the direction over pairs of them.
+/// The direction, the corners relative to the origin, and the volumes of the direction with pairs of corners.
 struct Seen {
     Triple<Short> d, a, b, c;
     Int128 bc, ca, ab;
@@ -40,15 +41,15 @@ struct Seen {
           bc(volume<Int128>(d, area(b, c))),
           ca(volume<Int128>(d, area(c, a))),
           ab(volume<Int128>(d, area(a, b))) {}
-    /// The moved ray's line passes between the edges.
+    /// Returns true if the moved ray's line passes between the edges.
     bool within_edges() const {
-        if ((bc > 0 && ca < 0) || (bc < 0 && ca > 0)) return false;   // most end here
+        if ((bc > 0 && ca < 0) || (bc < 0 && ca > 0)) return false;   // most calls end here
         const int first = side(bc, d, b, c);
         return first != 0 && side(ca, d, c, a) == first && side(ab, d, a, b) == first;
     }
 };
 
-/// The crossing at t > 0.
+/// Returns the crossing at t > 0.
 std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::uint32_t number) {
     const Seen v(ray, solid.corners);
     if (solid.kind == Solid::Kind::triangle && !v.within_edges()) return std::nullopt;
@@ -60,7 +61,7 @@ std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::
                    total,  h.den > 0};
 }
 
-/// A flat hit goes before another one.
+/// Returns true if a flat hit precedes another one.
 bool before(const FlatHit& one, const FlatHit& other) {
     if (other.primitive == no_primitive) return true;
     const int order = compare_fractions(one.num, one.den, other.num, other.den);
@@ -69,14 +70,15 @@ bool before(const FlatHit& one, const FlatHit& other) {
 
 bool is_self(const SolidRay& ray, std::uint32_t number) { return ray.self == number; }
 
-/// The sphere stands between the light, from which the ray comes, and its end at t = 1.
-/// A ray that ends on this very sphere: seen from outside it is not in its own way, since the light is on the
-/// same side; from inside it is if the light is outside. A wall is a sphere that rays meet from outside only,
-/// and the point is where they start: one that holds the point is open to it.
+/// Returns true if the sphere blocks the ray, which comes from the light, before its end at t = 1.
+///
+/// For a ray that ends on this very sphere: from outside, the sphere does not block, since the light is on
+/// the same side. From inside it blocks if the light is outside. An opaque sphere is met only from outside;
+/// one that holds the end point does not block it.
 bool sphere_blocks(const SolidRay& ray, const Solid& sphere, bool own, int frac_end) {
     const Ball b = ball_of(ray, sphere);
     if (own) return sphere.is_glass && ray.inside && b.start > 0;
-    // The way's end, its middle (where it is nearest to the centre) and its beginning tell all.
+    // The end of the segment, its middle (the point nearest to the centre) and its beginning decide.
     const Int128 unit = Int128(1) << frac_end;
     const Int128 last = b.start * unit * unit + 2 * b.along * unit + b.square;
     if (!sphere.is_glass && last <= 0) return false;
@@ -111,7 +113,7 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
 }   // namespace
 
 int compare_fractions(Int128 num1, Int128 den1, Int128 num2, Int128 den2) {
-    // Most pairs are far apart: a quotient of two 128-bit numbers, each to 2^-63, tells.
+    // Most pairs are far apart: quotients of two 128-bit numbers, each exact to 2^-63, decide.
     const long double one = (long double)num1 / (long double)den1,
                       other = (long double)num2 / (long double)den2;
     constexpr long double slack = 0x1p-58L;
@@ -122,7 +124,7 @@ int compare_fractions(Int128 num1, Int128 den1, Int128 num2, Int128 den2) {
         if (whole1 != whole2) return whole1 < whole2 ? -turn : turn;
         num1 %= den1, num2 %= den2;
         if (num1 == 0 || num2 == 0) return num1 == num2 ? 0 : num1 == 0 ? -turn : turn;
-        std::swap(num1, den1), std::swap(num2, den2);   // of the reciprocals the order is the other way round
+        std::swap(num1, den1), std::swap(num2, den2);   // reciprocals have the opposite order
     }
 }
 
@@ -140,19 +142,18 @@ Ball ball_of(const SolidRay& ray, const Solid& sphere) {
 Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
     const Ball b = ball_of(ray, sphere);
     if (b.square == 0 || sphere.radius_squared == 0 || (is_self && !ray.inside)) return Meets::no;
-    const bool ahead = b.along < 0;   // the place nearest to the centre
-    if (!sphere.is_glass)             // goes in from outside, or passes
+    const bool ahead = b.along < 0;   // the point nearest to the centre
+    if (!sphere.is_glass)             // opaque: the ray enters from outside, or misses
         return !is_self && b.start > 0 && ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     Meets found = Meets::far;
     if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     if (b.start == 0) found = ahead ? Meets::far : Meets::no;
-    return is_self && found != Meets::no ? Meets::far : found;   // it starts on it as well as its numbers can
-                                                                 // say
+    return is_self && found != Meets::no ? Meets::far : found;   // starts on the sphere, up to rounding
 }
 
 double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
-    // The roots' product is start / square: the one whose terms do not cancel is taken, and the other from
-    // it.
+    // The product of the roots is start / square. Compute the root whose terms do not cancel, and derive the
+    // other one from the product.
     const Ball b = ball_of(ray, sphere);
     const long double root = std::sqrt((long double)b.disc()), along = (long double)b.along,
                       square = (long double)b.square;
@@ -171,7 +172,7 @@ bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::
     for (std::size_t k = 0; k < 3; ++k) {
         const Int128 at = Int128(ticks) * ray.direction[k] - (Int128(to_centre[k]) << (tick_bits - ray.frac));
         outside += at * at;
-        along += at * ray.direction[k];   // at least 0: past the place nearest to the centre
+        along += at * ray.direction[k];   // at least 0: past the point nearest to the centre
     }
     return which == Meets::near ? along >= 0 || outside <= 0 : along >= 0 && outside >= 0;
 }
@@ -185,7 +186,7 @@ std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t numbe
 
 Nearest Solids::nearest(const SolidRay& ray) const {
     Nearest found;
-    double limit = std::numeric_limits<double>::infinity();   // directions, not less than those of the best
+    double limit = std::numeric_limits<double>::infinity();   // in directions, not less than that of the best
                                                               // hit
     const auto flat = [&](std::uint32_t number) {
         const auto hit = cross_flat(ray, solids_[number], number);

@@ -1,3 +1,4 @@
+// Exact hits of single triangles, and the searches through the tree.
 #include "sim/judge/oracle/surface.hpp"
 
 namespace rayclock::oracle {

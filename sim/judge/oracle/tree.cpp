@@ -1,3 +1,4 @@
+// Building the tree from the top by medians.
 #include "sim/judge/oracle/tree.hpp"
 
 #include <numeric>
@@ -10,7 +11,7 @@ Tree::Tree(const std::vector<Extent>& boxes, int margin) : order_(boxes.size()) 
     if (!boxes.empty()) root_ = build(boxes, margin, 0, std::uint32_t(boxes.size()));
 }
 
-/// A node over a part of order_; its number.
+/// Builds a node over a part of order_ and returns its number.
 std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uint32_t first,
                           std::uint32_t count) {
     const auto bounds = [&](std::uint32_t from, std::uint32_t n) {
@@ -21,7 +22,7 @@ std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uin
         }
         return all;
     };
-    // Puts the lower half of a part first, along the part's longest axis; numbers decide between equals.
+    // Puts the lower half of a part first, along the part's longest axis. The box number breaks ties.
     const auto halve = [&](std::uint32_t from, std::uint32_t n) {
         const std::size_t axis = bounds(from, n).longest();
         const auto middle = [&](std::uint32_t i) {
@@ -32,7 +33,8 @@ std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uin
                          [&](std::uint32_t i, std::uint32_t j) { return middle(i) < middle(j); });
         return n / 2;
     };
-    std::array<std::uint32_t, 5> cut{0, 0, count, count, count};   // of the four parts, some empty
+    std::array<std::uint32_t, 5> cut{0, 0, count, count, count};   // bounds of the four parts, some of which
+                                                                   // may be empty
     if (count > 1) {
         cut[2] = halve(first, count);
         cut[1] = cut[2] > 1 ? halve(first, cut[2]) : 0;

@@ -1,19 +1,18 @@
 #pragma once
-// A search tree of the oracle's own over boxes in whole lattice steps: four children a node, split at
-// medians.
+// The oracle's own search tree over boxes in whole lattice steps: four children per node, split at medians.
 //
-// No box that a ray meets is skipped. A subtree is passed over only if no point o + s d, s >= 0, lies in the
-// closed box around its boxes, for one of these reasons, each of which rules that out by itself:
-//  - on some axis the box lies behind the origin;
-//  - for two axes i and j, f(p) = d_i (p_j - o_j) - d_j (p_i - o_i), which is 0 along the whole ray, has one
-//  sign in all of
-//    the box (f is linear, so its extremes are centre +- half widths; this includes d_i = 0 and the box
-//    beside the ray);
-//  - `after` says that what begins at the box's near plane of the main axis comes too late.
-// Of origins that are lattice points all values are whole numbers below 2^53 (twice a difference times a
-// direction: N + 2 + M bits, and a sum), so doubles hold them exactly. For other origins, and for longer
-// directions, the boxes need a margin of one step: an error of a product is below 2^-50 of it, so below a
-// step's share |d_i| or |d_j|, as long as coordinates have at most 2^21 steps.
+// The search skips no box that a ray meets. It skips a subtree only if no point o + s d, s >= 0, lies in the
+// closed box around its boxes. Each of these reasons suffices:
+// - On some axis the box lies behind the origin.
+// - For two axes i and j, f(p) = d_i (p_j - o_j) - d_j (p_i - o_i) has one sign in all of the box. This
+//   f is 0 along the whole ray. It is linear, so its extremes are centre +- half widths. This covers d_i = 0
+//   with the box next to the ray.
+// - `after` rejects the distance of the box's near plane on the main axis.
+//
+// If the origin is a lattice point, all values are integers below 2^53, so doubles hold them exactly. The
+// largest is twice a difference times a direction (N + 2 + M bits), and a sum of two. For other origins, and
+// for longer directions, the boxes need a margin of one step. The error of a product is below 2^-50 of it. So
+// it is below a step's share |d_i| or |d_j|, as long as coordinates have at most 2^21 steps.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -33,6 +32,7 @@
 
 namespace rayclock::oracle {
 
+/// A box in lattice steps.
 struct Extent {
     Vec3i lo{}, hi{};
     void add(const Vec3i& p) {
@@ -58,12 +58,12 @@ inline Extent extent(const Corners& t) {
 
 namespace tree {
 
-/// Boxes of four children, [axis][child]; twice the centres and twice the half widths, to have whole numbers.
+/// The boxes of four children, [axis][child]. Twice the centres and twice the half widths are integers.
 struct Boxes {
     double centre[3][4] = {}, width[3][4] = {};
 };
 
-/// A ray as the rejections want it.
+/// A ray in the form that the rejection tests use.
 struct Ray {
     double twice_o[3], d[3], size[3], forward[3];   ///< size: |d|; forward: sign of d
     std::size_t main = 0;                           ///< axis of the largest component
@@ -77,27 +77,27 @@ struct Ray {
             if (size[k] > size[main]) main = k;
         }
     }
-    /// From origin / 2^frac.
+    /// Converts a ray from origin / 2^frac.
     Ray(const Vec3i& o, const Vec3i& direction, int frac = 0)
         : Ray(std::ldexp(1.0, -frac) * glm::dvec3(o[0], o[1], o[2]),
               glm::dvec3(direction[0], direction[1], direction[2])) {}
     double main_size() const { return size[main]; }
 };
 
-constexpr std::uint32_t leaf = 1u << 31, none = ~0u;   // of a child's number
+constexpr std::uint32_t leaf = 1u << 31, none = ~0u;   // values of a child's number
 
 struct Node {
     Boxes boxes;
-    std::array<std::uint32_t, 4> child;   ///< a node; or, with the top bit, a place in the order; or none
-    unsigned there = 0;                   ///< a bit for each child
+    std::array<std::uint32_t, 4> child;   ///< a node; with the top bit a position in the order; or none
+    unsigned there = 0;                   ///< one bit per child
 };
 
-// Vectors stay inside functions: how one would be passed does not matter.
+// Vectors stay inside functions, so the ABI by which they would be passed does not matter.
 #ifdef __GNUC__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
-// Every operation gives the same in both versions.
+// Every operation yields the same value in both versions.
 namespace plain {
 using Lanes = double __attribute__((vector_size(16)));
 inline unsigned signs(const Lanes& v) { return unsigned(v[0] < 0) | unsigned(v[1] < 0) << 1; }
@@ -122,21 +122,23 @@ inline unsigned signs(const Lanes& v) {
 
 }   // namespace tree
 
+/// The tree. Searching takes any ray; see above for the margin.
 class Tree {
 public:
-    /// Boxes are `margin` lattice steps larger on all sides.
+    /// Builds the tree. Enlarges the boxes by `margin` lattice steps on all sides.
     explicit Tree(const std::vector<Extent>& boxes, int margin = 0);
 
-    /// The boxes' numbers in the order in which the leaves have them: meet() below gets a place in it.
+    /// Returns the boxes' numbers in the order of the leaves. The argument of meet() below is a position in
+    /// it.
     const std::vector<std::uint32_t>& order() const { return order_; }
 
-    /// Calls meet(place) for every box that the ray may meet, nearer ones first, except for those for which
-    /// after(near) is true: `near` is twice the way to a box's near plane along the ray's main axis.
+    /// Calls meet(place) for every box that the ray may meet, nearer ones first. Skips boxes for which
+    /// after(near) is true: `near` is twice the distance to a box's near plane along the ray's main axis.
     template <class After, class Meet>
     void nearest_first(const tree::Ray& ray, const After& after, const Meet& meet) const {
         search<true>(ray, after, meet);
     }
-    /// The same for all, in any order.
+    /// Calls meet(place) for every such box in any order.
     template <class Meet> void all(const tree::Ray& ray, const Meet& meet) const {
         search<false>(
             ray, [](double) { return false; }, meet);

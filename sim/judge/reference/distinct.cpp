@@ -1,3 +1,4 @@
+// Finding equal primitives by sorting hashes of their points.
 #include "sim/judge/reference/distinct.hpp"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ namespace {
 
 using Corner = std::array<double, 3>;
 
-/// 0 for -0, which is the same place.
+/// Turns -0 into 0, which is the same place.
 Corner corner(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
-std::uint64_t mixed(std::uint64_t h) {   // SplitMix64's
+std::uint64_t mixed(std::uint64_t h) {   // the mixing function of SplitMix64
     h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
     h = (h ^ h >> 27) * 0x94d049bb133111ebu;
     return h ^ h >> 31;
@@ -27,7 +28,7 @@ std::uint64_t hash_of(const Corner& c) {
     return h;
 }
 
-/// A primitive as the points that make it; equal primitives have equal keys.
+/// A primitive as the points that define it. Equal primitives have equal keys.
 using Key = std::array<Corner, 3>;
 std::uint64_t hash_of(const Key& key) {
     std::uint64_t h = 0;
@@ -35,7 +36,8 @@ std::uint64_t hash_of(const Key& key) {
     return h;
 }
 
-/// Numbers of the primitives that have no equal one before them; key(i) is the i-th one's.
+/// Returns the numbers of the primitives without an equal one before them. key(i) returns the key of
+/// primitive i.
 template <class KeyOf> std::vector<std::uint32_t> first_of_each(std::size_t count, const KeyOf& key) {
     struct Entry {
         std::uint64_t hash;
@@ -78,8 +80,8 @@ std::vector<std::uint32_t> distinct_triangles(const Scene& scene) {
 std::vector<std::uint32_t> distinct_spheres(const Scene& scene) {
     return first_of_each(scene.spheres.size(), [&](std::size_t i) {
         const Sphere& s = scene.spheres[i];
-        const bool is_seen_inside = scene.materials[s.material].transmit > 0;   // or it is not hit in the
-                                                                                // same places
+        const bool is_seen_inside = scene.materials[s.material].transmit > 0;   // otherwise the sphere is hit
+                                                                                // in other places
         return Key{corner(s.centre), Corner{s.radius, double(is_seen_inside), 0}, Corner{}};
     });
 }

@@ -1,3 +1,4 @@
+// Building the hierarchies, and the traversals.
 #include "sim/judge/reference/geometry.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::vector<RefSphere> all_spheres(const Scene& scene, const RefUnitSpace& space
     return spheres;
 }
 
-/// `primitive` is the index in `spheres`.
+/// Returns the bounds of spheres. `primitive` is the index in `spheres`.
 std::vector<RefBox> sphere_boxes(const std::vector<RefSphere>& spheres) {
     std::vector<RefBox> boxes(spheres.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -68,10 +69,10 @@ std::vector<RefBox> sphere_boxes(const std::vector<RefSphere>& spheres) {
     return boxes;
 }
 
-/// The closest hit, or `best` if there is none before it. Nearest child first; test(block, best) keeps the
-/// closer hit, and as soon as one is nearer than `enough`, it will do. A box is skipped only if it begins
-/// beyond the closest hit, and that is the smallest (depth, primitive) of all, so the order of the visit does
-/// not matter.
+/// Returns the closest hit, or `best` if no hit precedes it. Visits the nearest child first. test(block,
+/// best) keeps the closer hit, and the search ends once one is nearer than `enough`. It skips a box only if
+/// the box begins beyond the closest hit. The result is the smallest (depth, primitive) of all hits, so it
+/// does not depend on the order of the visits.
 template <class Test, class AtNode>
 [[gnu::always_inline]] inline RefClosest search(const std::vector<RefNode>& nodes, const RefRay& ray,
                                                 RefClosest best, double enough, const Test& test,
@@ -130,7 +131,7 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
 
 namespace {
 
-/// One triangle of a block, in all lanes.
+/// Returns a block with one triangle in all lanes.
 RefBlock only_lane(const RefBlock& block, int lane) {
     RefBlock one = block;
     for (int other = 0; other < ref_block_size; ++other) {
@@ -141,7 +142,7 @@ RefBlock only_lane(const RefBlock& block, int lane) {
     return one;
 }
 
-/// Takes the place of a RefEffort where nothing is counted.
+/// Replaces RefEffort in searches that count nothing.
 struct NotCounted {
     struct Count {
         void operator+=(std::uint64_t) {}
@@ -150,8 +151,8 @@ struct NotCounted {
 
 }   // namespace
 
-/// The same for all kinds of primitives. Both are inlined, so that a ray that wants the closest hit does not
-/// ask for enough.
+/// Finds the closest hit of all kinds of primitives. Both functions are inlined, so that closest-hit searches
+/// do not compare with `enough`.
 template <class Effort>
 [[gnu::always_inline]] inline RefClosest RefGeometry::closest_of_all(const RefPath& path, const RefRay& ray,
                                                                      const RefClosest& limit, double enough,
@@ -190,7 +191,8 @@ RefClosest RefGeometry::closest(const RefPath& path, const RefRay& ray) const {
 }
 
 bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
-    const RefClosest limit{.depth = distance, .primitive = 0};   // 0: nothing at the distance itself counts
+    const RefClosest limit{.depth = distance, .primitive = 0};   // 0: a hit at exactly this distance does not
+                                                                 // count
     if (effort_) return watched(path, limit, distance).depth < distance;
     const RefRay ray(path.from, path.direction);
     return closest_of_all(path, ray, limit, distance, NotCounted{}).depth < distance;

@@ -1,4 +1,5 @@
 #pragma once
+// The reference tracer's search for hits: its hierarchies, and the closest hit and shadow queries.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,42 +14,43 @@
 
 namespace rayclock {
 
-/// What searching has taken, for measurements by one thread.
+/// The cost of searches, for measurements on one thread.
 struct RefEffort {
-    bool tests_all = false;    ///< no hierarchy: every primitive is tested, in order (a shadow ray stops at
-                               ///< the first in its way)
+    bool tests_all = false;    ///< test every primitive in order, without a hierarchy; a shadow ray stops at
+                               ///< its first blocker
     std::uint64_t rays = 0;    ///< of all kinds
-    std::uint64_t boxes = 0;   ///< tested
-    std::uint64_t tests = 0;   ///< of primitives, with those that fill up a leaf's last block
-    double seconds = 0;        ///< in search, boxes and tests together
+    std::uint64_t boxes = 0;   ///< tested boxes
+    std::uint64_t tests = 0;   ///< tested primitives, including those that pad a leaf's last block
+    double seconds = 0;        ///< of searches: boxes and tests together
 };
 
-/// What the reference tracer makes of a scene's primitives: a hierarchy over the triangles, one over the
-/// spheres, and the planes, which have no bounds and are tested by every ray.
+/// The reference tracer's form of a scene: a hierarchy over the triangles, one over the spheres, and the
+/// planes. Planes have no bounds, so every ray tests them.
 class RefGeometry {
 public:
     explicit RefGeometry(const Scene& scene);
 
     const RefUnitSpace& space() const { return space_; }
 
-    /// From now on every search is measured and added to `effort`; nullptr: no longer. One thread only.
+    /// Adds the cost of every search from now on to `effort`; nullptr stops this. Use it on one thread only.
     void watch(RefEffort* effort) { effort_ = effort; }
 
-    /// A ray from a point of the scene, in the tracer's space; false if a number is not finite or the
-    /// direction is 0.
+    /// Converts a ray from a point of the scene to the tracer's space. Returns false if a number is not
+    /// finite or the direction is 0.
     bool find_path(const glm::dvec3& origin, const glm::dvec3& direction, RefPath& path) const;
 
+    /// Returns the closest hit, or no_primitive.
     RefClosest closest(const RefPath& path) const {
         return effort_ ? watched(path, {}, 0) : closest(path, RefRay(path.from, path.direction));
     }
 
-    /// Is there anything nearer than `distance`? Looks no further than the first thing that it finds.
+    /// Returns true if anything is nearer than `distance`. Stops at the first blocker.
     bool is_blocked(const RefPath& path, double distance) const;
 
-    /// Where the path meets this primitive alone. Looks through all of them.
+    /// Returns where the path meets one primitive, regardless of all others. Searches all primitives for it.
     RefClosest only(const RefPath& path, std::uint32_t primitive) const;
 
-    /// All primitives that are nearer than `distance`, in no order.
+    /// Returns all primitives that are nearer than `distance`, in arbitrary order.
     std::vector<std::uint32_t> blockers(const RefPath& path, double distance) const;
 
 private:
@@ -64,14 +66,15 @@ private:
     RefUnitSpace space_;
     std::vector<RefNode> nodes_, sphere_nodes_;
     std::vector<RefBlock> blocks_;
-    std::vector<RefSphere> spheres_;   ///< in the order of the leaves, ref_block_size a block
+    std::vector<RefSphere> spheres_;   ///< in the order of the leaves, ref_block_size per block
     std::vector<RefPlane> planes_;
     RefEffort* effort_ = nullptr;
 };
 
 inline bool RefGeometry::find_path(const glm::dvec3& origin, const glm::dvec3& direction,
                                    RefPath& path) const {
-    // Scaled by the largest component first: the square of a very short or long direction would not fit.
+    // Divide by the largest component first: the square of a very short or long direction would not fit a
+    // double.
     const glm::dvec3 size = glm::abs(direction);
     const double largest = std::max(size.x, std::max(size.y, size.z));
     const bool has_direction = largest > 0 && std::isfinite(size.x + size.y + size.z);

@@ -1,3 +1,4 @@
+// The binary build and its collapse to four children per node.
 #include "sim/judge/reference/hierarchy.hpp"
 
 #include <algorithm>
@@ -11,11 +12,12 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_area_depth = 64;            // below, split_by_count: at most 32 more levels for 2^32 boxes
-constexpr std::size_t parallel_from = 4096;   // boxes; smaller subtrees are not worth a task
+constexpr int max_area_depth = 64;   // deeper nodes use split_by_count(): at most 32 more levels for 2^32
+                                     // boxes
+constexpr std::size_t parallel_from = 4096;   // boxes; smaller subtrees do not justify a task
 
-/// A binary node. The left child of node i is i + 1; the subtree over n boxes owns 2n - 1 places, so that
-/// both halves of a node know their places before either is built and may be built at the same time.
+/// A binary node. The left child of node i is i + 1. The subtree over n boxes owns 2n - 1 entries. So the
+/// entries of both halves are known before either is built, and both may be built at the same time.
 struct BinaryNode {
     RefExtent bounds;
     std::uint32_t first = 0, count = 0;
@@ -50,14 +52,14 @@ struct BinaryBuilder {
     }
 };
 
-/// Turns the binary tree into nodes of four, depth first.
+/// Turns the binary tree into nodes of four children, depth first.
 struct Collapser {
     std::span<const RefBox> boxes;
     const BinaryNode* binary;
     RefHierarchy& out;
 
-    /// The children of a wide node: the binary node's two, the larger of which are replaced by their own
-    /// children until there are four.
+    /// Collects the children of a wide node. It starts with the two children of the binary node, and replaces
+    /// the largest by its own children until there are four.
     int gather(std::uint32_t root, std::array<std::uint32_t, 4>& children) const {
         if (binary[root].right == 0) {
             children[0] = root;

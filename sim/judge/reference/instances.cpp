@@ -1,3 +1,4 @@
+// The two levels of the search, both with the reference tracer's box test.
 #include "sim/judge/reference/instances.hpp"
 
 #include <bit>
@@ -18,7 +19,7 @@ template <class Mesh> Scene alone(const Mesh& mesh) {
     return scene;
 }
 
-/// Where the image of a box lies: the bounds of its corners' images.
+/// Returns the bounds of the image of a box: those of its corners' images.
 Bounds image_of(const Bounds& box, const glm::dmat4& place) {
     constexpr double far = std::numeric_limits<double>::infinity();
     Bounds out{glm::dvec3(far), glm::dvec3(-far)};
@@ -43,7 +44,8 @@ Scene corners_of(const std::vector<Bounds>& boxes) {
     return scene;
 }
 
-/// A step of a float further than the double's rounding, which is smaller by far.
+/// Returns a float at least one float step below x. The rounding error of the doubles is far smaller than
+/// that step.
 float well_below(double x) { return std::nextafter(float_below(x), -std::numeric_limits<float>::infinity()); }
 
 }   // namespace
@@ -88,7 +90,8 @@ void RefInstances::add(const glm::dmat4& place, std::uint32_t mesh, std::uint64_
                        glm::determinant(linear) < 0});
 }
 
-/// Depths are the scene's, along a unit direction. At equal depth the lower number wins, as in a flat scene.
+/// Tests one instance. Depths are those of the scene, along a unit direction. At equal depth the lower number
+/// wins, as in a flat scene.
 void RefInstances::test(const Placed& placed, const glm::dvec3& origin, const glm::dvec3& direction,
                         RefClosest& best) const {
     const RefGeometry& geometry = meshes_[placed.mesh];
@@ -101,7 +104,7 @@ void RefInstances::test(const Placed& placed, const glm::dvec3& origin, const gl
     const std::uint32_t number = placed.first + own.primitive;
     if (!best.yields_to(depth, number)) return;
     best = {depth, own.u, own.v, number};
-    if (placed.is_mirrored) std::swap(best.u, best.v);   // its second and third corner have changed places
+    if (placed.is_mirrored) std::swap(best.u, best.v);   // it swaps its second and third corner
 }
 
 Hit RefInstances::trace(const glm::dvec3& origin, const glm::dvec3& given) const {
@@ -121,7 +124,7 @@ Hit RefInstances::trace(const glm::dvec3& origin, const glm::dvec3& given) const
         const Entry entry = stack[--top];
         const float limit = float_above(best.depth * space_.scale) * slab_margin;
         if (entry.near > limit) continue;
-        if (entry.blocks > 0) {   // a leaf's last place may repeat the one before
+        if (entry.blocks > 0) {   // the last entry of a leaf may repeat the one before
             std::uint32_t before = no_primitive;
             for (std::uint32_t i = entry.child * ref_block_size;
                  i < (entry.child + entry.blocks) * ref_block_size; ++i) {
@@ -133,7 +136,7 @@ Hit RefInstances::trace(const glm::dvec3& origin, const glm::dvec3& given) const
         RefFloat4 near;
         int entered = boxes_entered(nodes_[entry.child], ray, limit, near);
         const int base = top;
-        for (; entered != 0; entered &= entered - 1) {   // the nearest on top
+        for (; entered != 0; entered &= entered - 1) {   // push the nearest last
             const int i = std::countr_zero(static_cast<unsigned>(entered));
             int place = top++;
             for (; place > base && stack[place - 1].near < near[i]; --place) stack[place] = stack[place - 1];

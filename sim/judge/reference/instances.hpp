@@ -9,19 +9,19 @@
 
 namespace rayclock {
 
-/// The reference tracer on instances that are not written out: a hierarchy over their boxes, and one for each
-/// mesh. A ray is moved into an instance's space in double precision by the inverse of its place; nothing of
-/// the chip's maps is known here.
+/// The reference tracer for folded scenes, whose instances are not expanded: a hierarchy over the boxes of
+/// the instances, and one for each mesh. It moves a ray into an instance's space in double precision by the
+/// inverse of its place. It shares nothing with the chip's maps.
 class RefInstances {
 public:
     explicit RefInstances(const PlacedScene& scene);
 
-    /// As Reference::trace().
+    /// Returns the closest hit, as Reference::trace() does.
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
 private:
     struct Placed {
-        glm::dmat3 back{1};     ///< from the scene's directions to the mesh's
+        glm::dmat3 back{1};     ///< maps directions of the scene to directions of the mesh
         glm::dvec3 origin{0};   ///< the mesh's origin in the scene
         std::uint32_t mesh = 0, first = 0;
         bool is_mirrored = false;

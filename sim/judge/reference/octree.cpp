@@ -1,3 +1,4 @@
+// Building the octree, and the recursive traversal of its leaves.
 #include "sim/judge/reference/octree.hpp"
 
 #include <algorithm>
@@ -20,11 +21,12 @@ Corners corners_of(const Scene& scene, const Triangle& t) {
     return {scene.vertices[t.vertex[0]], scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]]};
 }
 
-/// Whether two triangles are halves of a parallelogram: three corners of one and the fourth of the other.
+/// Returns true if two triangles are halves of a parallelogram: three corners of one and the fourth of the
+/// other.
 bool are_halves(const Corners& a, const Corners& b) {
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
-            const glm::dvec3 &p = a[(i + 1) % 3], &q = a[(i + 2) % 3];   // the diagonal, a[i] opposite
+            const glm::dvec3 &p = a[(i + 1) % 3], &q = a[(i + 2) % 3];   // the diagonal, opposite a[i]
             if (b[(j + 2) % 3] != p || b[(j + 1) % 3] != q) continue;
             return glm::length(a[i] + b[j] - p - q) <= 1e-12 * glm::length(p - q);
         }
@@ -33,7 +35,8 @@ bool are_halves(const Corners& a, const Corners& b) {
 
 glm::dvec3 across(const Corners& c) { return glm::cross(c[1] - c[0], c[2] - c[0]); }
 
-/// Whether a triangle may be of the polygon that another is of: it lies in its plane, and looks the same way.
+/// Returns true if a triangle may belong to the same polygon as another: it lies in the same plane and faces
+/// the same side.
 bool is_in_plane(const Corners& a, const Corners& b) {
     const glm::dvec3 n = across(a);
     if (!(glm::dot(n, across(b)) > 0)) return false;
@@ -42,8 +45,7 @@ bool is_in_plane(const Corners& a, const Corners& b) {
     });
 }
 
-/// Triangles that were cut from polygons, by number: those that follow each other in one plane and are
-/// connected by edges are of one polygon.
+/// Polygons in scenes without vertex normals: consecutive triangles in one plane that are connected by edges.
 class FlatPolygons {
 public:
     explicit FlatPolygons(const Scene& scene) : scene_(scene), of_(scene.triangles.size()) {
@@ -57,7 +59,7 @@ public:
             connect(first, end);
         }
     }
-    /// The first triangle of the polygon.
+    /// Returns the first triangle of the polygon.
     std::uint32_t of(std::uint32_t triangle) const {
         while (of_[triangle] != triangle) triangle = of_[triangle];
         return triangle;
@@ -122,7 +124,7 @@ void RefOctree::add_flat_objects(const Scene& scene) {
 }
 
 void RefOctree::add_smooth_objects(const Scene& scene) {
-    bool is_whole = true;   // the triangle before is no half of a parallelogram that has just begun
+    bool is_whole = true;   // the previous triangle is not the first half of a parallelogram
     Corners before{};
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
         const Corners corners = corners_of(scene, scene.triangles[i]);
@@ -183,12 +185,13 @@ void RefOctree::walk(const glm::dvec3& from, const glm::dvec3& direction, double
     if (begin <= end) visit({from, direction, objects, work}, 0, root_, begin, end);
 }
 
-/// Whether the ray ends here.
+/// Visits a node. Returns true if the ray ends there.
 bool RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const {
     if (nodes_[node].first > 0) return halve(way, nodes_[node].first, box, 0, begin, end);
     const std::uint32_t objects = nodes_[node].objects;
     const std::uint32_t* list = lists_.data() + nodes_[node].list;
-    std::uint32_t last = objects;   // in the list, of what is tested; none ends the ray
+    std::uint32_t last = objects;   // index of the last tested object in the list; `objects` if none ends the
+                                    // ray
     for (const std::uint32_t blocker : way.blockers) {
         const std::uint32_t* at = std::lower_bound(list, list + objects, blocker);
         if (at != list + objects && *at == blocker) last = std::min(last, std::uint32_t(at - list));
@@ -200,8 +203,8 @@ bool RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double
     return ends;
 }
 
-/// The stretch begin..end of a ray in a box that is still to be halved on `axis` and those after it. Whether
-/// the ray ends in it.
+/// Traces the part begin..end of a ray through a box that is still to be halved on `axis` and the axes after
+/// it. Returns true if the ray ends there.
 bool RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
                       double end) const {
     if (axis == 3) return visit(way, octant, box, begin, end);
@@ -213,7 +216,7 @@ bool RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int 
     const auto go = [&](int side, double from, double to) {
         return halve(way, octant + (std::uint32_t(side) << axis), half[side], axis + 1, from, to);
     };
-    // The side on which the stretch begins, and the other.
+    // The side on which the part begins.
     const int first = d == 0 || at > begin ? (d == 0 ? ahead <= 0 : d < 0) : d > 0;
     if (d == 0 || at <= begin || at >= end) return go(first, begin, end);
     return go(first, begin, at) || go(1 - first, at, end);

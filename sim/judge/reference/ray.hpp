@@ -1,4 +1,9 @@
 #pragma once
+// The two tests of the reference tracer that all scenes need. One tests a ray against the four boxes of a
+// node, the other against the two triangles of a block. Both work in the tracer's own space, in which the
+// scene lies within -1..1.
+//
+// No hit may be lost: if the triangle test accepts a triangle, the box test accepts each box around it.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -17,11 +22,6 @@
 
 namespace rayclock {
 
-// The two tests of the reference tracer that all scenes need: one ray against the four boxes of a node, and
-// against the two triangles of a block. All in the tracer's own space, where the scene lies within -1..1.
-//
-// Nothing may be lost: a triangle that the triangle test accepts is in a box that the box test accepts.
-
 typedef double RefDouble2 __attribute__((vector_size(16)));
 
 /// Two triangles: coordinate [vertex][axis], one lane each.
@@ -30,14 +30,15 @@ struct RefBlock {
     std::uint32_t primitive[ref_block_size];
 };
 
-/// The closest hit so far: depth along the unit direction; of a triangle, the weights of the second and third
-/// vertex; of a plane, how many of its sides u and v from its point; of a sphere, nothing.
+/// The closest hit so far. `depth` is along the unit direction. For a triangle, u and v are the weights of
+/// the second and third vertex. For a plane, they count its sides u and v from its point. For a sphere they
+/// have no meaning.
 struct RefClosest {
     double depth = std::numeric_limits<double>::infinity();
     double u = 0, v = 0;
     std::uint32_t primitive = no_primitive;
 
-    /// Is this one to be kept instead? At equal depth the lower primitive.
+    /// Returns true if another hit replaces this one. At equal depth the lower primitive wins.
     bool yields_to(double other, std::uint32_t number) const {
         return other > 0 && (other < depth || (other == depth && number < primitive));
     }
@@ -47,17 +48,17 @@ struct RefClosest {
 struct RefPath {
     glm::dvec3 from{0}, direction{0, 0, 1};   ///< direction: a unit vector
     std::uint32_t left = no_primitive;
-    bool is_inside = false;   ///< starts on a sphere and goes through its inside
+    bool is_inside = false;   ///< starts on a sphere and passes through its inside
 };
 
-/// The next float at or below x, or at or above.
+/// float_below() returns the largest float not above x, float_above() the smallest one not below.
 inline float float_below(double x) {
     const float f = static_cast<float>(x);
     return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
 }
 inline float float_above(double x) { return -float_below(-x); }
 
-/// Bit i is set if lane i of the comparison holds.
+/// Returns bit i set if lane i of the comparison holds.
 template <typename Mask> int lanes(Mask mask) {
 #if defined(__SSE2__)
     if constexpr (sizeof(mask[0]) == 4)
@@ -73,25 +74,25 @@ template <typename Mask> int lanes(Mask mask) {
 
 /// A ray, prepared for both tests. `direction` must be a unit vector.
 struct RefRay {
-    // Triangle test: axes with the direction's largest component last, and the shear that turns it to (0, 0,
-    // 1).
+    // For the triangle test: the axes with the direction's largest component last, and the shear that turns
+    // the direction to (0, 0, 1).
     int axis[3];
     RefDouble2 origin[3];
     RefDouble2 shear_x, shear_y;
     double scale_z;
-    // Box test.
+    // For the box test.
     int near_plane[3], far_plane[3];
     RefFloat4 near_origin[3], far_origin[3], inverse[3];
 
     RefRay(const glm::dvec3& from, const glm::dvec3& direction);
 };
 
-// Relative error of one computed slab distance fl(fl(p - o) * fl(1/d)) is at most 3 roundings of 2^-24, so
-// near and far together are within 6 (Ize 2013, "Robust BVH ray traversal", section 3); 8 leaves room.
+// The relative error of one computed slab distance fl(fl(p - o) * fl(1/d)) is at most 3 roundings of 2^-24.
+// So near and far together are within 6 (Ize 2013, "Robust BVH ray traversal", section 3); 8 leaves room.
 constexpr float slab_margin = 1.0f + 4.0f * std::numeric_limits<float>::epsilon();
 
-// The triangle test sees each vertex moved by no more than about 5 roundings of 2^-53 of its distance from
-// the origin (translation, shear). Boxes are widened by 16, at the distance of the far corner of the scene.
+// Translation and shear move each vertex by at most about 5 roundings of 2^-53 of its distance from the
+// origin. Boxes are widened by 16, at the distance of the far corner of the scene.
 constexpr double vertex_margin = 8.0 * std::numeric_limits<double>::epsilon();
 
 inline RefRay::RefRay(const glm::dvec3& from, const glm::dvec3& direction) {
@@ -108,12 +109,12 @@ inline RefRay::RefRay(const glm::dvec3& from, const glm::dvec3& direction) {
     const glm::dvec3 reach = glm::abs(from);
     const double margin = vertex_margin * (1.0 + std::max(reach.x, std::max(reach.y, reach.z)));
     for (int a = 0; a < 3; ++a) {
-        // By the sign bit: 1 / -0 is -infinity, and the planes must change places with it.
+        // Use the sign bit: 1 / -0 is -infinity, and the planes must be swapped with it.
         const bool down = std::signbit(direction[a]);
         near_plane[a] = 2 * a + (down ? 1 : 0);
         far_plane[a] = 2 * a + (down ? 0 : 1);
-        // The origin is rounded away from the near plane's side and towards the far plane's, so that the
-        // float box can only look larger than it is.
+        // Round the origin away from the near plane's side and towards the far plane's. So the float box can
+        // only become larger.
         const float above = float_above(from[a] + margin), below = float_below(from[a] - margin);
         near_origin[a] = RefFloat4{} + (down ? below : above);
         far_origin[a] = RefFloat4{} + (down ? above : below);
@@ -121,11 +122,12 @@ inline RefRay::RefRay(const glm::dvec3& from, const glm::dvec3& direction) {
     }
 }
 
-/// Lanes of the boxes that the ray enters at a distance of at most `limit`; their entry distances in `near`.
+/// Returns the lanes of the boxes that the ray enters at a distance of at most `limit`. `near` receives their
+/// entry distances.
 ///
-/// Slab test (Kay, Kajiya 1986). A zero direction component makes the distances infinite; the origin's margin
-/// keeps it off the plane itself, where they would be 0 * infinity. Should they be NaN for a ray beyond the
-/// range of float, the comparisons keep their second operand, so that the plane excludes nothing.
+/// Slab test (Kay, Kajiya 1986). A zero direction component makes the distances infinite. The origin's margin
+/// keeps the ray off the plane itself, where they would be 0 * infinity. For a ray beyond the range of float
+/// they may be NaN. Then the comparisons keep their second operand, so that the plane excludes nothing.
 inline int boxes_entered(const RefNode& node, const RefRay& ray, float limit, RefFloat4& near) {
     const auto larger = [](RefFloat4 a, RefFloat4 b) { return a > b ? a : b; };
     const auto smaller = [](RefFloat4 a, RefFloat4 b) { return a < b ? a : b; };
@@ -139,16 +141,19 @@ inline int boxes_entered(const RefNode& node, const RefRay& ray, float limit, Re
     return lanes(near <= far);
 }
 
-/// Keeps the closer of `closest` and the block's hits with depth > 0; at equal depth the lower primitive. A
-/// ray does not meet the triangle that it starts on.
+/// Updates `closest` by the block's hits with depth > 0; at equal depth the lower primitive wins. A ray does
+/// not hit the triangle that it starts on.
 ///
-/// Watertight test (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection") in double: translate
-/// and shear so that the ray runs along z from the origin, then look on which side of each edge the origin
-/// lies. A vertex has one image whichever triangle it belongs to, and a computed edge function never has the
-/// wrong sign (rounding is monotonic: fl(p) > fl(q) only if p > q), it can only be 0 for a tiny value. Zero
-/// counts as inside of both neighbours; so along the edges of a closed surface no ray slips through. Both
-/// sides are hit. A triangle whose image has no area is not hit. One without area of its own may get some by
-/// the rounding of its image, and is then needed: the images of its neighbours have moved apart by as much.
+/// Watertight test (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection") in double precision. It
+/// translates and shears so that the ray runs along z from the origin. Then it tests on which side of each
+/// edge the origin lies. A vertex has the same image in all of its triangles. A computed edge function never
+/// has the wrong sign, because rounding is monotonic: fl(p) > fl(q) only if p > q. It can only be 0 for a
+/// tiny value. Zero counts as inside for both neighbours, so no ray slips through the edges of a closed
+/// surface.
+///
+/// Both sides are hit. A triangle whose image has no area is not hit. A triangle without area of its own may
+/// get some by the rounding of its image. Then it is needed, because the images of its neighbours have moved
+/// apart by as much.
 inline void test_block(const RefBlock& block, const RefRay& ray, RefClosest& closest,
                        std::uint32_t start = no_primitive) {
     RefDouble2 x[3], y[3], z[3];

@@ -1,3 +1,4 @@
+// The tracer's public functions, on a flat or a folded scene.
 #include "sim/judge/reference/reference.hpp"
 
 #include "model/base/error.hpp"
@@ -10,9 +11,9 @@
 namespace rayclock {
 
 struct Reference::Impl {
-    std::unique_ptr<RefInstances> instances;   ///< of a folded scene, and then the geometry is empty
+    std::unique_ptr<RefInstances> instances;   ///< only for a folded scene; the geometry is empty then
     RefGeometry geometry;
-    const Scene& scene;   ///< used by whitted() only
+    const Scene& scene;   ///< only whitted() and pixel() use it
 
     explicit Impl(const Scene& s)
         : instances(is_folded(s) ? std::make_unique<RefInstances>(*s.placed) : nullptr),

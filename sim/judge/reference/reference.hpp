@@ -1,4 +1,5 @@
 #pragma once
+// The reference tracer's interface: hits and finished pictures in double precision.
 #include <functional>
 #include <memory>
 
@@ -27,48 +28,52 @@ struct WhittedPixel {
 class RefGeometry;
 class RefSteer;
 
-/// A ray as a watcher sees it, in terms of the scene. `direction` is a unit vector. A ray that meets nothing
-/// has no end, HUGE_VAL; a shadow ray ends at the light.
+/// A ray in the scene's coordinates, as RayWatch reports it. `direction` is a unit vector. `reach` is the
+/// distance to its end: HUGE_VAL if it hits nothing, and the distance to the light for a shadow ray.
 struct WatchedRay {
     glm::dvec3 from, direction;
     double reach = 0;
     bool hits = false;                     ///< a shadow ray: it is blocked
-    std::vector<std::uint32_t> blockers;   ///< of a shadow ray: all primitives before the light, in no order
+    std::vector<std::uint32_t> blockers;   ///< of a shadow ray: all primitives before the light, in arbitrary
+                                           ///< order
 };
 
-/// Sees every ray of a picture.
+/// Observes every ray of a picture.
 struct RayWatch {
-    std::function<void(const WatchedRay&)> see;   ///< several threads call it at once; empty: nobody watches
-    /// Other than in our pictures, what transmits is lit from its outside only, also where a ray meets it
-    /// from the inside (Haines' rule 7 with the normal not turned to the side that the ray came from).
+    std::function<void(const WatchedRay&)> see;   ///< called from several threads at once; may be empty
+    /// Lights transmitting surfaces only from outside, even where a ray hits them from inside. Rayclock's own
+    /// pictures do not use this. It is Haines' rule 7 with a normal that is not turned to the side of the
+    /// ray.
     bool lights_outside_of_glass = false;
 };
 
-/// The double-precision software tracer: the scene as given, its own BVHs, a watertight triangle test.
-/// It shares nothing with the fixed-point model but the scene and the camera's definition.
+/// The software tracer in double precision: it uses the scene as given, its own BVHs and a watertight
+/// triangle test. It shares only the scene and the camera's definition with the fixed-point model.
 class Reference {
 public:
     explicit Reference(const Scene& scene);
     ~Reference();
     Reference(Reference&&) noexcept;
 
-    /// Closest hit with depth > 0 along eye + depth * unit(direction).
+    /// Returns the closest hit with depth > 0 along origin + depth * unit(direction).
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
-    /// Every primary ray of a frame; `threads` 0 means all cores. The result does not depend on it.
+    /// Traces every primary ray of a frame. `threads` 0 means all cores; the result does not depend on it.
+    /// Throws UserError if the size is wrong.
     HitFrame frame(const Camera& camera, FrameSize size, int threads = 0,
                    const Progress& progress = {}) const;
 
-    /// The finished picture (model/scene/whitted.hpp). The scene that the tracer was made from must still be
-    /// there, unchanged. Pixels and counts do not depend on `threads`.
+    /// Draws the finished picture (model/scene/whitted.hpp). The caller must keep the tracer's scene alive
+    /// and unchanged. Pixels and counts do not depend on `threads`. Throws UserError for a folded scene.
     WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0,
                          const Progress& progress = {}, const RayWatch& watch = {}) const;
 
-    /// One pixel of the finished picture, by itself or led by `steer` (sim/judge/reference/steer.hpp).
+    /// Draws one pixel of the finished picture, either freely or guided by `steer`
+    /// (sim/judge/reference/steer.hpp).
     WhittedPixel pixel(const Camera& camera, FrameSize size, const Whitted& settings, std::uint32_t x,
                        std::uint32_t y, RefSteer* steer = nullptr) const;
 
-    /// What the tracer has made of the scene; empty of a folded scene.
+    /// Returns the tracer's form of the scene; empty for a folded scene.
     const RefGeometry& geometry() const;
 
 private:

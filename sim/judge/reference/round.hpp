@@ -1,4 +1,6 @@
 #pragma once
+// The reference tracer's tests of a ray against a sphere and against a plane, in its own space. They share
+// nothing with the fixed-point machine, and do not snap hits to a lattice: depths are rounded reals.
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -9,9 +11,7 @@
 
 namespace rayclock {
 
-// The reference tracer's tests of a ray against a sphere and against a plane, in its own space. Nothing is
-// shared with the fixed-point machine, and no hit is moved: depths are rounded reals.
-
+/// A sphere in the tracer's space.
 struct RefSphere {
     glm::dvec3 centre{0};
     double radius = 1;
@@ -19,11 +19,12 @@ struct RefSphere {
     bool is_seen_inside = false;   ///< its material transmits
 };
 
-/// Along a unit direction, where the line enters the ball and where it leaves it; false if it misses.
+/// Computes where a line along a unit direction enters the ball and where it leaves it. Returns false if it
+/// misses.
 ///
-/// b^2 - c would cancel for a small or far ball. Its square root's argument is instead the radius' square
-/// less that of the distance between centre and line, and the second root is taken from the product of both
-/// (Haines, Gunther, Akenine-Moller 2019, "Precision improvements for ray/sphere intersection").
+/// b^2 - c would cancel for a small or distant ball. So the argument of the root is the squared radius minus
+/// the squared distance between centre and line. The second root follows from the product of both (Haines,
+/// Gunther, Akenine-Moller 2019, "Precision improvements for ray/sphere intersection").
 inline bool ball_roots(const RefSphere& sphere, const glm::dvec3& from, const glm::dvec3& direction,
                        double& enter, double& leave) {
     const glm::dvec3 to_origin = from - sphere.centre;
@@ -39,8 +40,8 @@ inline bool ball_roots(const RefSphere& sphere, const glm::dvec3& from, const gl
     return true;
 }
 
-/// Keeps the closer hit. Of the sphere that a ray has left, only the far root can be a hit, and only on the
-/// inside: whether the near one came out as a little more or less than 0 does not matter then.
+/// Updates `closest`. Of the sphere that a ray leaves, only the far root can be a hit, and only on the
+/// inside. So rounding of the near root to slightly above or below 0 does not matter.
 inline void test_sphere(const RefSphere& sphere, const RefPath& path, RefClosest& closest) {
     double enter = 0, leave = 0;
     const bool is_left = sphere.primitive == path.left;
@@ -52,6 +53,7 @@ inline void test_sphere(const RefSphere& sphere, const RefPath& path, RefClosest
     if (closest.yields_to(depth, sphere.primitive)) closest = {depth, 0, 0, sphere.primitive};
 }
 
+/// A plane in the tracer's space.
 struct RefPlane {
     glm::dvec3 point{0}, normal{0};   ///< normal: along u x v, not of unit length
     glm::dvec3 to_u{0}, to_v{0};      ///< products with these count the sides u and v
@@ -68,7 +70,7 @@ struct RefPlane {
     }
 };
 
-/// Both sides are hit; a ray in the plane, or one that has left it, does not hit.
+/// Updates `closest`. Both sides are hit. A ray in the plane, or one that starts on it, does not hit it.
 inline void test_plane(const RefPlane& plane, const RefPath& path, RefClosest& closest) {
     const double slope = glm::dot(plane.normal, path.direction);
     if (slope == 0 || plane.primitive == path.left) return;

@@ -1,3 +1,4 @@
+// Binning of centroids, and the choice of the cheapest cut.
 #include "sim/judge/reference/split.hpp"
 
 #include <array>
@@ -17,7 +18,7 @@ struct Bin {
     std::size_t count = 0;
 };
 
-/// Centroid to bin along one axis; the same expression fills the bins and parts the boxes.
+/// Maps a centroid to its bin along one axis. The same expression fills the bins and divides the boxes.
 struct Binning {
     int axis = 0;
     int bins = 0;
@@ -53,7 +54,7 @@ void find_cut(const Binning& binning, std::span<const Bin> bins, Cut& best) {
     }
 }
 
-/// The cheapest cut over the three axes; its cost stays infinite if all centroids coincide.
+/// Returns the cheapest cut over the three axes. Its cost is infinite if all centroids coincide.
 Cut cheapest_cut(std::span<const RefBox> boxes, const RefExtent& centroids) {
     const int bins = static_cast<int>(std::clamp<std::size_t>(boxes.size(), 4, max_bins));
     std::array<Binning, 3> binnings;
@@ -109,7 +110,7 @@ std::size_t split_by_count(std::span<RefBox> boxes, const RefSummary& summary) {
     for (int a = 1; a < 3; ++a)
         if (width(a) > width(axis)) axis = a;
     const std::size_t half = boxes.size() / 2;
-    // The primitive's number breaks ties, so that the order does not hang on the library's algorithm.
+    // The primitive's number breaks ties, so that the order does not depend on the library's algorithm.
     std::nth_element(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(half), boxes.end(),
                      [axis](const RefBox& a, const RefBox& b) {
                          const float ca = centroid(a, axis), cb = centroid(b, axis);

@@ -1,4 +1,5 @@
 #pragma once
+// Rendering an image in tiles on several threads.
 #include <algorithm>
 #include <mutex>
 #include <string_view>
@@ -14,14 +15,14 @@ namespace rayclock {
 
 using PixelTile = tbb::blocked_range2d<int>;
 
-/// As many threads as were asked for, but not more than there are cores; 0: all of these.
+/// Returns an arena with the requested number of threads, but at most the number of cores. 0 means all cores.
 inline tbb::task_arena arena_of(int threads) {
     const int cores = tbb::this_task_arena::max_concurrency();
     return tbb::task_arena(threads > 0 ? std::min(threads, cores) : cores);
 }
 
-/// body(tile) for every part of 32 x 32 pixels, or `side`, on `threads` cores (0: all); `what` and the pixels
-/// done go to `progress`.
+/// Calls body(tile) for every tile of 32 x 32 pixels, or `side`, on `threads` cores (0: all). Reports `what`
+/// and the number of finished pixels to `progress`.
 template <class Body> void for_each_tile(FrameSize size, int threads, std::string_view what,
                                          const Progress& progress, const Body& body,
                                          FrameSize side = {32, 32}) {

@@ -9,9 +9,9 @@
 
 namespace rayclock {
 
-/// The reference tracer's own space, in which what bounds() counts lies within -1..1. The factor is a power
-/// of two, so scaling loses nothing; float boxes are then as good for a tiny scene, or one far from the
-/// origin, as for any.
+/// The reference tracer's own space, in which everything that bounds() covers lies within -1..1. The factor
+/// is a power of two, so scaling is exact. So float boxes are as tight for a tiny scene, or one far from the
+/// origin, as for any other.
 struct RefUnitSpace {
     glm::dvec3 centre{0};
     double scale = 1;

@@ -1,6 +1,6 @@
-// Whitted's picture in double precision, written from the rules and not from the machine: Phong's local light
-// (1975), shadow rays to point lights, reflection, refraction by Snell's law, Schlick's approximation (1994)
-// where a material asks for it.
+// Whitted's picture in double precision, written from the rules and not from the machine. It has Phong's
+// local light (1975), shadow rays to point lights, reflection, and refraction by Snell's law. Materials may
+// request Schlick's approximation (1994).
 #include "sim/judge/reference/whitted.hpp"
 
 #include <algorithm>
@@ -15,13 +15,14 @@
 namespace rayclock {
 namespace {
 
-// Where a secondary ray starts. Two things keep it from meeting the surface that it leaves, and neither
-// depends on how the hit was rounded. The primitive itself is left out of the search: a straight ray cannot
-// meet a triangle or plane again, and of a sphere only the far root, from inside. That alone would do on a
-// single primitive, but not beside an edge, where the rounded point may lie behind the neighbour's plane; so
-// the start is moved off the surface as well, to the side that the ray goes to. A hit is off its surface by
-// some 2^-50 of its distance from the middle of the scene; 2^-36 is far above that and far below all that can
-// be seen (a picture of 512 x 512 has pixels of 2^-9).
+// The offset of a secondary ray's start. Two measures keep the ray from hitting the surface that it leaves,
+// and neither depends on the rounding of the hit. First, the search excludes the primitive itself: a straight
+// ray cannot hit a triangle or plane again. Of a sphere it can hit only the far root, from inside.
+//
+// This suffices on a single primitive, but not next to an edge, where the rounded point may lie behind the
+// neighbour's plane. So the start also moves off the surface, to the side that the ray goes to. A hit is off
+// its surface by about 2^-50 of its distance from the middle of the scene. The offset of 2^-36 is far above
+// that. It is far below anything visible: a picture of 512 x 512 has pixels of 2^-9.
 constexpr double off_surface = 0x1p-36;
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
@@ -29,7 +30,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
-/// One pixel's rays, and how many there were.
+/// Traces the rays of pixels and counts them.
 class Tracer {
 public:
     Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch,
@@ -62,9 +63,9 @@ private:
     const Scene& scene_;
     const Whitted& settings_;
     const RayWatch& watch_;
-    RefSteer* const steer_;   ///< or null: the tracer goes by itself
+    RefSteer* const steer_;   ///< null: the tracer follows its own rays
     RayCounts counts_;
-    glm::dvec3 sum_{0};         ///< of the sample under way
+    glm::dvec3 sum_{0};         ///< of the current sample
     PathSignature signature_;   ///< of the pixel
 };
 
@@ -83,7 +84,7 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface&
     RefClosest at = hit;
     if (steer_) steer_->round_corners(at, n);
     surface.normal = unit_or((1 - at.u - at.v) * n[0] + at.u * n[1] + at.v * n[2], surface.flat);
-    // Corners whose normals are on the other side of the triangle than its order of vertices says: the order
+    // If the normals of the corners and the order of the vertices disagree about the outside, the order
     // decides.
     if (glm::dot(surface.normal, surface.flat) < 0) surface.normal = -surface.normal;
 }
@@ -120,7 +121,7 @@ RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const 
         on_plane(hit, surface);
     if (hit.primitive < scene_.triangles.size() + scene_.spheres.size())
         surface.colour = surface.material->colour;
-    // So far both normals are on the outside.
+    // Until here both normals point outwards.
     surface.is_inside = glm::dot(surface.flat, path.direction) > 0;
     if (surface.is_inside) {
         surface.flat = -surface.flat;
@@ -138,7 +139,7 @@ RefPath Tracer::leave(const RefSurface& surface, const glm::dvec3& direction, bo
             goes_through != surface.is_inside};
 }
 
-/// What one light adds, unless something is in between.
+/// Returns the light that one source adds, or 0 if it is blocked.
 glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::size_t number) {
     const Light& light = scene_.lights[number];
     const Material& m = *surface.material;
@@ -175,9 +176,10 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
     return light.colour * (m.diffuse * std::max(lambert, 0.0) * surface.colour + m.highlight * phong);
 }
 
-/// Snell's law with the surrounding medium's index taken as 1; `cosine` between the normal and the way back.
+/// Snell's law with an index of 1 for the surrounding medium. `cosine` is that between the normal and the
+/// reversed ray.
 struct Refraction {
-    double ratio, rest;   ///< rest: the square of the refracted ray's cosine; negative: total reflection
+    double ratio, rest;   ///< rest: the squared cosine of the refracted ray; negative: total reflection
     Refraction(double index, bool is_inside, double cosine)
         : ratio(is_inside ? index : 1 / index), rest(1 - ratio * ratio * (1 - cosine * cosine)) {}
     bool is_total() const { return rest < 0; }
@@ -191,13 +193,14 @@ double schlick(double index, double cosine) {
     return r0 + (1 - r0) * std::pow(1 - cosine, 5);
 }
 
-/// A total reflection counts as a refracted ray where one would have been sent (spd.md 6.2, rule 6).
+/// A total reflection counts as a refracted ray where a refracted ray would have been sent (spd.md 6.2, rule
+/// 6).
 void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth) {
     const Material& m = *surface.material;
-    // Near its outline a smooth surface may show its back; then it is seen from the side.
+    // Near its outline a smooth surface may show its back. Then it counts as seen edge-on.
     const double cosine = std::clamp(-glm::dot(surface.normal, path.direction), 0.0, 1.0);
     const double fresnel = m.schlick ? schlick(m.index, cosine) : 0;
-    // Nothing sends on more than it gets.
+    // A surface never sends on more light than it receives.
     double reflected = weight * std::min(m.mirror + m.transmit * fresnel, 1.0),
            refracted = weight * m.transmit * (1 - fresnel);
     const bool transmits = m.transmit > 0;
@@ -293,7 +296,7 @@ glm::dvec3 Tracer::sample(const RefPath& path, RefClosest& hit) {
     return glm::min(sum_, glm::dvec3(1));
 }
 
-/// The mean of all samples, or of the first few if they are much alike.
+/// Returns the mean of all samples, or of the first few if they differ little.
 glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first) {
     const auto samples = static_cast<std::uint32_t>(settings_.aa * settings_.aa);
     glm::dvec3 total(0), darkest(1), brightest(0);

@@ -1,3 +1,4 @@
+// Running the converter under prlimit.
 #include "sim/load/import/assimp.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What Assimp says at the end: after "ERROR:" if it says so.
+/// Returns the last line of Assimp's log, or the part after "ERROR:" in it.
 std::string last_words(const std::string& log) {
     std::string_view rest = log;
     std::string last;
@@ -33,7 +34,7 @@ std::string last_words(const std::string& log) {
     return printable(last, 300);
 }
 
-/// Runs it to its end; false if a signal ended it or time was up.
+/// Runs the process to its end. Returns false if a signal ended it or it ran out of time.
 bool run(const Launch& launch, const AssimpLimits& limits, int& code) {
     Process process(launch);
     const auto end = Clock::now() + std::chrono::seconds(limits.seconds);
@@ -52,7 +53,7 @@ bool run(const Launch& launch, const AssimpLimits& limits, int& code) {
 AssimpLimits::AssimpLimits(std::uint64_t file_bytes) {
     const std::uint64_t megabytes = file_bytes >> 20;
     processor_seconds = 10 + 5 * megabytes;
-    seconds = 6 * processor_seconds;   // of a machine that has other things to do
+    seconds = 6 * processor_seconds;   // wall time, on a machine that is busy with other work
     memory_bytes = (2048 + 32 * megabytes) << 20;
     result_bytes = (256 + 32 * megabytes) << 20;
 }

@@ -1,3 +1,4 @@
+// The loops that run the model and the RTL, and the conversion of their results.
 #include "sim/run/engine/engine.hpp"
 
 #include <algorithm>
@@ -138,7 +139,8 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
 
 namespace {
 
-/// Rays of a frame of which so many pixels were done: in proportion, exact if each pixel has one ray.
+/// Returns the rays of a frame with so many finished pixels: a share in proportion, which is exact if each
+/// pixel has one ray.
 RayCounts part_of(const RayCounts& all, std::uint64_t pixels, std::size_t of) {
     const auto part = [&](std::uint64_t rays) {
         return of == 0 ? 0 : std::uint64_t(double(rays) / double(of) * double(pixels));
@@ -181,10 +183,10 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     try {
         timings = replay(job.config, khz, frames, traffic, progress);
     } catch (...) {
-        if (frames[0].trace.failed.load()) recording.finish();   // throws the cause
+        if (frames[0].trace.failed.load()) recording.finish();   // rethrows the cause
         throw;
     }
-    if (timings.back().partial) frames[0].trace.failed.store(true);   // nobody needs the other rays
+    if (timings.back().partial) frames[0].trace.failed.store(true);   // the remaining rays are not needed
     recording.finish();
     return timings;
 }
@@ -220,7 +222,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
             progress(with_rate("rtl", machine.cycle() - first, watch), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
-    const Accounts& accounts = machine.accounts();   // of an interrupted frame it counts two cycles more
+    const Accounts& accounts = machine.accounts();   // for an interrupted frame, these count two more cycles
     const FrameTiming timing{machine.done() ? machine.cycle() - first : machine.counted_cycles(),
                              machine.hits(),
                              accounts,

@@ -1,5 +1,5 @@
 #pragma once
-// Whole frames on the model or on the RTL, with what they cost.
+// Renders whole frames on the model or on the RTL, and reports their cost.
 #include <span>
 #include <string>
 
@@ -19,115 +19,121 @@ namespace rayclock {
 
 constexpr int default_khz = 66000;
 
-/// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their
-/// corners in the mesh; in the scene the second and the third have changed places, so that their outside
-/// stays outside. What is written out is turned already.
+/// A range of primitives of instances that are mirror images. The chip uses the order of a triangle's corners
+/// in the mesh. In the scene the second and the third corner are swapped, so that the outside stays outside.
+/// Triangles that are expanded into the scene are swapped already.
 struct MirrorRange {
-    std::uint32_t first = 0, end = 0;   ///< rising
+    std::uint32_t first = 0, end = 0;   ///< sorted and disjoint
 };
+/// Returns the ranges of the scene, in rising order.
 std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene, const MemoryImage& image);
 
-/// A scene compiled for one configuration and one picture, and the chip's clock: all that a machine needs.
+/// A scene compiled for one configuration and one picture, and the chip's clock: everything that a machine
+/// needs.
 struct Job {
     Config config;
     Frame frame;
     MemoryImage image;
     FrameSize size;
     int khz = default_khz;
-    std::vector<MirrorRange> mirrored{};   ///< if the chip walks instances
+    std::vector<MirrorRange> mirrored{};   ///< if the chip traverses instances
 };
-/// The image must fit into the memory that the configuration names; throws UserError if it does not.
-/// make_job() asks this.
+/// Throws UserError if the image does not fit into the memory of the configuration, or if that memory is too
+/// slow for `scan_out`. Called by make_job().
 void check_capacity(const MemoryImage& image, const Config& config);
+/// Compiles a scene. Throws UserError if the size is wrong or the image does not fit.
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress = {}, const Whitted& settings = {});
-/// The job's frame, seen by another camera.
+/// Returns the job's frame, seen by another camera.
 Frame job_frame(const Job& job, const Camera& camera);
 
 using Colours = std::vector<std::array<std::uint32_t, 3>>;   ///< [y * width + x], unit_bits of fraction
 
-/// What a frame took.
+/// The cost of a frame.
 struct FrameTiming {
     std::uint64_t cycles = 0;
-    std::uint64_t pixels = 0;   ///< finished
+    std::uint64_t pixels = 0;   ///< finished ones
     Accounts accounts;
     MemoryStats memory;
     double seconds = 0;      ///< of the host
     bool partial = false;    ///< stopped before the end
-    UploadTiming upload{};   ///< before it
+    UploadTiming upload{};   ///< before the frame
     std::uint64_t all_cycles() const { return cycles + upload.cycles + upload.reset; }
 };
 
-/// What a frame's rays did.
+/// The work of a frame's rays.
 struct FrameWork {
-    RayCounts rays;   ///< of the RTL: only those that leave its raygen, by what they are for
+    RayCounts rays;   ///< of the RTL: only rays that leave its raygen, by purpose
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
 };
 
-/// A frame that a machine made.
+/// The result of a frame on a machine.
 struct FrameRun : FrameTiming, FrameWork {
     HitFrame hits;
-    std::vector<Closest> answers;    ///< the same, as the machine gave them
-    Colours colours;                 ///< likewise, if the chip shades: unit_bits of fraction
+    std::vector<Closest> answers;    ///< the same hits, as the machine returned them
+    Colours colours;                 ///< [y * width + x], if the chip shades: unit_bits of fraction
     bool finished_picture = false;   ///< the chip shades
     std::uint64_t digest = 0;        ///< see digest_of()
 };
 
-/// A frame of a sequence, what its rays do, and what the host writes before it.
+/// A frame of a sequence: its registers, the work of its rays, and the host's writes before it.
 struct FrameTrace {
     Frame frame;
     Trace trace;
     Upload upload{};
 };
-/// bring() for one frame of a sequence.
+/// Calls bring() for one frame of a sequence.
 template <class Machine>
 UploadTiming bring(Machine& machine, std::size_t f, std::span<const FrameTrace> frames) {
     return bring(machine, f, [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
 }
+/// Records the work of a frame's rays. `threads` 0 means all cores.
 FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
 
-/// Runs frames on one machine, one after the other: what lies in the caches stays. `khz` and `config`'s
-/// timing may differ from the job's that was recorded. Stops early, with the last frame partial, when
-/// interrupted().
+/// Replays frames on one machine one after the other, so that the caches keep their contents. `khz` and
+/// `config`'s timing may differ from those of the recorded job. Stops early, with the last frame partial,
+/// once interrupted(). Throws std::runtime_error if the machine hangs.
 std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames,
                                 Traffic traffic = {}, const Progress& progress = {});
 
-/// One frame, the job's, replayed while it is being recorded: `frames` gets its trace.
+/// Replays the job's frame while it is being recorded. `frames` receives its trace.
 std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames,
                                            Traffic traffic = {}, int threads = 0,
                                            const Progress& progress = {});
 
-/// Frames on the RTL, which makes its frames by itself: of their traces it reads none.
+/// Renders frames on the RTL. The RTL computes them itself and reads none of their traces. Throws
+/// std::runtime_error if it hangs or puts an impossible value on a link.
 std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames,
                               Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
-/// A frame's run, from what it took, what its rays did and what they answered.
+/// Builds a frame's result from its cost, the work of its rays and their answers.
 FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,
                    std::vector<Closest> answers, Colours colours);
-/// A replayed frame with what its rays did; hits and answers are left out.
+/// Builds the result of a replayed frame, without hits and answers.
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
-/// What the rays of a recorded frame did, or those of the pixels that were done.
+/// Returns the work of a recorded frame's rays. For a partial frame, the ray counts are in proportion to the
+/// finished pixels; visits and tests are those of the whole frame.
 FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing);
 
-/// Rays of a frame: of a finished picture all, else one for each pixel that is done.
+/// Returns the number of rays of a frame: all rays of a finished picture, else one for each finished pixel.
 inline double rays_of(const FrameRun& run) {
     return run.finished_picture ? double(run.rays.all()) : double(run.pixels);
 }
 
-/// One frame, recorded and replayed; or made by the RTL.
+/// Renders one frame: run_model() records and replays it, run_rtl() computes it on the RTL.
 FrameRun run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
 FrameRun run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
-/// A recorded frame as hits.
+/// Returns the hits of a recorded frame.
 HitFrame hits_of(const Job& job, const FrameTrace& frame);
-/// Over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles.
+/// Hashes every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles.
 std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours = {});
-/// Colours that a chip made, as a picture.
+/// Converts a chip's colours to a picture.
 Picture picture_of(FrameSize size, const Colours& colours);
-/// The same of those that the reference made.
+/// Converts the reference's colours to a picture.
 Picture picture_of(const WhittedFrame& reference);
 
-/// Gathers an RTL's hits as they come out.
+/// Collects an RTL's hits as they arrive.
 class FrameCollector {
 public:
     FrameCollector(const Frame& frame, bool shading)
@@ -149,11 +155,11 @@ private:
     std::vector<Closest> hits_;
     Colours colours_;
 };
-/// In terms of the scene.
+/// Converts hits to the scene's units.
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
-/// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory
-/// can take to answer.
+/// Returns the number of cycles of this clock without any transfer after which a run is given up. It is ten
+/// times the longest time that the memory takes to answer.
 std::uint64_t patience(const Config& config, int khz, const Traffic& traffic);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Fitting the options to the scene, and making its film.
 #include "sim/run/film/choice.hpp"
 
 #include "sim/run/request/levels.hpp"

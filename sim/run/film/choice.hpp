@@ -1,25 +1,25 @@
 #pragma once
-// What is drawn of one scene with many configurations.
+// The frames that many configurations draw of one scene.
 #include "sim/run/film/film.hpp"
 
 namespace rayclock {
 
-/// Whether anything of a scene moves by itself.
+/// Returns true if the scene has motion of its own.
 bool moves(const Scene& scene);
-/// What was asked for, without what has no effect in this scene; a note on standard error tells of that.
-/// Throws UserError.
+/// Returns the options without those that have no effect in this scene; a note on standard error names them.
+/// Throws UserError if an option is wrong.
 FramesOptions settled_frames(const FramesOptions& asked, const Scene& scene);
 
-/// What is drawn of a scene with every configuration that is tried: the finished picture, or what camera rays
-/// hit; of one frame, or of a film.
+/// The drawing that all tried configurations make of a scene: the finished picture or the hits of camera
+/// rays, for one frame or a film.
 struct PictureChoice {
-    bool finished = false;    ///< a chip that shades draws the finished picture in any case
-    Whitted settings{};       ///< of it
-    FramesOptions frames{};   ///< as settled_frames() made them
-    ViewChoice view{};        ///< from which the scene's camera came
+    bool finished = false;    ///< a chip that shades always draws the finished picture
+    Whitted settings{};       ///< of the finished picture
+    FramesOptions frames{};   ///< the result of settled_frames()
+    ViewChoice view{};        ///< the options that chose the scene's camera
 };
 
-/// The frames as a configuration draws them. Throws UserError if it cannot.
+/// Returns the frames for one configuration. Throws UserError if it cannot draw them.
 Film film_of(const Scene& scene, FrameSize size, const PictureChoice& choice, const Config& config,
              const Progress& progress, bool for_chip = true);
 

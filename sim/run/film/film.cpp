@@ -1,3 +1,5 @@
+// Moving scenes on a chip: with two levels, with a refitted tree of one level, or compiled anew in each
+// frame.
 #include "sim/run/film/film.hpp"
 
 #include <algorithm>
@@ -16,11 +18,11 @@
 namespace rayclock {
 namespace {
 
-/// Of all corners of triangles that it is given.
+/// The bounds of all corners of the triangles that were added.
 struct Growing {
     Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
                glm::dvec3(-std::numeric_limits<double>::infinity())};
-    /// `part` has vertices and triangles.
+    /// Adds a part, which has vertices and triangles.
     template <class Part> void add(const Part& part, const glm::dmat4& place = glm::dmat4(1)) {
         for (const Triangle& t : part.triangles)
             for (const std::uint32_t v : t.vertex) {
@@ -30,7 +32,7 @@ struct Growing {
     }
 };
 
-/// With a mesh as it is now.
+/// Extends the bounds by a mesh in its current shape.
 void grow(std::optional<Bounds>& all, const SharedMesh& mesh) {
     Growing growing;
     if (all) growing.box = *all;
@@ -42,7 +44,7 @@ void grow(std::optional<Bounds>& all, const SharedMesh& mesh) {
 
 Camera panned(const Camera& camera, double pan, int i) {
     if (i == 0 || pan == 0) return camera;
-    // Rodrigues' rotation of the view direction about the up axis.
+    // Rodrigues' rotation formula turns the view direction about the up axis.
     const double angle = pan * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
     const glm::dvec3 axis = glm::normalize(camera.up), view = camera.at - camera.eye;
     Camera turned = camera;
@@ -88,7 +90,7 @@ Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const
     return panned(camera_moves_ && moving ? *moving : first_camera_, pan_, int(f));
 }
 
-/// Goes through all times once, because the lattice must cover them all.
+/// Visits all times once, because the lattice must cover all of them.
 void Film::prepare_levels() {
     std::vector<Places> times;
     ShapeBounds shapes(placed_.motion.deforming.empty() ? 0 : placed_.meshes.size());
@@ -103,7 +105,7 @@ void Film::prepare_levels() {
     levels_ = MovingLevels::make(placed_, times, eyes, is_double_ ? 2 : 1, request_.config, shapes);
 }
 
-/// The same for one level.
+/// Does the same for one level.
 void Film::prepare_flat() {
     Growing bounds;
     std::vector<glm::dvec3> eyes;
@@ -166,12 +168,12 @@ void Film::next() {
 }
 
 void Film::set_registers() {
-    if (job_.config.shading)   // lights move, too
+    if (job_.config.shading)   // lights move too
         job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image, job_.config);
     job_.frame = job_frame(job_, camera());
 }
 
-/// The tree follows what has moved.
+/// Refits the tree to the moved triangles.
 void Film::next_flat() {
     upload_ = flat_->next(request().scene);
     upload_.instances = placed_.instances.size();
@@ -185,7 +187,7 @@ void Film::next_flat() {
     set_registers();
 }
 
-/// Compiles the scene as if there had been no frame before.
+/// Compiles the scene again, independently of the previous frame.
 void Film::next_whole() {
     const std::vector<std::uint32_t> held = std::move(job_.image.words);
     request();

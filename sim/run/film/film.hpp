@@ -1,7 +1,6 @@
 #pragma once
-// The frames of a scene that moves, one after the other: the scene at its time, the chip's memory, what the
-// host writes (docs/motion.md). A scene that stands still is the same for every frame, and only the camera
-// turns.
+// The frames of a moving scene, one after the other: the scene at its time, the chip's memory, and the host's
+// writes (docs/motion.md). A scene without motion is the same in every frame, and only the camera may turn.
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,19 +12,19 @@
 
 namespace rayclock {
 
-/// What was asked for.
+/// The options of the command line.
 struct FramesOptions {
     int frames = 1;
     double pan = 0;              ///< degrees that the camera turns from frame to frame
-    std::optional<double> fps;   ///< frames in a second of the scene's time
+    std::optional<double> fps;   ///< frames per second of the scene's time
     std::string time;            ///< "1.5" or "0:4": seconds of the scene
     std::string uploads = "between";
-    /// The tree of a mesh that deforms is built anew above so many times the cost that it had when it was
-    /// built; until then it is refitted.
+    /// The tree of a deforming mesh is refitted while its cost is at most this multiple of the cost at its
+    /// last build. Above that it is rebuilt.
     double rebuild = usual_rebuild;
 };
 
-/// The times of the frames, seconds of the scene, and how long each is to be seen. Throws UserError.
+/// The times of the frames in seconds of the scene, and the frame rate.
 struct FrameTimes {
     std::vector<double> times;
     double fps = 25;
@@ -33,32 +32,35 @@ struct FrameTimes {
 };
 constexpr double usual_fps = 25;
 constexpr int most_frames = 1000;
+/// Computes the times of the frames. Throws UserError if an option is wrong.
 FrameTimes frame_times(const FramesOptions& options, bool moves);
 
-/// The camera of frame i: turned by `pan` i degrees about its up axis. The eye stays.
+/// Returns the camera of frame i: turned by `pan` i degrees about its up axis. The eye stays.
 Camera panned(const Camera& camera, double pan, int i);
 
+/// Produces the frames in order: call next(), then use the other functions.
 class Film {
 public:
-    /// `view_is_asked`: the camera was chosen by hand, and does not move with the scene. `for_chip`: frames
-    /// are made for a chip, and not for the reference alone. Throws UserError.
+    /// `view_is_asked` means that the user chose the camera, which then does not move with the scene.
+    /// `for_chip` means that frames are made for a chip and not only for the reference. Throws UserError.
     Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
          const Progress& progress = {}, bool for_chip = true);
 
     std::size_t frames() const { return times_.times.size(); }
     const FrameTimes& times() const { return times_; }
-    bool moves() const { return moves_; }                    ///< anything but the camera by --pan
-    bool is_still() const { return !moves_ && pan_ == 0; }   ///< all frames are alike
+    bool moves() const { return moves_; }                    ///< the scene moves; --pan alone does not count
+    bool is_still() const { return !moves_ && pan_ == 0; }   ///< all frames are equal
 
-    /// Makes the next frame the one at hand: its place in time, the memory, the registers.
+    /// Advances to the next frame: the scene, the memory, the registers.
     void next();
-    /// Of the frame at hand. The job of the last frame, with the uploads of all, gives a machine all frames.
+    /// Returns the job of the current frame. The job of the last frame with the uploads of all frames is
+    /// enough to run all frames on a machine.
     const Job& job() const { return job_; }
     const Camera& camera() const { return *request_.scene.camera; }
     Upload take_upload() { return std::move(upload_); }
-    /// With the scene as it is in this frame.
+    /// Returns the request with the scene as it is in this frame.
     const Request& request();
-    /// Its rays, with the upload.
+    /// Records the frame's rays and adds its upload.
     FrameTrace record(int threads, const Progress& progress);
 
 private:
@@ -78,13 +80,13 @@ private:
     bool for_chip_;
     double rebuild_;
     bool moves_ = false, is_double_ = false, camera_moves_ = false, is_stale_ = false;
-    PlacedScene placed_;   ///< at the time of the frame at hand, if anything moves
+    PlacedScene placed_;   ///< at the time of the current frame, if anything moves
     Camera first_camera_;
     std::unique_ptr<MovingLevels> levels_;
     std::unique_ptr<RefittedScene> flat_;
     Job job_;
     Upload upload_;
-    std::size_t frame_ = 0;   ///< the next
+    std::size_t frame_ = 0;   ///< number of the next frame
 };
 
 }   // namespace rayclock

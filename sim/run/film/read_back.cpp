@@ -1,3 +1,4 @@
+// Reading the chunks of an animated PNG, and composing its frames.
 #include "sim/run/film/read_back.hpp"
 
 #include <algorithm>
@@ -33,17 +34,18 @@ std::string chunk(const std::string& kind, std::string_view data) {
     return four_bytes(data.size()) + sum_of + four_bytes(crc);
 }
 
-/// A part of the picture that is drawn anew, and what becomes of it before the next.
+/// A part of the picture that is redrawn, and its disposal before the next step.
 struct Step {
     std::size_t width, height, x, y;
     std::uint32_t delay, parts_of_second;
     enum : std::uint32_t { keep, clear, restore } after;
     bool is_blended;
-    std::string data;   ///< as in a PNG's IDAT
+    std::string data;   ///< in the format of a PNG's IDAT
 };
 
 struct Steps {
-    std::string header, shared;   ///< IHDR's data, and the chunks that hold for all: a transparent colour
+    std::string header, shared;   ///< IHDR's data, and the chunks that hold for all steps: palette and
+                                  ///< transparent colour
     std::vector<Step> steps;
 };
 
@@ -59,14 +61,14 @@ Step step_of(std::string_view d) {
             {}};
 }
 
-/// A picture without steps is one that stands still for all of `whole` thousandths.
+/// Reads the steps. A picture without steps is one that stands still for all of `whole` thousandths.
 Steps steps_of(std::string_view film, long whole) {
     if (!film.starts_with(signature)) throw std::runtime_error("it is no PNG");
     Steps all;
     for (std::size_t at = signature.size(); at < film.size();) {
         const std::size_t length = number(film, at);
         const std::string kind(film.substr(at + 4, 4));
-        number(film, at + 8 + length);   // the whole chunk is there
+        number(film, at + 8 + length);   // throws unless the whole chunk exists
         const std::string_view data = film.substr(at + 8, length);
         if (kind == "IHDR") all.header = data;
         if (kind == "tRNS" || kind == "PLTE") all.shared += chunk(kind, data);
@@ -88,7 +90,7 @@ Steps steps_of(std::string_view film, long whole) {
     return all;
 }
 
-/// The library's own words are not for users.
+/// Decodes a part. Replaces the library's messages, which are not meant for users.
 Texels texels_of(const std::string& png) {
     try {
         return picture_codec().texels(png);
@@ -139,7 +141,7 @@ void compare(const std::string& film, std::size_t count, long delay,
         if (part.size != FrameSize{int(step.width), int(step.height)})
             throw std::runtime_error("a part of it has another size");
         draw(part, step, picture);
-        // Equal frames in a row are one that is shown for longer.
+        // Consecutive equal frames are stored as one frame with a longer delay.
         if (step.parts_of_second != 1000 || step.delay == 0 || step.delay % delay != 0)
             throw std::runtime_error(
                 fmt::format("frame {} is shown for {}/{} s", f, step.delay, step.parts_of_second));

@@ -1,3 +1,4 @@
+// Running the film program, and checking the film that it made.
 #include "sim/run/film/strip.hpp"
 
 #include <algorithm>
@@ -20,9 +21,9 @@ std::string frame_name(std::size_t f) { return fmt::format("frame_{:04}.png", f)
 
 namespace {
 
-/// Lets the program make film.png in a folder of frames.
+/// Runs the program, which makes film.png in a folder of frames. Throws UserError if it fails.
 void run_film_program(const fs::path& program, const fs::path& folder, long thousandths) {
-    // It numbers them by itself from the first name on.
+    // It finds the following frames by their numbers, starting at the first name.
     const fs::path log = folder / "film.log";
     Process process(
         {{program.string(), "film.png", frame_name(0), std::to_string(thousandths), "1000", "-kc"},
@@ -40,24 +41,24 @@ void run_film_program(const fs::path& program, const fs::path& folder, long thou
 }   // namespace
 
 std::string make_film(StagedFiles& staged, const std::string& folder, std::size_t count, double fps) {
-    // The program takes all that are numbered on: those of an older, longer film go.
+    // The program takes all consecutive numbers, so remove the frames of an older, longer film.
     std::vector<std::string> outdated;
     std::error_code error;
     for (std::size_t f = count; fs::exists(fs::path(folder) / frame_name(f), error); ++f)
         outdated.push_back(frame_name(f));
     const fs::path program = find_program(film_program);
     if (program.empty()) {
-        outdated.emplace_back("film.png");   // not of these frames
+        outdated.emplace_back("film.png");   // the old film shows other frames
         staged.publish(outdated);
         return fmt::format(
             "no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
             film_program, film_program, printable(folder));
     }
-    // A delay is a fraction of two numbers of 16 bits.
+    // A delay is a fraction of two 16-bit numbers.
     const long thousandths = std::min(long(std::lround(1000 / fps)), 65'535l);
     run_film_program(program, staged.stage(), thousandths);
-    // The frames were read back when they were written; a film that does not show them is worth nothing. On a
-    // full disk the program says nothing.
+    // The frames were read back when they were written. Check the film against them too: on a full disk the
+    // program reports no error.
     const std::string fault =
         film_fault(read_if_there(staged.stage() / "film.png"), count, thousandths,
                    [&](std::size_t f) { return read_if_there(staged.stage() / frame_name(f)); });

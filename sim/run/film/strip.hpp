@@ -7,16 +7,16 @@
 
 namespace rayclock {
 
-/// The program that makes the film: Debian's package of the same name. An animated PNG loses nothing, and
+/// The program that makes the film; Debian's package has the same name. An animated PNG is lossless, and
 /// every browser plays it.
 constexpr const char* film_program = "apngasm";
 
-/// "frame_0007.png"
+/// Returns the file name of a frame: "frame_0007.png".
 std::string frame_name(std::size_t f);
 
-/// Makes a film of the frames 0 to count - 1 that lie in the stage, and publishes both; older frames behind
-/// them go. Returns a sentence about what was made, or why there is no film. Throws UserError if the film is
-/// not whole, and Interrupted after Ctrl-C: then nothing is published.
+/// Makes a film of the staged frames 0 to count - 1 and publishes both. Removes older frames with higher
+/// numbers. Returns a sentence about the film, or the reason why there is none. Throws UserError if the film
+/// is damaged, and Interrupted after Ctrl-C. Then it publishes nothing.
 std::string make_film(StagedFiles& staged, const std::string& folder, std::size_t count, double fps);
 
 }   // namespace rayclock

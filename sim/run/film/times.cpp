@@ -1,4 +1,4 @@
-// The times of frames, as they are typed.
+// Parsing of --time, --fps and --frames into the times of frames.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -25,8 +25,8 @@ double seconds_of(std::string_view text, const std::string& typed) {
     return value;
 }
 
-/// From `begin` to `end` by evenly spaced frames; the end itself is not one of them, so that a round motion
-/// meets its beginning again.
+/// Evenly spaced frames from `begin` to `end`. The end itself is not a frame, so that a periodic motion
+/// continues at its beginning.
 struct Span {
     double begin = 0, end = 0;
     bool has_end = false;

@@ -1,3 +1,4 @@
+// One function for each kind of table.
 #include "sim/run/gen/chip_page.hpp"
 
 #include <map>
@@ -17,7 +18,7 @@ namespace {
 /// One row for each field of a payload.
 struct FieldRow {
     std::string name;
-    int elements, width, at;   ///< of the lowest element
+    int elements, width, at;   ///< bit position of the lowest element
     bool is_signed;
 };
 class RowVisitor {
@@ -43,7 +44,7 @@ template <class P> std::vector<FieldRow> rows_of(const Config& config) {
     return std::move(visitor.rows);
 }
 
-/// "3 x 18, signed"
+/// Returns the width for a table: "3 x 18, signed".
 std::string width_text(const FieldRow& row) {
     return fmt::format("{}{}{}", row.elements > 1 ? fmt::format("{} x ", row.elements) : "", row.width,
                        row.is_signed ? ", signed" : "");
@@ -109,7 +110,7 @@ std::string counter_table() {
     return text;
 }
 
-/// `default`, with every unit that a finished picture may need.
+/// Returns `default` with every unit that a finished picture may need.
 Config shaded() {
     Config c = named_config("default");
     c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.supersampling = 1;

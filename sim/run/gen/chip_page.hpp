@@ -1,11 +1,11 @@
 #pragma once
-// The tables of docs/chip.md and rtl/README.md, from the descriptions that the RTL's package is made from.
+// The tables of docs/chip.md and rtl/README.md, from the descriptions that also define the RTL's package.
 #include <string>
 
 namespace rayclock {
 
-/// The page with its tables made anew: whatever lies between "<!-- made: NAME -->" and "<!-- end -->". Throws
-/// std::logic_error for a name that no table has.
+/// Returns the page with its tables regenerated: the text between each "<!-- made: NAME -->" and "<!-- end
+/// -->". Throws std::logic_error for an unknown name or a missing end.
 std::string with_tables(const std::string& page);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Tables and diagram from the descriptions of units and links.
 #include "sim/run/gen/description.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ const char* place_text(Place place) {
                                     : "(beside the chip)";
 }
 
-/// The causes of one kind, in the order of their codes.
+/// Returns the causes of one kind, in the order of their codes.
 std::string causes_text(const UnitInfo& unit, Kind kind) {
     std::string text;
     for (const Cause& cause : unit.causes)

@@ -4,9 +4,10 @@
 
 namespace rayclock {
 
+/// Return the tables of units and of links.
 std::string units_table();
 std::string links_table();
-/// A Mermaid diagram; links that exist only in some configurations are dotted.
+/// Returns a Mermaid diagram. Links that exist only in some configurations are dotted.
 std::string links_diagram();
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The commands for Yosys.
 #include "sim/run/gen/ecp5.hpp"
 
 #include <fmt/format.h>
@@ -5,11 +6,11 @@
 namespace rayclock {
 
 namespace {
-constexpr int fewest_reset = 16;   // flip-flops of a unit with the same reset
+constexpr int fewest_reset = 16;   // least number of flip-flops in a unit that share a reset
 }
 
 std::string ecp5_steps(const std::string& until) {
-    // The types of flip-flops are those that synth_ecp5 asks for itself in the step after.
+    // These are the types of flip-flops that synth_ecp5 itself legalises in its next step.
     return fmt::format(
         "synth_ecp5 -nowidelut -run :map_ffs\nopt_clean\n"
         "dfflegalize -minsrst {} -cell $_DFF_?_ 01 -cell $_DFF_?P?_ r -cell $_SDFF_?P?_ r -cell $_DFFE_??_ "

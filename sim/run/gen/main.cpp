@@ -1,6 +1,6 @@
-// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to
-// standard output; the configuration is one that ships with the program, or `default`, with parameters
-// changed. rc_pkg_gen --page FILE makes the tables of docs/chip.md or rtl/README.md anew.
+// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", it writes
+// to standard output. The configuration is one that ships with the program, or `default`, with changed
+// parameters. rc_pkg_gen --page FILE regenerates the tables of docs/chip.md or rtl/README.md.
 #include <algorithm>
 #include <fstream>
 #include <iostream>

@@ -1,3 +1,4 @@
+// Generates rc_pkg.sv from the configuration and from the tables of model/core.
 #include "sim/run/gen/rc_pkg.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ private:
     }
 };
 
-/// Entries as one vector, entry 0 lowest.
+/// Returns entries as one vector, entry 0 in the lowest bits.
 std::string list_text(const char* name, const std::vector<std::string>& entries, int width) {
     std::string text =
         fmt::format("  localparam logic [{}:0] {} = {{", int(entries.size()) * width - 1, name);
@@ -49,8 +50,8 @@ std::string list_text(const char* name, const std::vector<std::string>& entries,
     return text + "};\n";
 }
 
-/// The registers of the chip's face: their addresses, what they say of the chip, and where the words of a
-/// frame lie in frame_t.
+/// Returns the constants of the host's registers: their addresses, the values that identify the chip, and the
+/// positions of a frame's words in frame_t.
 std::string host_constants(const Config& config) {
     const auto constant = [](const std::string& name, std::uint32_t value) {
         return fmt::format("  localparam int unsigned {} = {};\n", name, value);
@@ -86,7 +87,7 @@ std::string host_constants(const Config& config) {
     return text + list("SharedUnitsThere", shared, 1);
 }
 
-/// "node_miss" as Verilog's constants are written: "NodeMiss".
+/// Converts "node_miss" to the style of Verilog's constants: "NodeMiss".
 std::string camel(std::string_view name) {
     std::string text;
     bool upper = true;
@@ -97,7 +98,7 @@ std::string camel(std::string_view name) {
     return text;
 }
 
-/// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
+/// Returns false for parameters that the RTL does not need: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
     constexpr std::array others{"origin_bits",  "straddlers", "splits",        "references",
                                 "leaf_size",    "dram",       "dram_channels", "mem_latency",
@@ -105,6 +106,7 @@ bool is_for_rtl(std::string_view key) {
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }
 
+/// Collects the text of the package.
 class Package {
 public:
     explicit Package(const Config& config) : config_(config) {}
@@ -125,7 +127,8 @@ public:
     }
     void say(const char* comment) { text_ += fmt::format("\n  // {}\n", comment); }
 
-    /// Names for values; the fields that hold them are plain vectors, since Yosys 0.23 has no casts to enums.
+    /// Adds names for values. The fields that hold them are plain vectors, since Yosys 0.23 has no casts to
+    /// enums.
     template <class Value> void enumeration(const std::string& type, const std::string& prefix, int bits,
                                             const std::vector<std::pair<std::string, Value>>& values) {
         text_ += fmt::format("  typedef enum logic [{}:0] {{", bits - 1);
@@ -134,7 +137,7 @@ public:
                                  bits, unsigned(value));
         text_ += fmt::format("\n  }} {};\n", type);
     }
-    /// The codes by which a unit says what it did.
+    /// Adds the codes by which a unit reports its activity in a cycle.
     void causes(const char* name, const UnitInfo& unit) {
         constexpr std::array kinds{"", "Busy", "Starved", "Stalled"};
         std::vector<std::pair<std::string, std::size_t>> names;
@@ -150,7 +153,7 @@ public:
             fmt::format("\n  typedef struct packed {{\n{}  }} {}_t;\n  localparam int unsigned {}W = {};\n",
                         v.text, name, camel(name), bits_of<Payload>(config_));
     }
-    /// What the links carry, in their order.
+    /// Adds the payloads of the links, in their order.
     template <std::size_t i = 0> void links() {
         if constexpr (i < link_count) {
             record<std::tuple_element_t<i, LinkPayloads>>(link_infos[i].name);
@@ -159,7 +162,7 @@ public:
     }
     template <std::size_t n>
     void table(const char* name, const std::array<TableEntry, n>& entries, int value_bits, int step_bits) {
-        std::vector<std::string> texts;   // value above, step below
+        std::vector<std::string> texts;   // value in the upper bits, step in the lower
         for (const TableEntry& entry : entries)
             texts.push_back(fmt::format("h{:x}", std::uint64_t(entry.value) << step_bits | entry.step));
         text_ += list_text(name, texts, value_bits + step_bits);
@@ -177,8 +180,7 @@ private:
         "package rc_pkg;\n";
 };
 
-/// Widths and latencies that follow from the parameters.
-/// Of a link's payload.
+/// Returns the width of a link's payload in bits.
 int bits_on(Link link, const Config& config) {
     int bits = 0;
     const auto look = [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -189,6 +191,7 @@ int bits_on(Link link, const Config& config) {
     return bits;
 }
 
+/// Adds widths and latencies that follow from the parameters.
 void derived(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
     p.constant("EdgeBits", c.edge_bits());
@@ -234,9 +237,10 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    p.constant("NodeBits", node_bits(c, c.engine()));   // of the scene's tree, and of meshes'
+    p.constant("NodeBits", node_bits(c, c.engine()));   // of the scene's tree; the next one is that of the
+                                                        // meshes' trees
     p.constant("MeshNodeBits", node_bits(c, c.lower_engine()));
-    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line, in the node cache
+    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line in the node cache
     p.constant("NodeReqBits", bits_on(node_unit(c.engine()).req, c));
     p.constant("MeshReqBits", bits_on(node_unit(c.lower_engine()).req, c));
     p.constant("LineKindBits", line_kind_bits);
@@ -289,7 +293,8 @@ void derived(Package& p, const Config& c) {
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
     p.constant("SlantLatency", c.slant_latency());
-    p.constant("NodePad", c.node_latency() - c.node_latency(c.engine()));   // of answers that wait
+    p.constant("NodePad", c.node_latency() - c.node_latency(c.engine()));   // pads the answers of the faster
+                                                                            // unit
     p.constant("MeshPad", c.node_latency() - c.node_latency(c.lower_engine()));
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
@@ -355,7 +360,7 @@ void enumerations(Package& p) {
         if (unit.place < Place::beside && !decides_nodes(Unit(u)) && unit.causes.back().kind == Kind::none)
             p.causes(unit.name, unit);
     }
-    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // of every unit that decides nodes
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all units that decide nodes
 }
 
 }   // namespace

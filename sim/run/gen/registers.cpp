@@ -1,3 +1,4 @@
+// The list of registers, and the division of a frame into words.
 #include "sim/run/gen/registers.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace rayclock {
 
 namespace {
 
-/// Cuts a payload's fields into words.
+/// Divides a payload's fields into words.
 class WordVisitor {
 public:
     explicit WordVisitor(int bits) : at_(bits) {}
@@ -99,7 +100,7 @@ std::vector<FrameWord> frame_words(const Config& config) {
 
 std::vector<std::uint32_t> frame_values(const Frame& frame, const Config& config) {
     Words packed = pack(frame, config);
-    packed.push_back(0);   // what lies above the last word
+    packed.push_back(0);   // padding for reads beyond the last word
     std::vector<std::uint32_t> values;
     for (const FrameWord& word : frame_words(config)) {
         const auto at = std::size_t(word.at / 32);

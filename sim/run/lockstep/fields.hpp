@@ -1,5 +1,5 @@
 #pragma once
-// The fields of payloads, for the words in which a divergence is told.
+// The fields of payloads, for messages about a divergence.
 #include <array>
 #include <string>
 #include <utility>
@@ -25,8 +25,9 @@ public:
     }
 };
 
-/// The fields in which two payloads differ, as "name=value" of each side. The one that names the unit is that
-/// of the ray, on which all others hang, or the first.
+/// Describes the fields in which two payloads differ, as "name=value" for each side. `d.field`, which
+/// identifies the unit, becomes the ray number if it differs, because all other fields depend on it.
+/// Otherwise it becomes the first one.
 template <class P> void describe(P model, P rtl, const Config& config, Divergence& d) {
     ListVisitor a, b;
     model.fields(a, config);
@@ -39,6 +40,7 @@ template <class P> void describe(P model, P rtl, const Config& config, Divergenc
     }
 }
 
+/// Returns the ray or request number in a payload, or 0 if it has none.
 template <class P> std::uint32_t id_of(const P& p) {
     if constexpr (requires { p.closest; })
         return p.closest.ray;

@@ -1,3 +1,4 @@
+// Steps both machines in the same loop and compares them.
 #include "sim/run/lockstep/lockstep.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace rayclock {
 
 namespace {
 
-/// "the RTL makes it 1 cycle later"
+/// Returns "the RTL makes it 1 cycle later".
 std::string later_text(const char* who, std::uint64_t cycles, bool same) {
     const std::string when = fmt::format("{} cycle{} later", cycles, cycles == 1 ? "" : "s");
     return same ? fmt::format("{} makes it {}", who, when)
@@ -76,7 +77,7 @@ public:
     }
 
 private:
-    /// Once, with the frame in which it lies.
+    /// Reports the first divergence once, with its frame.
     void tell_first() {
         if (told_ || !result_.first) return;
         told_ = true;
@@ -86,7 +87,7 @@ private:
         told_seconds_ = watch.seconds();
     }
 
-    /// What the host writes before a frame, on both machines.
+    /// Performs the host's writes before a frame on both machines.
     void bring_frame(std::size_t f) {
         const Upload& upload = frames_[f].upload;
         if (upload.image_lines > 0) {
@@ -154,7 +155,8 @@ private:
         if (!result_.counter) result_.counter = difference;
     }
 
-    /// Payloads on their way are compared, but not those of an RTL that runs alone.
+    /// Reports an impossible value of the RTL. Lockstep compares payloads, but not those of an RTL that runs
+    /// alone.
     void tell_nonsense() {
         if (!rtl_.nonsense()) return;
         ++result_.value_mismatches;
@@ -165,7 +167,7 @@ private:
         result_.first->got = n.what;
     }
 
-    /// The RTL is not run on.
+    /// Records a failed assertion. The RTL does not run on after it.
     void tell_assertion(const RtlAssertion& assertion) {
         parted_ = broken_ = true;
         watched_.reset();
@@ -173,7 +175,7 @@ private:
         result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
     }
 
-    /// What the chip tells its host of the frame: that it runs, and that it is done.
+    /// Compares the chip's signals to the host: `running` and `done`.
     void check_face(std::uint64_t now, bool runs) {
         const auto tell = [&](const char* signal, bool wanted, const char* yes, const char* no) {
             if (result_.first) return;
@@ -186,7 +188,7 @@ private:
         if (rtl_.says_done() == runs) tell("done", !runs, "the frame is done", "the frame is not done");
     }
 
-    /// The cycle after the frame's last.
+    /// Checks the cycle after the frame's last one.
     void check_end() {
         rtl_.settle();
         check_face(model_.cycle(), false);
@@ -242,7 +244,7 @@ private:
         result_.first = d;
     }
 
-    /// Whether the RTL has the end of a ray, of which the payload is all that is left, where it should be.
+    /// Checks whether the RTL has the end of a ray at its inner ports; the link carries only its payload.
     template <class P> RayEnd end_of(int pipeline, const P& payload) const {
         if constexpr (std::is_same_v<P, HitOut>) {
             return {done_is(pipeline, payload.closest.ray),
@@ -267,12 +269,13 @@ private:
     struct Masks {
         LinkMask valid, fire;
     };
-    /// The machines no longer move in step: one of them offers or accepts what the other does not.
+    /// Records that the machines no longer move in step: one offers or accepts a transfer that the other does
+    /// not.
     void part(std::uint64_t now, int pipeline, LinkMask differ, Masks model, Masks rtl) {
         parted_ = true;
         if (result_.first) return;
-        // An offer comes out of registers; whether it is accepted may hang on another offer of the same
-        // cycle.
+        // Prefer a link whose valid signal differs: valid comes from registers, but ready may depend on
+        // another link's valid in the same cycle.
         const LinkMask offers = differ & (model.valid ^ rtl.valid);
         const Link c = Link(std::countr_zero(offers ? offers : differ));
         const auto tell = [&](const Masks& m) {
@@ -282,8 +285,7 @@ private:
         };
         result_.first =
             at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
-        const bool offered = model.valid & bit(c);   // as the model does; so the RTL does not, or the other
-                                                     // way round
+        const bool offered = model.valid & bit(c);   // true: only the model offers; false: only the RTL does
         const RayEnd end{bool(*rtl_.done_port(pipeline).valid) == offered,
                          bool(*rtl_.pixel_port(pipeline).valid) == offered};
         result_.first->unit =
@@ -293,7 +295,7 @@ private:
         watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
     }
 
-    /// Looks out for the transfer that only one of them made.
+    /// Starts to wait for the transfer that only one of the machines made.
     void watch(std::uint64_t now, int pipeline, Link c, bool by_rtl, bool by_model) {
         if (by_rtl == by_model) return;
         watched_ = Watched{now, pipeline, c, by_rtl, {}};
@@ -391,7 +393,7 @@ private:
         rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
     }
 
-    /// A frame as one of the machines made it.
+    /// Returns the frame as one of the machines made it.
     FrameRun run_of(const FrameTrace& frame, std::uint64_t cycles, std::uint64_t pixels,
                     const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
                     const Colours& colours) const {
@@ -407,30 +409,30 @@ private:
     Traffic traffic_;
     const OnFirst& on_first_;
     bool told_ = false;
-    double told_seconds_ = 0;   // of the host
-    std::size_t frame_ = 0;     // that runs, and the cycle in which it begins
+    double told_seconds_ = 0;   // spent in on_first_, on the host
+    std::size_t frame_ = 0;     // the current frame, and the cycle in which it begins
     std::uint64_t begins_ = 0;
     Machine model_;
     RtlMachine rtl_;
-    MemoryImage image_;   // of the frame that runs
+    MemoryImage image_;   // of the current frame
     std::optional<Witness> witness_;
-    UploadTiming upload_;                                // before it
+    UploadTiming upload_;                                // before the frame
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;
-    std::optional<std::uint64_t> stopped_;   // the first cycle in which the RTL's frame does not run as the
-                                             // model's does
+    std::optional<std::uint64_t> stopped_;   // the first cycle in which the RTL's `running` differs from the
+                                             // model's
     struct Unmatched {
         int pipeline;
         Link link;
         Words words;
     };
-    std::vector<Unmatched> unmatched_;   // transfers of this cycle that the model made and the RTL did not
+    std::vector<Unmatched> unmatched_;   // transfers of this cycle that only the model made
     struct Watched {
         std::uint64_t cycle;
         int pipeline;
         Link link;
-        bool by_rtl;   // made it; the other is watched
+        bool by_rtl;   // the RTL made the transfer, and the model is watched
         Words words;
     };
     std::optional<Watched> watched_;

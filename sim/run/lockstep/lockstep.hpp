@@ -1,4 +1,5 @@
 #pragma once
+// Model and RTL in lockstep: the comparison of every cycle.
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,56 +9,60 @@
 
 namespace rayclock {
 
-/// The first cycle in which model and RTL did not do the same.
+/// The first cycle in which model and RTL differ.
 struct Divergence {
     std::uint64_t cycle = 0;
-    std::string unit;   ///< that drives what differs (driver.hpp); or that accepts what comes on the link, if
-                        ///< the difference is that it does; "host" for the frame's beginning and end, "rtl"
-                        ///< for an assertion that fails
-    std::string link;   ///< of the host "running" or "done", the chip's own signals
+    std::string unit;   ///< the driver of the differing value (driver.hpp); the receiver of the link if only
+                        ///< its acceptance differs; "host" for the frame's beginning and end; "rtl" for a
+                        ///< failed assertion
+    std::string link;   ///< for the host "running" or "done", the chip's own signals
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
-    std::string expected;   ///< what the model did: differing fields, or whether it moved anything
-    std::string got;        ///< what the RTL did
-    std::string later;      ///< of a transfer that only one of them made: when the other did; empty otherwise
+    std::string expected;   ///< the model's value: differing fields, or whether it moved anything
+    std::string got;        ///< the RTL's value
+    std::string later;   ///< if only one of them made a transfer: when the other one made it; empty otherwise
     int pipeline = 0;
-    std::optional<Link> on{};   ///< the link, if it is one
-    std::string field{};   ///< of its payload: the one that names the unit; empty if the payload is the same
-    std::size_t frame = 0;            ///< its number
-    std::uint64_t frame_begins = 0;   ///< cycle of the machine
-    std::string wave{};               ///< file of the waveform, if there is one
+    std::optional<Link> on{};   ///< the link, if there is one
+    std::string field{};        ///< of the link's payload: the field that identifies the unit; empty if the
+                                ///< payload is equal
+    std::size_t frame = 0;      ///< number of the frame
+    std::uint64_t frame_begins = 0;   ///< machine cycle
+    std::string wave{};               ///< file of the waveform, or empty
 };
 
 /// The first counter, in the order of the units, that differs at the end of a frame.
 struct CounterDifference {
     std::string unit, cause;
-    std::uint64_t model = 0, rtl = 0;   ///< cycles
-    std::uint64_t others = 0;           ///< so many more counters differ
+    std::uint64_t model = 0, rtl = 0;   ///< in cycles
+    std::uint64_t others = 0;           ///< number of other counters that differ
 };
 
+/// The result of a comparison.
 struct LockstepResult {
-    std::vector<FrameRun> runs;           ///< the model's of all frames; hits and answers are left out
-    FrameRun model, rtl;                  ///< seconds: the time of each machine's own share
-    std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) seen on both sides
+    std::vector<FrameRun> runs;           ///< the model's for all frames, without hits and answers
+    FrameRun model, rtl;                  ///< `seconds` is the wall time of both machines together
+    std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) that both sides made
     std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the
                                           ///< end
     std::uint64_t account_mismatches = 0;   ///< frames whose counters differ
     std::uint64_t cycle_gap = 0;   ///< difference of the frame's cycles, or of the first cycle with other
                                    ///< moves
-    std::optional<CounterDifference> counter;   ///< the first, of the first frame whose counters differ
-    bool counters_compared = false;             ///< of every frame; not if the machines parted
+    std::optional<CounterDifference> counter;   ///< the first one, of the first frame whose counters differ
+    bool counters_compared = false;             ///< for every frame; false if the machines diverged in time
     std::optional<Divergence> first;
     bool agrees() const {
         return value_mismatches == 0 && account_mismatches == 0 && cycle_gap == 0 && !first;
     }
 };
 
-/// Runs frames on model and RTL side by side and compares, in every cycle and on every link, valid, ready
-/// and the packed payload of what moves; at the end of a frame the RTL's counters with the model's accounts.
-/// After the first difference in time each machine runs on alone, and pixels are compared. What no machine
-/// can mean, and an assertion of the RTL that fails, is a difference like any other. The result's runs are
-/// those of the last frame.
-/// `on_first` is told of the first divergence as soon as it is found; only `later` is not known then.
+/// Runs frames on model and RTL in lockstep. In every cycle it compares valid, ready and the packed payload
+/// of every transfer on every link. At the end of a frame it compares the RTL's counters with the model's
+/// accounts. After the first difference in time each machine runs on alone, and only pixels are compared. An
+/// impossible value of the RTL and a failed assertion count as differences too. `model` and `rtl` of the
+/// result are those of the last frame.
+///
+/// Calls `on_first` once with the first divergence, as soon as it is found; only `later` is unknown then.
+/// Throws std::runtime_error if the model hangs.
 LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
                             const Progress& progress = {}, int seed = 1,
                             const std::function<void(const Divergence&)>& on_first = {});

@@ -1,3 +1,4 @@
+// The keys of a memory file, their ranges, and the rules between them.
 #include "sim/run/memory/memory_file.hpp"
 
 #include <algorithm>
@@ -18,13 +19,13 @@ namespace rayclock {
 
 namespace {
 
-/// A key of the file. Times are nanoseconds there and whole picoseconds here.
+/// A key of the file. Times are nanoseconds in the file and integer picoseconds in DramPart.
 struct Field {
     const char* key;
     int DramPart::*member;
-    int lo, hi;   // as in the file: counts, or nanoseconds
+    int lo, hi;   // in units of the file: counts, or nanoseconds
     bool power_of_two = false;
-    bool optional = false;   // left out, it is what DramPart says
+    bool optional = false;   // if the key is missing, DramPart's initial value holds
 
     bool is_time() const { return std::string_view(key).ends_with("_ns"); }
 };
@@ -57,9 +58,9 @@ constexpr Field fields[]{{"bus_bits", &DramPart::bus_bits, 8, 1024, true},
                          {"answer_ns", &DramPart::answer_ps, 0, 10'000},
                          {"queue", &DramPart::queue, 1, 64, false, true},
                          {"age_cap", &DramPart::age_cap, 0, 1'000, false, true}};
-constexpr int least_tck = 100;   // ps
+constexpr int least_tck = 100;   // picoseconds
 
-/// Picoseconds as nanoseconds, without zeros at the end: "13.75".
+/// Converts picoseconds to nanoseconds without trailing zeros: "13.75".
 std::string nanoseconds(std::int64_t ps) { return fmt::format("{}", double(ps) / 1000); }
 
 /// Reads one object.
@@ -98,7 +99,7 @@ private:
             if (std::find(known.begin(), known.end(), key) == known.end())
                 place_(key).refuse("a memory has no key " + shown(key) + meant(key, known));
     }
-    /// The nearest key; of a word that lacks its unit, the one with it.
+    /// Suggests the nearest key. For a word without its unit, suggests the key with the unit.
     static std::string meant(const std::string& key, const std::vector<std::string>& known) {
         for (const Field& f : fields)
             if (std::string_view(f.key).starts_with(key + "_"))
@@ -144,7 +145,7 @@ private:
         return int(ps);
     }
 
-    /// What no single value says.
+    /// Checks the rules that concern several values.
     void check_rules(const DramPart& p) const {
         const auto demand = [&](bool holds, const char* key, const std::string& sentence) {
             if (!holds) place_(object_.contains(key) ? key : "").refuse(sentence);
@@ -173,7 +174,7 @@ private:
     std::function<Place(const std::string&)> place_;
 };
 
-/// The line of a key of the outermost object, from 1; 0 if it is not found.
+/// Returns the line of a key of the outermost object, counted from 1. Returns 0 if it is not found.
 std::uint64_t line_of(std::string_view text, const std::string& key) {
     const std::string quoted = '"' + key + '"';
     for (std::size_t at = text.find(quoted); !key.empty() && at != text.npos;

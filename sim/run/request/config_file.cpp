@@ -1,3 +1,4 @@
+// Reading configuration files, and applying --set.
 #include "sim/run/request/config_file.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace rayclock {
 
 namespace {
 
-/// Keys are known, or the nearest that is.
+/// Throws UserError for an unknown key, and suggests the nearest known one.
 void check_keys(const JsonValue& in) {
     std::vector<std::string> known{"like", "name"};
     for (const Parameter& p : parameters()) known.push_back(p.key);
@@ -26,7 +27,7 @@ void check_keys(const JsonValue& in) {
             in.refuse(fmt::format("has no parameter {}{}", shown(key), did_you_mean(key, known)));
 }
 
-/// The value of a parameter as it stands after key= on the command line.
+/// Returns the value of a parameter in the form that key= takes on the command line.
 std::string text_of(const JsonValue& value, const Parameter& p) {
     if (p.names && value.raw().is_string()) return value.string();
     if (!value.raw().is_number_integer()) value.expected(p.names ? "one of its names" : "a whole number");

@@ -1,5 +1,5 @@
 #pragma once
-// Configurations by name, by file, and with single parameters set over them.
+// Configurations by name or from a file, with single parameters overridden.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace rayclock {
 
-/// A configuration as it is asked for.
+/// The user's choice of a configuration.
 struct ConfigChoice {
     std::string name = "default";   ///< or a file: JSON with every parameter, or "like": NAME and some of
                                     ///< them
-    std::vector<std::string> set;   ///< key=value, each over the one before it
+    std::vector<std::string> set;   ///< key=value; later ones override earlier ones
 };
-/// Throws UserError.
+/// Loads a configuration. Throws UserError if it does not exist or is not legal.
 Config load_config(const ConfigChoice& choice);
 
-/// What the text of a file says, whether it is legal or not; `path` names it, and files that it names lie
-/// beside it. Throws UserError.
+/// Parses the text of a file; the result need not be legal. `path` is for messages, and files that the text
+/// names lie in its folder. Throws UserError.
 Config parse_config(const std::string& path, std::string_view text);
 
-/// The configuration with every key=value of `set`; `where` begins the sentence if it is not legal then.
-/// Throws UserError.
+/// Returns the configuration with every key=value of `set`. Throws UserError if it is not legal; the message
+/// then begins with `where`.
 Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where);
 
 }   // namespace rayclock

@@ -3,7 +3,7 @@
 
 namespace rayclock {
 
-/// Settings of a finished picture, as far as they were typed.
+/// The settings of a finished picture that the user gave.
 struct Finish {
     std::optional<int> depth, aa;
     std::optional<double> threshold, contrast;

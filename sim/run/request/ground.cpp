@@ -1,3 +1,4 @@
+// The position of the ground, and its triangles.
 #include "sim/run/request/ground.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace rayclock {
 
 namespace {
 
-/// How far the scene reaches down along `up`.
+/// Returns the scene's lowest coordinate along `up`. Infinite for a scene without triangles and spheres.
 double lowest(const Scene& scene, const glm::dvec3& up) {
     double least = std::numeric_limits<double>::infinity();
     for (const Triangle& triangle : scene.triangles)
@@ -21,7 +22,7 @@ double lowest(const Scene& scene, const glm::dvec3& up) {
     return least;
 }
 
-/// A direction of length 1 across `up`.
+/// Returns a unit vector at right angles to `up`.
 glm::dvec3 across(const glm::dvec3& up) {
     const glm::dvec3 size = glm::abs(up);
     const int least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;

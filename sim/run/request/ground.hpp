@@ -3,9 +3,9 @@
 
 namespace rayclock {
 
-/// Lays a grey square under a scene that has a camera: across the camera's up axis, below the lowest point by
-/// a thousandth of the scene's reach, so that nothing touches it, and four times as wide as the scene. Two
-/// triangles after the scene's own.
+/// Adds a grey square below a scene that has a camera, at right angles to the camera's up axis. It lies below
+/// the lowest point by a thousandth of the scene's radius, so that nothing touches it. It is four times as
+/// wide as the scene. Its two triangles follow the scene's own.
 void lay_ground(Scene& scene);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// The table of parameters that depend on other parameters.
 #include "sim/run/request/idle.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 bool has_octree(const Config& c) { return c.upper().is_octree() || c.lower().is_octree(); }
 
-/// Parameters of a part that is there only if another parameter says so.
+/// The parameters of a part that exists only if another parameter selects it.
 struct Part {
     const char* decider;
     bool (*is_there)(const Config& config);

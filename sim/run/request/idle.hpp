@@ -1,4 +1,5 @@
 #pragma once
+// Notes about options that have no effect.
 #include <string>
 #include <vector>
 
@@ -9,11 +10,11 @@
 
 namespace rayclock {
 
-/// A sentence for each key=value that changes nothing on this machine: "mem_latency has no effect with
-/// dram=ddr3".
+/// Returns a sentence for each key=value that changes nothing on this machine: "mem_latency has no effect
+/// with dram=ddr3".
 std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set);
 
-/// The same of the options of a finished picture of the scene.
+/// Returns the same for the options of a finished picture of the scene.
 std::vector<std::string> idle_finish(const Finish& finish, const Whitted& settings, const Scene& scene);
 
 }   // namespace rayclock

@@ -4,7 +4,7 @@
 
 namespace rayclock {
 
-/// Throws UserError if a machine of so many levels cannot draw the scene, or not with --ground.
+/// Throws UserError if a machine with the configuration's levels cannot draw the scene, or not with --ground.
 void check_levels(const Scene& scene, const Config& config, bool finished, bool ground);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Parsing and applying --material.
 #include "sim/run/request/material.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr const char* option = "--material";
 
-/// Takes the text in front of the next `mark`, and the mark, off the front of `rest`.
+/// Removes the text before the next `mark`, and the mark, from the front of `rest`. Returns the text.
 std::string_view take_part(std::string_view& rest, char mark) {
     const std::size_t end = std::min(rest.find(mark), rest.size());
     const std::string_view part = rest.substr(0, end);
@@ -25,7 +26,7 @@ std::string_view take_part(std::string_view& rest, char mark) {
     return part;
 }
 
-/// The readers of all formats call it so.
+/// Returns true for the default material, which the readers of all formats call "default".
 bool is_nobodys(const Material& material) { return material.name == "default"; }
 
 Material named(std::string_view name) {
@@ -38,7 +39,7 @@ Material named(std::string_view name) {
         fmt::format("{}: no material is called {}{}", option, shown(name), did_you_mean(name, known)));
 }
 
-/// "0.5", "true", "1:0.5:0".
+/// Parses a value: "0.5", "true", "1:0.5:0".
 Json value_of(std::string_view text) {
     const Place at{option};
     if (text == "true" || text == "false") return text == "true";

@@ -1,20 +1,21 @@
 #pragma once
+// The option --material, and questions about a scene's materials.
 #include <string>
 
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
 
-/// What `--material` asks for: the name of a material of the built-in scene `spheres`, key=value pairs of the
-/// JSON format with commas between them (a colour is 1:0.5:0), or a name and pairs. It replaces the material
-/// of everything that has none of its own in its file. Throws UserError for what makes no sense, and if there
-/// is nothing like that.
+/// Applies `--material` to the scene. `typed` is the name of a material of the built-in scene `spheres`, or
+/// key=value pairs, or a name and pairs. Pairs have the keys of the JSON format and commas between them; a
+/// colour is 1:0.5:0. It replaces the material of everything that has none of its own in its file. Throws
+/// UserError if `typed` is wrong, or if everything has a material of its own.
 void give_material(Scene& scene, const std::string& typed);
 
-/// Something has no material of its own.
+/// Returns true if something has no material of its own.
 bool may_give_material(const Scene& scene);
 
-/// False if no ray can leave a primitive of the scene: all its materials neither reflect nor transmit.
+/// Returns false if no ray can leave a primitive: no material reflects or transmits.
 bool has_bounces(const Scene& scene);
 
 }   // namespace rayclock

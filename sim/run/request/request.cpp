@@ -1,3 +1,4 @@
+// Combining the options of a command.
 #include "sim/run/request/request.hpp"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ void tell(const std::vector<std::string>& notes) {
         std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
 }
 
-/// With the settings, whether they are legal together or not: units are fitted to their widths.
+/// Returns the configuration with the settings, which need not be legal together: units are then fitted to
+/// their widths.
 Config widened(Config config, const std::vector<std::string>& set) {
     for (const std::string& item : set)
         if (const std::size_t equals = item.find('='); equals != std::string::npos)
@@ -51,7 +53,7 @@ Config widened(Config config, const std::vector<std::string>& set) {
     return config;
 }
 
-/// Gives a scene its camera for a picture of this size, and turns it as it was asked to.
+/// Adds a camera for a picture of this size, and applies the view options.
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
@@ -94,7 +96,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
                    std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
     Request r;
     r.settings = settings_of(finish, seed);
-    // A setting may name units that only a chip with shading has: they are set once it is known to be one.
+    // A setting may concern units that only a shading chip has. So apply the settings once that is decided.
     const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
                                      [](const std::string& item) { return item.starts_with("shading="); });
     const bool may_wait = finish.is_asked() && !by_hand;
@@ -102,13 +104,14 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
-    check_levels(r.scene, r.config, r.finished, false);   // before anything else is made of it
+    check_levels(r.scene, r.config, r.finished, false);   // before any more work
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
     look(r.scene, size, view);
     if (finish.fresnel)
         for (Material& m : r.scene.materials) m.schlick = true;
     if (r.finished && !r.config.shading && !by_hand) {
-        // The units that the scene needs, for the widths that were set. What was set by hand is set again.
+        // Add the units that the scene needs, for the widths that were set. Then apply the user's settings
+        // again.
         Config fitted = fitted_config(r.scene, r.settings, widened(r.config, config.set));
         const Config set = settled(widened(fitted, config.set));
         fitted.panes = set.panes, fitted.horizon = set.horizon;

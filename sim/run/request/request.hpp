@@ -1,5 +1,5 @@
 #pragma once
-// What is to be drawn: scene, machine and settings, from what was asked for.
+// The input of a command that draws: scene, machine and settings, from the user's options.
 #include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
@@ -11,18 +11,17 @@
 
 namespace rayclock {
 
-/// load_scene(), with a warning on standard error for whatever a file holds and is not drawn as it stands
-/// there.
+/// Calls load_scene(), and prints a warning on standard error for all content that is changed or not drawn.
 Scene told_scene(const std::string& spec, const Progress& progress,
                  Primitives primitives = Primitives::triangles);
 
-/// The same with a camera, for a picture of this size.
+/// Does the same, and adds a camera for a picture of this size. Throws UserError for a folded scene.
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress,
                   const ViewChoice& view = {});
 
-/// What a command is asked to draw: scene, machine, and whether the finished picture is meant, as the chip
-/// shades it, or only what camera rays hit. The former if one of --depth, --threshold, --aa, --jittered,
-/// --contrast, --fresnel was given, if the configuration has shading=1, or if the scene has spheres or
+/// A request to draw a scene on a machine: either the finished picture, as the chip shades it, or only the
+/// hits of camera rays. It is the finished picture in three cases. One of --depth, --threshold, --aa,
+/// --jittered, --contrast, --fresnel was given; the configuration has shading=1; or the scene has spheres or
 /// planes.
 struct Request {
     Config config;
@@ -31,9 +30,8 @@ struct Request {
     Whitted settings;
 };
 
-/// Loads scene and configuration. For a finished picture a configuration without shading gets the units that
-/// the scene needs, and its settings may change them again. `seed` is that of jittered samples. Throws
-/// UserError.
+/// Loads scene and configuration. For a finished picture, a configuration without shading gets the units that
+/// the scene needs, and its settings override them. `seed` is that of jittered samples. Throws UserError.
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
                    std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view = {});
 

@@ -1,3 +1,4 @@
+// Parsing the view options, and turning the camera.
 #include "sim/run/request/view.hpp"
 
 #include <charconv>
@@ -42,12 +43,12 @@ Camera chosen_camera(const Camera& camera, const ViewChoice& view, FrameSize siz
     if (view.orbit) {
         if (!(std::abs(*view.orbit) <= 360))
             throw UserError(fmt::format("--orbit must lie in -360..360 degrees, not {}", *view.orbit));
-        // Rodrigues' rotation.
+        // Rodrigues' rotation formula.
         const double angle = *view.orbit * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
         const glm::dvec3 axis = glm::normalize(chosen.up), arm = chosen.eye - chosen.at;
         chosen.eye = chosen.at + arm * c + glm::cross(axis, arm) * s + axis * glm::dot(axis, arm) * (1 - c);
     }
-    pixel_rays(chosen, size);   // refuses what is no view
+    pixel_rays(chosen, size);   // throws UserError for an invalid view
     return chosen;
 }
 

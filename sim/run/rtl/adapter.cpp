@@ -1,3 +1,4 @@
+// The ports of each module, and the text of the adapter.
 #include "sim/run/rtl/adapter.hpp"
 
 #include <set>
@@ -33,8 +34,9 @@ std::string port_line(const std::string& module, const PortSpec& p) {
                        p.valid, p.ready, p.data);
 }
 
-/// Where a pipeline's link shows: in the engine, under a name that does not depend on the unit that decides
-/// the nodes of a level, or in rc_pipeline, at a port if one end lies outside, else as a net.
+/// Returns the tap of a pipeline's link. A link of the engine is found there, under a name that is the same
+/// for all units that decide the nodes of a level. Other links are found in rc_pipeline: at a port if one end
+/// lies outside, else as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const Config& config, const std::string& path,
                       const std::string& index) {
     const bool inside = link.of_engine();
@@ -57,7 +59,7 @@ PortSpec pipeline_tap(const LinkInfo& link, const Config& config, const std::str
             name + in};
 }
 
-/// The links inside rc_chip; those of the memory are its ports.
+/// Returns the links inside rc_chip. The memory's links are ports and not among them.
 std::vector<PortSpec> taps_of_chip(const Config& config) {
     using enum PortKind;
     std::vector<PortSpec> taps;
@@ -67,7 +69,7 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
         for (const LinkInfo& link : link_infos)
             if (link.of_pipeline() && is_there(link.when, config))
                 taps.push_back(pipeline_tap(link, config, path, index));
-        for (const std::string end : {"done", "pixel"})   // of a ray
+        for (const std::string end : {"done", "pixel"})   // ports of a ray's end
             taps.push_back({end + index, tap, path, "rc_pipeline", end + "_valid", end + "_ready", end});
     }
     if (config.l2_sets == 0) return taps;
@@ -77,7 +79,7 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
     return taps;
 }
 
-/// Arithmetic cells have no reset.
+/// Returns true if the module has a reset. Arithmetic cells have none.
 bool has_reset(const std::string& module) { return module != "rc_unit" && module != "rc_power"; }
 
 }   // namespace
@@ -269,8 +271,8 @@ std::string adapter_vlt(const std::string& module, const Config& config) {
                 lines.insert(fmt::format("public_flat_rd -module \"{}\" -var \"{}\"\n", p.module, signal));
     std::string text = "`verilator_config\n";
     for (const std::string& line : lines) text += line;
-    // Several pipelines share their code, which is then a module of its own: names in it hide those around
-    // them.
+    // Pipelines share one module, so that their code is compiled once. Its names hide those of the modules
+    // around it.
     if (module == "rc_chip" && config.pipelines > 1)
         text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
     return text;

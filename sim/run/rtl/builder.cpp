@@ -1,3 +1,4 @@
+// The steps of a build, and their entries in the cache.
 #include "sim/run/rtl/builder.hpp"
 
 #include <atomic>
@@ -28,7 +29,7 @@ std::atomic<Form> form{Form::rtl};
 std::mutex reporter_mutex;
 std::function<void(const BuildStep&)> reporter;
 
-/// One build, as people who wait for it see it.
+/// Reports the progress of one build.
 class Report {
 public:
     explicit Report(std::string what) : what_(std::move(what)) {}
@@ -49,7 +50,7 @@ private:
     bool told_ = false;
 };
 
-/// Waits while another program builds the same.
+/// Waits while another program builds the same entry. Throws Interrupted after Ctrl-C.
 void take(BuildLock& lock, Report& report) {
     while (!lock.take()) {
         if (interrupted()) throw Interrupted("interrupted while another program built the RTL");
@@ -58,7 +59,7 @@ void take(BuildLock& lock, Report& report) {
     }
 }
 
-/// Entries are told apart by what goes in, and by the tools.
+/// Returns the beginning of an entry's name, a hash of the inputs. A hash of the tools follows it.
 std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
     return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves, form)));
 }
@@ -70,12 +71,12 @@ std::string made_by() {
     return form == Form::rtl ? all : all + fmt::format("yosys {}\n", gates_tool());
 }
 
-/// Makes the entry in a folder of its own, unless it is there. Whether it was made.
+/// Builds an entry in a folder of its own, unless the entry exists. Returns true if it built it.
 bool provide(const fs::path& entry, Report& report, const std::function<void(const fs::path& folder)>& make) {
     if (is_whole(entry)) return false;
     BuildLock lock(entry);
     take(lock, report);
-    if (is_whole(entry)) return false;   // somebody else has just built it
+    if (is_whole(entry)) return false;   // another program has just built it
     clear_place(entry);
     WorkFolder work(entry);
     make(work.path());
@@ -126,7 +127,8 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
                                                   : form_name + " of " + module,
                               config.name, waves == Waves::yes ? " for waveforms" : ""));
     const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
-    // One after the other: a build that is killed leaves no folder that no tool of its own is at work in.
+    // Build one after the other, so that a killed build leaves at most the folder in which its own tools
+    // work.
     provide(support, report, [&](const fs::path& folder) { make_support(folder, waves, tell); });
     fs::path netlist;
     if (form == Form::netlist) {

@@ -1,4 +1,5 @@
 #pragma once
+// Building the RTL of any configuration on demand.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,39 +12,41 @@
 
 namespace rayclock {
 
-/// Makes the RTL of a configuration ready to run: generates rc_pkg.sv, calls Verilator and the C++ compiler,
-/// and keeps the shared library in a cache under a hash of everything that went in, the versions of both
-/// tools among it. What the cache holds is checked by size and hash, and built again if it is damaged. Two
-/// programs may build the same thing at once: one of them does. If this program dies, its tools die with it,
-/// and what they have made is removed. Warnings of Verilator (-Wall) are errors.
+/// A built library. build_rtl() generates rc_pkg.sv and calls Verilator and the C++ compiler. It keeps the
+/// shared library in a cache, under a hash of all inputs and of the versions of both tools. It checks cached
+/// libraries by size and hash, and rebuilds a damaged one. If two programs need the same library at once, one
+/// of them builds it. If this program dies, its tools die with it and their files are removed. Warnings of
+/// Verilator (-Wall) are errors.
 struct RtlBuild {
     std::filesystem::path library;
     bool was_cached = false;
     double seconds = 0;
 };
-/// `module` is rc_chip or a unit (sim/run/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache
-/// is missing, std::runtime_error with the tool's message if it fails, or if interrupted().
+/// Builds or finds a library. `module` is rc_chip or a unit (sim/run/rtl/adapter.hpp). Throws UserError if a
+/// tool, a source or the cache is missing, or if a tool fails (with its message). Throws std::runtime_error
+/// if Verilator warns, and Interrupted after Ctrl-C.
 RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip", Waves waves = Waves::no);
 
-/// From now on this program builds netlists in the place of RTL (sim/run/rtl/gates.hpp). Throws UserError if
+/// Makes this program build netlists instead of RTL from now on (sim/run/rtl/gates.hpp). Throws UserError if
 /// Yosys is missing.
 void build_netlists();
 
-/// Removes a library that is as it was built and yet of no use, so that it is built again.
+/// Removes a library that is undamaged but cannot be used, so that it is built again.
 void forget_rtl(const RtlBuild& build);
 
-/// What `verilator --lint-only -Wall` says of the module with this configuration: nothing if it is clean. Far
-/// quicker than to build it.
+/// Returns the messages of `verilator --lint-only -Wall` on the module with this configuration; empty if it
+/// is clean. Much faster than a build. Throws UserError if Verilator is missing.
 std::string lint_rtl(const Config& config, const std::string& module = "rc_chip");
 
-/// How far a build is, for people who wait for it.
+/// The progress of a build, for people who wait for it.
 struct BuildStep {
     std::string what;             ///< "the RTL of 'default'"
-    std::string stage;            ///< who works on it; empty: it is done
-    double seconds = 0;           ///< since it was asked for
-    std::optional<double> left;   ///< about so many more
+    std::string stage;            ///< the tool that works on it; empty: the build has ended
+    double seconds = 0;           ///< since it was requested
+    std::optional<double> left;   ///< estimated seconds until the end
 };
-/// Who is told of all builds of this program from now on, some ten times a second, by one thread at a time.
+/// Sets the function that receives the progress of all builds of this program. It is called about ten times a
+/// second, by one thread at a time.
 void report_builds(std::function<void(const BuildStep&)> reporter);
 
 }   // namespace rayclock

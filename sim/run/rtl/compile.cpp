@@ -1,3 +1,4 @@
+// Calling Verilator, the C++ compiler and the linker, with their flags.
 #include "sim/run/rtl/compile.hpp"
 
 #include <algorithm>
@@ -23,8 +24,9 @@ namespace rayclock {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // sim/run/rtl/abi.hpp,
-                                                                               // wave_abi.hpp,
+extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // the texts of
+                                                                               // sim/run/rtl/abi.hpp,
+                                                                               // wave_abi.hpp and
                                                                                // sim/view/wave/fst_io.h
 
 namespace {
@@ -32,26 +34,27 @@ namespace {
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
-/// With what is added, as a shell would divide it without quotes.
+/// Returns the compiler's flags, with those of RAYCLOCK_CXXFLAGS split at blanks.
 Words compiler_flags() {
     Words words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
     std::istringstream rest(added_flags());
     for (std::string word; rest >> word;) words.push_back(word);
     return words;
 }
-// A netlist has unused pins wherever one looks; what Verilator says of loops and the like still counts. It is
-// simulated for some thousand cycles, and -O1 compiles its many lines in half the time.
+// A netlist has many unused pins, so lint and style warnings are off; warnings about loops and the like still
+// count. A netlist is simulated for some thousand cycles, and -O1 compiles its many lines in half the time.
 const Words netlist_verilator_flags{"-Wno-lint", "-Wno-style"}, netlist_compiler_flags{"-O1"};
-// What runs once, at a simulation's start, compiles in a third of the time without optimising.
+// Code that runs once, at the start of a simulation, compiles in a third of the time without optimisation.
 const Words start_flags{"-O0"};
-// A small module is one source, since each reads the same headers; what starts a middling one is compiled
-// apart. A large one, the whole chip, is divided, and its sources are compiled at the same time.
+// A small module is one source, since all parts read the same headers. A medium module has its start code in
+// a second source. A large one, the whole chip, is divided into sources that are compiled at the same time.
 constexpr std::uintmax_t small_module = 200'000, large_module = 2'000'000;
-// The widest payloads and a little beyond; memories are left out. What writes signals is as large as the chip
-// itself, runs for a thousand cycles only, and is therefore not optimised.
+// The limit covers the widest payloads; memories are left out. The code that writes signals is as large as
+// the chip itself and runs for only a thousand cycles, so it is not optimised.
 const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
 const Words wave_compiler_flags{"-O0"};
-// It is built while somebody waits for the first divergence, and mostly runs for less than it takes to build.
+// A user waits for this build after the first divergence, and it mostly runs for less time than it takes to
+// build.
 const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1", "-O1"};
 
 Words operator+(Words words, const Words& more) {
@@ -87,7 +90,7 @@ struct Source {
 Source support_source(Waves waves) {
     const char* const text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
     if (waves == Waves::no) return {"support", text, {}};
-    // What is defined in fst_io.h is for the last file alone: all that this includes goes before it.
+    // fst_io.h defines macros for the last file alone, so all headers that this file includes go before it.
     const std::string headers =
         "#include <algorithm>\n#include <iterator>\n#include <sstream>\n"
         "#include <list>\n#include <fstream>\n"
@@ -95,8 +98,8 @@ Source support_source(Waves waves) {
     return {"support", text + headers + fst_io_text + "#include \"verilated_fst_c.cpp\"\n", tracing};
 }
 
-/// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
-/// What writes waveforms comes in a source of its own.
+/// Returns the sources that include Verilator's output: one, or several of about the same size, and one for
+/// the start code. The code that writes waveforms is a source of its own.
 std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
                             Waves waves, Form form) {
     const Words flags = (waves == Waves::yes ? tracing : Words{}) +
@@ -124,11 +127,12 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
     std::vector<std::uintmax_t> sizes(sources.size());
     for (const auto& [size, file] : made) {
         const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-        const bool once = !small && file.find("__Slow") != std::string::npos;   // Verilator's name for it
+        const bool once = !small && file.find("__Slow") != std::string::npos;   // Verilator's name for start
+                                                                                // code
         (once ? start : sources[part]).text += fmt::format("#include \"{}\"\n", file);
         if (!once) sizes[part] += size;
     }
-    // It is linked last: of a function that stands in several the linker takes the first.
+    // Link it last: if several objects define a function, the linker takes the first.
     if (!small) sources.push_back(start);
     if (waves == Waves::yes) sources.push_back(wave);
     return sources;
@@ -152,7 +156,7 @@ void link(const fs::path& folder, const std::vector<Source>& sources, const std:
     Words words{"c++", "-shared"};
     for (const Source& source : sources) words.push_back(source.name + ".o");
     words = words + others;
-    // Clang calls a function of that library where GCC has an instruction.
+    // Clang calls a function of that library where GCC uses an instruction.
     if (rtl_tools().compiler.find("clang") != std::string::npos) words.push_back("-latomic");
     run_tools(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
 }
@@ -220,7 +224,7 @@ std::string lint_library(const fs::path& folder, const Config& config, const std
     Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
                   folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");
-    // Newer versions add a report on themselves, in lines that begin with a dash.
+    // Newer versions of Verilator add a report in lines that begin with a dash.
     std::istringstream log(read_if_there(folder / "lint.log"));
     std::string found;
     for (std::string line; std::getline(log, line);)

@@ -1,5 +1,5 @@
 #pragma once
-// From Verilog to a shared library, in a folder of its own.
+// Compiling Verilog into a shared library, in a folder of its own.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,30 +10,28 @@
 
 namespace rayclock {
 
-/// Whether a library can write waveforms of its signals (sim/run/rtl/wave_abi.hpp). It is slower then, and
-/// takes longer to build.
+/// Whether a library can write waveforms of its signals (sim/run/rtl/wave_abi.hpp). Such a library runs
+/// slower and takes longer to build.
 enum class Waves : bool { no, yes };
 
-/// What is simulated: the RTL as it is written, or the netlist that Yosys makes of it
-/// (sim/run/rtl/gates.hpp).
+/// The simulated form: the RTL as written, or Yosys' netlist of it (sim/run/rtl/gates.hpp).
 enum class Form : bool { rtl, netlist };
 
-/// Everything that goes into a library beside the tools, as one text: whatever changes it changes the
-/// library.
+/// Returns all inputs of a library except the tools, as one text: any change of it means another library.
 std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form);
 
-/// Verilator's own sources, which all modules need, to write waveforms or not: what goes into them, and how
-/// they are compiled, in an empty folder.
+/// Verilator's own sources, which all modules need, in a version with and one without waveforms. The function
+/// support_ingredients() returns their inputs, and make_support() compiles them in an empty folder.
 std::string support_ingredients(Waves waves);
 void make_support(const std::filesystem::path& folder, Waves waves, const Working& working);
 
-/// Makes module.so in an empty folder, which then holds nothing else. `support` is what make_support() has
-/// made, `netlist` what make_gates() has made, or empty for the RTL. Throws as build_rtl() does.
+/// Makes module.so in an empty folder, and leaves nothing else in it. `support` is the result of
+/// make_support(). `netlist` is that of make_gates(), or empty for the RTL. Throws as build_rtl() does.
 void make_library(const std::filesystem::path& folder, const Config& config, const std::string& module,
                   Waves waves, const std::filesystem::path& support, const std::filesystem::path& netlist,
                   const Working& working);
 
-/// Verilator's opinion of the module, made in an empty folder.
+/// Returns Verilator's messages about the module. Works in an empty folder.
 std::string lint_library(const std::filesystem::path& folder, const Config& config,
                          const std::string& module);
 

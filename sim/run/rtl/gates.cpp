@@ -1,3 +1,4 @@
+// Synthesis by Yosys, and the simulation models of the cells.
 #include "sim/run/rtl/gates.hpp"
 
 #include <vector>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Modules that only wire others. Links are taps in them (sim/run/rtl/adapter.cpp).
+/// The modules that only wire others. Links are tapped in them (sim/run/rtl/adapter.cpp).
 const std::vector<std::string>& wiring() {
     static const std::vector<std::string> names{"chip", "top", "pipeline", "tree"};
     return names;
@@ -34,13 +35,14 @@ std::vector<std::string> units() {
     return names;
 }
 
-/// Those of its own library that netlists are made of. What they have beyond these
-/// (sim/silicon/synth/yosys.cpp reads them without bodies) has its models in the RTL's folder.
+/// The cells in Yosys' own library that netlists use. For all other cells (sim/silicon/synth/yosys.cpp reads
+/// them without bodies), the models are in the RTL's folder.
 const std::vector<std::string> modelled_by_yosys{"LUT2", "LUT4", "CCU2C", "TRELLIS_FF", "TRELLIS_DPR16X4"};
 
-/// As `rayclock chip` synthesises (sim/silicon/chip/run.cpp), without what synth_ecp5 does in the end:
-/// `autoname` gives cells long names, `check` is the tests'. Afterwards nets that nobody asks for go, and
-/// vectors in units become bits: a carry chain within one vector would look like a loop to Verilator.
+/// Returns the synthesis script of `rayclock chip` (sim/silicon/chip/run.cpp) without the last steps of
+/// synth_ecp5: `autoname` makes long names, and the tests run `check`. Then unused nets are removed, and
+/// vectors in units are split into bits. Otherwise a carry chain within one vector would look like a loop to
+/// Verilator.
 std::string script(const std::string& module) {
     std::string text = "hierarchy -check -top " + module + "\n";
     const std::vector<std::string> all = units();
@@ -54,7 +56,7 @@ std::string script(const std::string& module) {
            "select -clear\nwrite_verilog -noattr -norename gates.v\n";
 }
 
-/// Our own models of cells.
+/// Returns rayclock's own models of cells. Throws UserError if they are missing.
 std::string own_cells() {
     const fs::path file = rtl_sources() / "ecp5/cells.v";
     std::string text = read_if_there(file);
@@ -62,7 +64,7 @@ std::string own_cells() {
     return text;
 }
 
-/// The text of modules in what `read_verilog -ppdump` prints of Yosys' library.
+/// Extracts the models from Yosys' library, as `read_verilog -ppdump` prints it.
 std::string models_in(const std::string& dump) {
     std::string text;
     for (const std::string& name : modelled_by_yosys) {

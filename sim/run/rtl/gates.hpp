@@ -1,5 +1,5 @@
 #pragma once
-// The netlist that Yosys makes of a module for an ECP5, to be simulated in the place of the RTL.
+// Yosys' netlist of a module for an ECP5, which is simulated instead of the RTL.
 #include <filesystem>
 #include <string>
 
@@ -8,20 +8,21 @@
 
 namespace rayclock {
 
-/// `yosys -V`, or empty if there is none. Asked once.
+/// Returns the output of `yosys -V`, or an empty string if Yosys is missing. Runs it at the first call only.
 const std::string& gates_tool();
 
-/// Everything that goes into a netlist beside Yosys, as one text.
+/// Returns all inputs of a netlist except Yosys, as one text.
 std::string gates_ingredients(const Config& config, const std::string& module);
 
-/// Makes netlist.v in an empty folder, which then holds nothing else: the module, with the ports it has in
-/// the RTL, and the models of all cells. Units are synthesised each by itself, as `rayclock chip` does it,
-/// and what wires them stays a module: so the links between them keep their names. The cells are those that
-/// are placed and routed, but for the counters, which a routed chip goes without. Throws as build_rtl() does.
+/// Makes netlist.v in an empty folder, and leaves nothing else in it. It holds the module, with the same
+/// ports as in the RTL, and the models of all cells. Each unit is synthesised by itself, as `rayclock chip`
+/// does. The modules that only wire units stay modules, so the links between them keep their names. The cells
+/// are those that are placed and routed, and also the counters, which a routed chip lacks. Throws as
+/// build_rtl() does.
 void make_gates(const std::filesystem::path& folder, const Config& config, const std::string& module,
                 const Working& working);
 
-/// What Verilator is told of a netlist: units are classes of their own, which keeps names short.
+/// Returns Verilator's configuration for a netlist: units become separate classes, which keeps names short.
 std::string gates_vlt();
 
 }   // namespace rayclock

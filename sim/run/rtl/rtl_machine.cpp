@@ -1,3 +1,4 @@
+// The host, memory and sinks around the verilated chip.
 #include "sim/run/rtl/rtl_machine.hpp"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
     rtl_.reset();
 }
 
-/// Neither memory nor sinks do anything.
+/// Makes memory and sinks idle.
 void RtlMachine::quiet_ports() {
     std::memset(hit_ready_->data, 0, hit_ready_->bytes);
     *mem_req_->ready = *mem_rsp_->valid = 0;
@@ -67,7 +68,7 @@ bool is_set(const RcPort& port) {
 bool RtlMachine::says_running() const { return is_set(*running_); }
 bool RtlMachine::says_done() const { return is_set(*done_) || (kept_done_ && now_ == started_); }
 
-/// A classic cycle on the bus; false if it ends with err, or does not end.
+/// Performs a classic Wishbone cycle. Returns false if it ends with err or does not end.
 bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value) {
     set_flag(*bus_.cyc, true);
     set_flag(*bus_.stb, true);
@@ -88,7 +89,7 @@ bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value)
 
 void RtlMachine::write_register(std::uint32_t address, std::uint32_t value) { access(true, address, value); }
 
-/// All ones if it cannot be read.
+/// Returns all ones if the register cannot be read.
 std::uint32_t RtlMachine::read_register(std::uint32_t address) {
     std::uint32_t value = ~0u;
     if (access(false, address, 0)) std::memcpy(&value, bus_.read->data, 4);
@@ -141,7 +142,7 @@ void RtlMachine::change(const Upload& upload) {
 }
 
 void RtlMachine::drive() {
-    std::uint32_t ready = 0;   // a bit for each sink, in as many bytes as the signal has
+    std::uint32_t ready = 0;   // one bit per sink, in as many bytes as the signal has
     for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= std::uint32_t(sinks_[p].ready()) << p;
     std::memcpy(hit_ready_->data, &ready, std::min<std::size_t>(hit_ready_->bytes, sizeof ready));
     *mem_req_->ready = memory_.ready();
@@ -149,7 +150,7 @@ void RtlMachine::drive() {
     if (!memory_.valid()) return;
     const Memory::Answer answer = memory_.answer();
     std::memcpy(mem_rsp_->data, image_->line(answer.addr),
-                line_bytes);   // MemRsp: the line at the bottom, the id above
+                line_bytes);   // MemRsp: the line in the lower bits, the id above
     mem_rsp_->data[line_bytes / 4] = answer.id;
 }
 
@@ -182,7 +183,7 @@ void RtlMachine::complain(int pipeline, Link link, const std::string& what) {
     if (!nonsense_) nonsense_ = {pipeline, link, what, now_};
 }
 
-/// The request that the RTL makes in this cycle, if it can be meant.
+/// Returns the RTL's request in this cycle, if it is valid.
 std::optional<Memory::Answer> RtlMachine::request() {
     if (!(shared_fire_ & bit(Link::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
@@ -200,8 +201,8 @@ std::optional<Memory::Answer> RtlMachine::request() {
     return Memory::Answer{req.id, req.addr};
 }
 
-/// Whether the hit is one of the picture that was not there yet. A primitive that the scene lacks is taken
-/// from it.
+/// Returns true if the hit is a pixel of the picture that has not arrived yet. Removes a primitive that the
+/// scene lacks.
 bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
     const auto refuse = [&](const std::string& what) {
         complain(pipeline, Link::hit, what);

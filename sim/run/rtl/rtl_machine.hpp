@@ -12,25 +12,26 @@
 
 namespace rayclock {
 
-/// rtl/rc_chip.sv under Verilator with the same memory and sinks as the model's Machine has. It is driven as
-/// a host drives it: by its registers. The memory's time stands still while the bus is in use.
+/// rtl/rc_chip.sv under Verilator, with the same memory and sinks as the model's Machine. It is driven as a
+/// host drives it: by its registers. The memory's time stands still during bus accesses.
 class RtlMachine {
 public:
     RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1,
                Waves waves = Waves::no);
 
-    /// A new frame; what lies in the caches stays.
+    /// Starts a new frame; the caches keep their contents.
     void start(const Frame& frame);
 
-    /// Between frames, as Machine has them; and what the host has written stands in the memory from now on.
+    /// Act between frames as Machine's functions do. After change(), the memory holds the host's writes.
     void reset();
     void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }
     void finish_writes();
     void change(const Upload& upload);
 
-    /// First half of a cycle: drives memory's answer and the sinks' ready; then the masks and data() tell
-    /// what the cycle moves. Second half: the clock edge; hits go to `take`.
+    /// Performs the first half of a cycle: drives the memory's answer and the sinks' ready. Then the masks
+    /// and link() show the transfers of the cycle.
     void settle();
+    /// Performs the second half: the clock edge. Passes hits to `take`. Throws RtlAssertion.
     template <class Take> void clock(Take&& take) {
         for (int p = 0; p < config_.pipelines; ++p) {
             if (!(fire_[std::size_t(p)] & bit(Link::hit))) continue;
@@ -44,10 +45,10 @@ public:
         clock(take);
     }
 
-    /// The first thing the RTL said that no machine can mean: a line beyond the memory image, a request whose
-    /// id is under way, a pixel that is not there or has come already, a primitive that the scene lacks. It
-    /// is not passed on: memory gives zeros or no answer, the pixel is dropped or holds nothing, and the
-    /// machine runs on.
+    /// The first impossible value of the RTL. It is a line beyond the memory image, a request whose id is in
+    /// flight, or an unknown primitive. It may also be a pixel that is outside the picture or arrives twice.
+    /// The value is not passed on: the memory returns zeros or does not answer, and the pixel is dropped or
+    /// gets no hit. The machine runs on.
     struct Nonsense {
         int pipeline = 0;
         Link link{};
@@ -57,9 +58,9 @@ public:
     const std::optional<Nonsense>& nonsense() const { return nonsense_; }
 
     bool done() const { return hits_ >= pixels_; }
-    /// What the chip's own signals say of the frame, after settle().
+    /// Return the chip's own signals about the frame, after settle().
     bool says_running() const;
-    bool says_done() const;   ///< in the first cycle also, if it said so since the frame was asked for
+    bool says_done() const;   ///< in the first cycle also true if it was set since the frame was requested
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
     LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
@@ -67,19 +68,19 @@ public:
     LinkMask shared_valid() const { return shared_valid_; }
     LinkMask shared_fire() const { return shared_fire_; }
     bool moved() const { return moved_; }
-    /// Packed payload that a link offers in this cycle; shared ones have pipeline 0.
+    /// Returns the packed payload that a link offers in this cycle. Shared links have pipeline 0.
     const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }
-    /// Inside a pipeline, the end of a ray: the engine says that it is done, and the pixel on its way to
+    /// Return the ports of a ray's end inside a pipeline: the engine's `done`, and the pixel on its way to
     /// sched.
     const RcPort& done_port(int pipeline) const { return *ends_[std::size_t(pipeline)].done; }
     const RcPort& pixel_port(int pipeline) const { return *ends_[std::size_t(pipeline)].pixel; }
-    /// From the chip's own counters, except for the memory, since the last start(). A frame that is under way
-    /// is counted no further; the two cycles that this takes are in its counters, and pass for the memory as
-    /// well.
+    /// Returns the counts since the last start(), from the chip's own counters and from the memory. Stops
+    /// counting in an unfinished frame. This takes two cycles, which appear in its counters and also pass for
+    /// the memory.
     const Accounts& accounts();
-    /// What the register `cycles` says of the same time.
+    /// Returns the register `cycles` for the same period.
     std::uint64_t counted_cycles();
-    /// For waveforms, if it has them.
+    /// Returns the module, for waveforms if it has them.
     RtlModule& module() { return rtl_; }
     const Memory& memory() const { return memory_; }
     std::uint64_t box_tests() const { return box_tests_; }
@@ -100,10 +101,10 @@ private:
     void quiet_ports();
 
     Config config_;
-    std::vector<std::size_t> there_;   // the links of a pipeline that this chip has
+    std::vector<std::size_t> there_;   // the pipeline links that this chip has
     const MemoryImage* image_;
-    MemoryImage changed_;              // if the host has written into it
-    std::optional<Decoder> decoder_;   // only to count what the box tests were made on
+    MemoryImage changed_;              // a copy, once the host writes
+    std::optional<Decoder> decoder_;   // only counts the children of box tests
     RtlModule rtl_;
     std::vector<std::array<const RcPort*, link_count>> links_;
     struct RayEnds {
@@ -117,16 +118,16 @@ private:
     Memory memory_;
     Traffic traffic_;
     std::vector<Sink> sinks_;
-    RayCounts rays_;   // refracted ones are counted with the reflected: the link does not tell them apart
+    RayCounts rays_;   // refractions count as reflections, because the link does not distinguish them
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
     std::vector<LinkMask> valid_, fire_;
     LinkMask shared_valid_ = 0, shared_fire_ = 0;
-    bool moved_ = false, kept_done_ = false;   // kept_done_: done was set while the frame was prepared
+    bool moved_ = false, kept_done_ = false;   // kept_done_: `done` was set while the frame was prepared
     std::vector<std::uint8_t> under_way_;      // [id] of requests to memory
     std::vector<std::uint8_t> given_;          // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
     std::optional<Nonsense> nonsense_;
-    std::optional<Accounts> accounts_;                 // once they are read
+    std::optional<Accounts> accounts_;                 // empty until the counters are read
     std::uint64_t counted_cycles_ = 0, started_ = 0;   // started_: the frame's first cycle
     std::array<std::uint64_t, cause_count> memory_at_start_{};
 };

@@ -1,3 +1,4 @@
+// Loading a built library with dlopen().
 #include "sim/run/rtl/rtl_module.hpp"
 
 #include <cstring>
@@ -11,7 +12,7 @@ namespace rayclock {
 
 namespace {
 
-/// The library opened and what it offers, or what the loader says against it.
+/// The opened library and its functions, or the loader's error message.
 struct Opened {
     void* library = nullptr;
     const RcModule* module = nullptr;
@@ -31,8 +32,8 @@ RtlModule::RtlModule(const Config& config, const std::string& module, int seed, 
     : reset_cycles_(config.clear_cycles()) {
     RtlBuild build = build_rtl(config, module, waves);
     Opened opened(build);
-    if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went
-                                                // wrong
+    if (!opened.module && build.was_cached) {   // undamaged, but from another machine or from a faulty
+                                                // program
         forget_rtl(build);
         build = build_rtl(config, module, waves);
         opened = Opened(build);

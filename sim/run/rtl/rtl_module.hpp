@@ -1,4 +1,5 @@
 #pragma once
+// A verilated module of the RTL in a shared library.
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -12,33 +13,33 @@
 
 namespace rayclock {
 
-/// An assertion of the RTL failed; Verilator has printed which on standard output.
+/// Reports a failed assertion of the RTL. Verilator has printed which one on standard output.
 struct RtlAssertion : std::runtime_error {
     RtlAssertion() : std::runtime_error("an assertion of the RTL failed, see the line above") {}
 };
 
-/// A module of the RTL under Verilator, out of reset and ready to run. Registers without reset start at
-/// random.
+/// A module of the RTL under Verilator. Registers without reset start at random values.
 class RtlModule {
 public:
-    /// Builds what is not yet built. Throws as build_rtl() does.
+    /// Builds the module if necessary. Throws as build_rtl() does.
     RtlModule(const Config& config, const std::string& module, int seed = 1, Waves waves = Waves::no);
     ~RtlModule();
     RtlModule(const RtlModule&) = delete;
 
-    /// The link called `name`. Outputs and taps are good after settle(), inputs are set before it.
+    /// Returns the port called `name`. Outputs and taps are valid after settle(); set inputs before it.
+    /// Throws std::logic_error if there is none.
     const RcPort& port(const std::string& name) const;
 
-    /// Holds reset: four full cycles, or as many as the largest cache takes to clear its sets. Static inputs
-    /// are set before it.
+    /// Holds reset for four full cycles, or as many as the largest cache takes to clear its sets. Set static
+    /// inputs before it.
     void reset();
 
-    /// Lets inputs through to outputs; no clock edge.
+    /// Evaluates the combinational paths from inputs to outputs, without a clock edge.
     void settle();
-    /// The clock edge. Throws RtlAssertion.
+    /// Performs the clock edge. Throws RtlAssertion.
     void clock();
 
-    /// What the signals of a module that has waves do from the next dump on, to a new file. Times must rise.
+    /// Records the signals of a module that has waves to a new file, from the next dump on. Times must rise.
     void begin_wave(const std::string& path) { wave_->begin(handle_, path.c_str()); }
     void dump_wave(std::uint64_t time) { wave_->dump(handle_, time); }
     int end_wave() { return wave_->end(handle_); }   ///< 0, or errno
@@ -57,8 +58,8 @@ private:
 template <class P> void set_data(const RcPort& port, const P& payload, const Config& config);
 template <class P> P get_data(const RcPort& port, const Config& config) {
     if (port.bytes >= 4) return unpack<P>(port.data, config);
-    // A port of up to 16 bits is shorter than a word, and its payload fits one. GCC 14 cannot know that, and
-    // warns of words beyond it (array-bounds): so there is room for every member.
+    // A port of up to 16 bits is shorter than a word, and its payload fits one. GCC 14 does not see that and
+    // warns about words beyond it (array-bounds), so `words` has room for every member.
     std::array<std::uint32_t, sizeof(P) / sizeof(std::uint32_t) + 1> words{};
     std::memcpy(words.data(), port.data, port.bytes);
     return unpack<P>(words.data(), config);

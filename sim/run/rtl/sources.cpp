@@ -1,3 +1,4 @@
+// Finding and reading the Verilog sources.
 #include "sim/run/rtl/sources.hpp"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ const char* chosen_folder() {
     return chosen && *chosen ? chosen : nullptr;
 }
 
-/// The tree around this program's file, if it is in one: a tree that was moved after it was built; or what
-/// was installed beside it.
+/// Returns the tree around this program's file: a source tree, which may have been moved after the build, or
+/// an installation. Returns an empty path if there is none.
 fs::path own_tree() {
     std::error_code error;
     fs::path place = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -45,7 +46,7 @@ std::string text_of(const fs::path& path) {
     return text;
 }
 
-/// Verilator's makefiles and wrappers stumble over blanks, quotes and dollars.
+/// Replaces characters that Verilator's makefiles and wrappers cannot handle: blanks, quotes, dollars.
 std::string safe_name(const fs::path& file, std::set<std::string>& taken) {
     std::string name = file.string();
     for (char& c : name)

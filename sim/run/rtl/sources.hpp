@@ -1,27 +1,28 @@
 #pragma once
-// The Verilog sources: where they are, what is wrong with that place, and their texts.
+// The Verilog sources: their folder, its errors, and their texts.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace rayclock {
 
-/// Folder of the Verilog sources: $RAYCLOCK_RTL (to try out a changed copy), or that of the tree that this
-/// program lies in, or what was installed with it, or that of the tree that it was built from.
+/// Returns the folder of the Verilog sources. It is $RAYCLOCK_RTL (to try a changed copy), or part of the
+/// tree or installation around this program. Otherwise it is part of the tree that the program was built
+/// from.
 std::filesystem::path rtl_sources();
 
-/// What is wrong with that folder, in a sentence; empty if all is well.
+/// Returns a sentence about an error in that folder; empty if there is none.
 std::string rtl_sources_problem();
 
-/// All of them but the package, in a fixed order. Throws UserError with the problem.
+/// Returns all sources except the package, in a fixed order. Throws UserError if rtl_sources_problem() has
+/// one.
 std::vector<std::filesystem::path> rtl_files();
 
-/// A source as a build sees it: `name` is its path from the folder, without any character that a tool could
-/// trip over.
+/// A source for a build. `name` is its path from the folder, without characters that a tool cannot handle.
 struct RtlText {
     std::string name, text;
 };
-/// rtl_files() and the waivers, lint.vlt, which are the first. Throws UserError.
+/// Returns the texts of lint.vlt, which holds the waivers, and of rtl_files(). Throws UserError.
 std::vector<RtlText> rtl_texts();
 
 }   // namespace rayclock

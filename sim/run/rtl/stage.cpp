@@ -1,3 +1,4 @@
+// Staging of sources, and running of tools.
 #include "sim/run/rtl/stage.hpp"
 
 #include <chrono>
@@ -23,9 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The tools' own words, or the cause if they are known for it.
+/// Throws UserError with the tool's message, or with the cause if it is known.
 [[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
-    constexpr std::uintmax_t full = 64 << 10;   // a tool may not even get its complaint into the log
+    constexpr std::uintmax_t full = 64 << 10;   // below this free space, a tool may be unable to log its
+                                                // error
     std::error_code error_of_space;
     const fs::space_info space = fs::space(folder, error_of_space);
     if (log.find("No space left on device") != std::string::npos ||
@@ -57,7 +59,7 @@ std::vector<std::string> stage_sources(const fs::path& folder, const Config& con
     std::vector<std::string> files;
     for (const RtlText& source : rtl_texts()) {
         const fs::path copy = folder / "rtl" / source.name;
-        std::error_code ignored;   // write_text() says what is wrong
+        std::error_code ignored;   // write_text() reports the error
         fs::create_directories(copy.parent_path(), ignored);
         write_text(copy, source.text);
         files.push_back("rtl/" + source.name);

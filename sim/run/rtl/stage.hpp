@@ -1,6 +1,6 @@
 #pragma once
-// What every build does in a folder of its own: sources are put there, tools are run, and all but what they
-// were to make is removed.
+// The common steps of all builds in a folder of their own: copy the sources, run the tools, and remove
+// everything except the result.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,22 +11,23 @@
 
 namespace rayclock {
 
-/// Called again and again while a tool works: its name, and about how many seconds all is done in, once that
-/// can be guessed.
+/// Called repeatedly while a tool works, with its name and the estimated seconds until the end, if they are
+/// known.
 using Working = std::function<void(const char* stage, std::optional<double> left)>;
 
-/// Options of RAYCLOCK_CXXFLAGS.
+/// Returns the options in RAYCLOCK_CXXFLAGS.
 std::string added_flags();
 
-/// Sources and waivers, but not the package, as one text.
+/// Returns the sources and waivers, but not the package, as one text.
 std::string source_ingredients();
 
-/// Copies of the sources, under names that no tool trips over, in a folder that tools are run in: they see no
-/// path of the user's. Returns their names there: the waivers, the package, all others.
+/// Copies the sources to a folder in which tools run, under names that all tools can handle. So tools see no
+/// path of the user. Returns the names there: the waivers, the package, all others. Throws UserError.
 std::vector<std::string> stage_sources(const std::filesystem::path& folder, const Config& config);
 
-/// Runs commands at the same time in a folder, each with its output in a log there. The first that fails ends
-/// all others: std::runtime_error with its words after `what`, or UserError if the cause is known for it.
+/// Runs commands at the same time in a folder, each with its output in a log there. If one fails, ends all
+/// others and throws UserError with the tool's message after `what`, or with the cause if it is known. Throws
+/// Interrupted after Ctrl-C.
 struct ToolJob {
     std::vector<std::string> words;
     std::string log;
@@ -34,7 +35,7 @@ struct ToolJob {
 void run_tools(const std::filesystem::path& folder, const std::vector<ToolJob>& jobs, const std::string& what,
                const std::function<void()>& meanwhile);
 
-/// Leaves one file alone in a folder.
+/// Removes everything in a folder except one file.
 void tidy(const std::filesystem::path& folder, const std::filesystem::path& kept);
 
 }   // namespace rayclock
