@@ -1,5 +1,4 @@
-// rayclock study area on units that Yosys has done in a second: what is counted, what is found again, what is
-// refused.
+// rayclock study area on units that Yosys synthesises in a second: counts, cache hits, refusals.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -25,7 +24,8 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {
         return run_program(
-            {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
+            {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)},
+            cache);
     };
     const Outcome first = area("a.json");
     INFO(first.err);
@@ -40,8 +40,8 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         CHECK(variant["units"].size() == 2);
         const json sched = part_of(variant, "sched")["count"],
                    dispatch = part_of(variant, "dispatch")["count"];
-        // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no
-        // memory.
+        // The number of the next tile: two counters of the picture's size in tiles, and little else. No
+        // multiplier, no memory.
         CHECK(dispatch["ff"].get<int>() >= 16);
         CHECK(dispatch["ff"].get<int>() <= 40);
         CHECK(dispatch["mult18x18d"] == 0);
@@ -51,7 +51,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         CHECK(sched["dpr16x4"].get<int>() > 0);
         CHECK(sched["luts"] ==
               sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
-        // Of the two only sched is one for each pipeline.
+        // Of the two, only sched exists once per pipeline.
         CHECK(variant["pipeline"] == sched);
         CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
     }
@@ -65,11 +65,13 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
 
 TEST_CASE("area refuses what makes no sense") {
     const Folder folder;
-    check_refused(run_program({"study", "area", "--unit", "shad"}), {"'shad'", "did you mean 'shade'", "node_cache"});
+    check_refused(run_program({"study", "area", "--unit", "shad"}),
+                  {"'shad'", "did you mean 'shade'", "node_cache"});
     check_refused(run_program({"study", "area", "--unit", ""}), {"--unit"});
     check_refused(run_program({"study", "area", "--config", "smal"}), {"'smal'", "small"});
     check_refused(run_program({"study", "area", "--set", "contexts=0"}), {"contexts"});
-    check_refused(run_program({"study", "area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
+    check_refused(run_program({"study", "area", "--set", "primitive_test=sheared"}),
+                  {"primitive_test=exact"});
     check_refused(run_program({"study", "area", "--unit", "sched", "-o", folder.name("page.md")}),
                   {"--unit", "--output"});
     check_refused(run_program({"study", "area", "-o", folder.name("none/page.md")}), {"none/page.md"});

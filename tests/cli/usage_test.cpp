@@ -1,4 +1,4 @@
-// Bad usage: exit code 2 and one sentence that names what was wrong.
+// Wrong usage: exit code 2 and one sentence that names the fault.
 #include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
@@ -20,7 +20,7 @@ void check(const std::vector<Bad>& cases) {
     }
 }
 
-/// simulate on a tiny frame, with these further arguments.
+/// Returns simulate on a tiny frame with further arguments.
 Bad simulate(std::vector<std::string> arguments, std::vector<std::string> words) {
     arguments.insert(arguments.begin(), {"simulate", "tetra:1"});
     return {std::move(arguments), std::move(words)};
