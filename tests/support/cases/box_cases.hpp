@@ -102,8 +102,8 @@ inline std::optional<std::uint32_t> reported(const BoxRsp& rsp, std::uint32_t of
     return std::nullopt;
 }
 
-/// Requires that no child that the ray meets is missing, that t_near is never beyond the entry, and that any
-/// other child is within the permitted tolerance.
+/// Requires that no child that the ray meets is missing and that t_near is never beyond the entry. Any other
+/// child must be within the permitted tolerance.
 inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     const Node& node = c.req.node;
     const auto o = oracle::point(c.req.o), d = oracle::point(c.d);
