@@ -1,4 +1,5 @@
 #pragma once
+// Scenes in Embree, the second opinion on the reference.
 #include <limits>
 #include <map>
 #include <stdexcept>
