@@ -1,6 +1,7 @@
-// The tables at the end of docs/boxes.md: what rounding and quantising child boxes cost in node visits.
+// Measures how rounding and quantising child boxes increases node visits: the tables at the end of
+// docs/boxes.md.
 //
-// rc_boxes PAGE: puts the tables in place of what follows the page's line `<!-- measured -->`.
+// rc_boxes PAGE: replaces everything after the page's line `<!-- measured -->` with the tables.
 #include <fstream>
 #include <sstream>
 
@@ -28,7 +29,8 @@ ExtraVisits measure(const char* spec, const Config& config) {
     return extra;
 }
 
-/// A row a scene, a column a value of `member`, and in it `figure` of that run as per cent.
+/// Returns a table with a row for each scene and a column for each value of `member`. Cells hold `figure` in
+/// percent.
 std::string table(const char* key, int Config::*member, const std::vector<int>& values,
                   double (ExtraVisits::*figure)() const) {
     std::vector<std::string> head{key};

@@ -1,8 +1,8 @@
-// The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what
-// bits it needs.
+// Measures how often each scheme of secondary-ray origins errs, and the bits it needs: the tables at the end
+// of docs/origins.md.
 //
-// rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's
-// line `<!-- measured -->`.
+// rc_origins PAGE [rays per scheme, scene and width]: replaces everything after the page's line `<!--
+// measured -->` with the tables.
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -70,7 +70,7 @@ Table table_by(const char* what) {
                  Table::words_only);
 }
 
-/// False shadows and light leaks of each scheme, by scene.
+/// Returns false shadows and light leaks of each scheme, by scene.
 Table table_by_scene(const Counts& counts) {
     std::vector<std::string> head{"scene"};
     for (const OriginScheme& s : schemes) head.push_back(s.name());
@@ -102,9 +102,10 @@ std::string measured(const Counts& counts) {
            "\nFalse shadows, light leaks per million rays, by scene:\n\n" + table_by_scene(counts).markdown();
 }
 
-/// 18 x 18 multipliers for a signed product: each takes 17 bits of a number, the highest of them one more.
+/// Returns the number of 18 x 18 multipliers for a signed product. Each multiplier takes 17 bits of a number;
+/// the highest one takes 18.
 int multipliers(int one, int other) { return ((one - 2) / 17 + 1) * ((other - 2) / 17 + 1); }
-/// P1, P2: 12 products of d and e; u, v: 6 of P and s; e1 x e2: 6; num: 3 of that and s.
+/// P1, P2: 12 products of d and e. u, v: 6 of P and s. e1 x e2: 6. num: 3 of that cross product and s.
 int multipliers(int coord_bits, const RayWidths& w) {
     const int e = coord_bits + 1, p = w.direction + e;
     return 12 * multipliers(w.direction, e) + 6 * multipliers(p, w.offset) + 6 * multipliers(e, e) +

@@ -1,8 +1,8 @@
-// Primary rays per second of the reference tracer and of Embree 3, and their ratio: the same rays of gears:8,
-// one at a time, one thread, one process. Embree runs with its default flags and with RTC_SCENE_FLAG_ROBUST;
-// its numbers are single precision with the widest vectors of the host, the reference's double precision for
-// baseline x86-64. The reference's target is a quarter of Embree's speed. Both are timed around trace()
-// alone.
+// Measures primary rays per second of the reference tracer and of Embree 3, and their ratio. Both trace the
+// same rays of gears:8, one at a time, in one thread and one process. Embree runs with its default flags and
+// with RTC_SCENE_FLAG_ROBUST. It computes in single precision with the host's widest vectors, the reference
+// in double precision for baseline x86-64. The reference's target is a quarter of Embree's speed. Times cover
+// only trace().
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -82,10 +82,10 @@ BENCHMARK(embree_default)->Unit(benchmark::kMillisecond)->MinTime(2);
 BENCHMARK(embree_robust)->Unit(benchmark::kMillisecond)->MinTime(2);
 BENCHMARK(reference_build)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The usual table, and the best speed of every tracer for the ratios.
+/// Prints the usual table, and the ratios between the best speeds of the tracers.
 class RatioReporter : public benchmark::ConsoleReporter {
 public:
-    RatioReporter() : ConsoleReporter(OO_Tabular) {}   // no colours: the output may go to a file
+    RatioReporter() : ConsoleReporter(OO_Tabular) {}   // no colours, because the output may go to a file
     void ReportRuns(const std::vector<Run>& runs) override {
         benchmark::ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs)

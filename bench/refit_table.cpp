@@ -1,7 +1,7 @@
-// The tables of docs/motion.md, Trees that follow: how long a host takes to refit a tree and to build it
-// anew, and how a tree is spoilt.
+// Measures how long a host takes to refit and to rebuild a tree, and how refits degrade it: the tables of
+// docs/motion.md, Trees that follow.
 //
-// rc_refit prints them. Times are the least of several runs, one thread.
+// rc_refit prints them. Times are the least of several runs on one thread.
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +19,7 @@ using namespace rayclock;
 
 namespace {
 
-/// A tube of n by n squares about the z axis, twisted by so many degrees from end to end, and waving.
+/// Returns a waving tube of n by n squares about the z axis, twisted by `degrees` from end to end.
 Scene tube(int n, double degrees) {
     Scene scene;
     for (int i = 0; i <= n; ++i)

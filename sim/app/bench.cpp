@@ -1,4 +1,4 @@
-// rayclock bench: speed of the simulator itself, as ratios measured in one run.
+// rayclock bench: measures the speed of the simulator itself, as ratios within one run.
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@ namespace rayclock {
 
 namespace {
 
-/// Seconds that `work` takes: the best of at least three runs and half a second, since others share the
-/// machine.
+/// Returns the seconds that `work` takes: the best of at least three runs and half a second, because other
+/// jobs share the machine.
 template <class Work> double best_seconds(Work work) {
     double best = 1e300, total = 0;
     for (int i = 0; i < 3 || total < 0.5; ++i) {
@@ -48,7 +48,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-/// Seconds of each kind of work on one frame.
+/// Seconds for each kind of work on one frame.
 struct Seconds {
     double compile = 0, record = 0, replay = 0, model = 0, rtl = 0, reference = 0;
 };

@@ -1,4 +1,4 @@
-// rayclock chip: a configuration, or a unit of it alone, placed and routed on an ECP5.
+// rayclock chip: places and routes a configuration, or one of its units, on an ECP5.
 #include <algorithm>
 #include <filesystem>
 
@@ -57,7 +57,7 @@ void declare(Parser& parser, Options& o) {
 std::vector<std::string> tops_of(const Options& o, const Config& config) {
     if (o.units.empty()) return {"chip"};
     std::vector<std::string> names = chip::tops(config);
-    names.erase(names.begin());   // the chip itself
+    names.erase(names.begin());   // the first is the chip itself
     if (o.units == std::vector<std::string>{"all"}) return names;
     for (const std::string& unit : o.units)
         if (std::find(names.begin(), names.end(), unit) == names.end())
@@ -74,7 +74,7 @@ std::vector<int> seeds_of(const std::string& typed) {
     return seeds;
 }
 
-/// A folder that is there or can be made. If it was made and nothing came into it, it goes again.
+/// An existing or new output folder. A new folder is removed again if it stays empty.
 class OutputFolder {
 public:
     explicit OutputFolder(const std::string& path) : path_(path) {
@@ -85,7 +85,7 @@ public:
         check_writable((path_ / "report.txt").string());
     }
     ~OutputFolder() {
-        std::error_code ignored;   // it is not empty
+        std::error_code ignored;   // the folder is not empty
         if (is_new_) fs::remove(path_, ignored);
     }
     OutputFolder(const OutputFolder&) = delete;
@@ -128,7 +128,7 @@ void write_files(const Options& o, const std::vector<chip::Result>& all, const s
     }
 }
 
-/// The machine that is asked for, and what it is to draw, if a scene was given.
+/// The requested machine, and the scene to render, if one was given.
 struct Asked {
     Config config;
     std::optional<Request> scene;
@@ -150,12 +150,12 @@ Asked asked_of(const Options& o, const Progress& progress) {
     return asked;
 }
 
-/// The scene's frame at a clock, by the model.
+/// Returns the model's frames per second on the scene at a clock.
 double frames_per_second(const Asked& asked, double mhz, const Progress& progress) {
     const Request& request = *asked.scene;
     const Job job = make_job(request.scene, *request.scene.camera, asked.size, request.config, progress,
                              request.settings);
-    const int khz = int(1000 * mhz);   // not above what was shown
+    const int khz = int(1000 * mhz);   // rounds down to a clock that routing has shown
     std::vector<FrameTrace> traces;
     const std::vector<FrameTiming> timings = record_and_replay(job, khz, traces, {}, 0, progress);
     if (interrupted())
@@ -163,7 +163,7 @@ double frames_per_second(const Asked& asked, double mhz, const Progress& progres
     return per_second(timings[0], khz);
 }
 
-/// The report of what was routed, and of the scene at its clock.
+/// Prints the report of the routed chip, and of the scene at its clock.
 int tell(const Options& o, const Asked& asked, const std::vector<chip::Result>& all,
          const Progress& progress) {
     nlohmann::ordered_json json = json_of(asked.config, all);
@@ -199,7 +199,7 @@ int run(const Options& o) {
         throw UserError("--fast: an estimate has no pictures; leave out --output");
     if (o.fast && !o.methods.first().empty())
         throw UserError(fmt::format("--fast: an estimate routes nothing; leave out {}", o.methods.first()));
-    const chip::Methods of_chip = methods_of(o.methods, "chip");   // which says what is wrong with them
+    const chip::Methods of_chip = methods_of(o.methods, "chip");   // throws UserError for wrong methods
     o.json.check();
     const Progress progress = terminal_progress();
     const Asked asked = asked_of(o, progress);

@@ -1,3 +1,4 @@
+// Parses clocks and looks up routed ones.
 #include "sim/app/clock.hpp"
 
 #include <algorithm>

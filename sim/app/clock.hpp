@@ -1,5 +1,5 @@
 #pragma once
-// Clocks of machines: typed, or those that a routed chip has shown.
+// Clocks of machines: typed by the user, or those of a routed chip.
 #include <string>
 #include <vector>
 
@@ -9,20 +9,20 @@
 
 namespace rayclock {
 
-/// "66,fmax": as parse_clocks(), and fmax is the clock that `rayclock chip` has routed this configuration
-/// for. Throws UserError if it has not.
+/// Parses "66,fmax" like parse_clocks(), where fmax is the clock at which `rayclock chip` routed this
+/// configuration. Throws UserError if it was not routed.
 std::vector<int> clocks_of(const std::string& typed, const Config& config);
 
-/// The same of a command that takes one. Throws UserError if several are given.
+/// Does the same for a command that takes one clock. Throws UserError if several are given.
 int one_clock_of(const std::string& typed, const Config& config);
 
-/// Whether the clock was shown: "routed" if a routed chip is as fast, otherwise "assumed".
+/// Returns "routed" if a routed chip is at least this fast, otherwise "assumed".
 std::string clock_is(const Config& config, int khz);
 
-/// Adds clock_is and clock_mhz_routed to what clock_json() gives.
+/// Adds clock_is and clock_mhz_routed to the output of clock_json().
 void mark_clock(nlohmann::ordered_json& clock, const Config& config, int khz);
 
-/// A line about these clocks for people.
+/// Returns a line of text about these clocks.
 std::string clock_line(const Config& config, const std::vector<int>& khz);
 
 }   // namespace rayclock

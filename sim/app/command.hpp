@@ -1,5 +1,5 @@
 #pragma once
-// A command of the program: its name, its help, its options and its work.
+// A command of the program: its name, help, options and work.
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,15 +8,17 @@
 
 namespace rayclock {
 
+/// A command.
 struct Command {
     std::string name;
-    const char* what;   ///< it does, for the help
+    const char* what;   ///< the command's purpose, for the help
     const char* example;
-    std::function<void(Parser&)> declare;   ///< its options
-    std::function<int()> run;   ///< the exit code: 0 good, 1 a check failed; throws UserError for exit 2
+    std::function<void(Parser&)> declare;   ///< declares its options
+    std::function<int()> run;   ///< returns the exit code: 0 success, 1 a check failed; throws UserError for
+                                ///< exit code 2
 };
 
-/// A command with options of a type of its own, which keep what was typed.
+/// Returns a command with its own type of options, which store what was typed.
 template <class Options> Command command(const char* name, const char* what, const char* example,
                                          void (*declare)(Parser&, Options&), int (*run)(const Options&)) {
     const auto options = std::make_shared<Options>();

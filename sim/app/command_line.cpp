@@ -1,3 +1,4 @@
+// Stores the command line and quotes it for reports.
 #include "sim/app/command_line.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void keep_command_line(int argc, char** argv) { typed.assign(argv + std::min(arg
 std::string command_line() { return joined(typed); }
 
 std::string explain_line(int khz) {
-    // Of simulate, and not of explain; each takes a value.
+    // options of simulate that explain lacks; each takes a value
     constexpr std::array others{"--clock", "--engine", "--json", "--report", "-o", "--output"};
     std::vector<std::string> words{"explain"};
     for (std::size_t i = 1; i < typed.size(); ++i) {

@@ -1,22 +1,22 @@
 #pragma once
-// What was typed, so that a report can say how to repeat it.
+// The command line as typed, so that a report can be reproduced.
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rayclock {
 
-/// Called once, by main().
+/// Stores the arguments; main() calls it once.
 void keep_command_line(int argc, char** argv);
 
-/// As a shell would take it, with the program called rayclock.
+/// Returns the command line in shell syntax, with the program called rayclock.
 std::string command_line();
 
-/// The command that explains a pixel of the picture that was made by this command line, at a clock; PIXEL
-/// stands for the pixel. Options that `explain` does not have are left out.
+/// Returns the command that explains a pixel of this command's picture at a clock; PIXEL stands for the
+/// pixel. Omits options that `explain` lacks.
 std::string explain_line(int khz);
 
-/// Program and compiler, each with its version.
+/// Returns the versions of the program and of the compiler.
 std::vector<std::pair<std::string, std::string>> versions();
 
 }   // namespace rayclock

@@ -1,11 +1,11 @@
 #pragma once
-// Every command. Each is in the file of its name, those of `study` in study/; scenes, config and rtl are in
+// All commands. Each has a file of its name, those of `study` in study/. scenes, config and rtl are in
 // info.cpp.
 #include "sim/app/command.hpp"
 
 namespace rayclock {
 
-/// The command whose words are pages of docs.
+/// The command whose subcommands make pages of docs.
 constexpr const char* study_name = "study";
 constexpr const char* study_what = "make a page of docs again: area, counts, figures, structures, ...";
 
@@ -34,7 +34,7 @@ Command config_command();
 Command rtl_command();
 Command doctor_command();
 
-/// The work of `verify --torture`; its report as JSON goes to `json`.
+/// Runs `verify --torture` and writes its JSON report to `json`.
 int run_torture_set(const struct JsonOutput& json);
 
 }   // namespace rayclock

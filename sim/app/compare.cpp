@@ -1,4 +1,4 @@
-// rayclock compare: what changed between reports.
+// rayclock compare: compares reports.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

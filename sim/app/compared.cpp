@@ -1,3 +1,4 @@
+// Compares a machine's frame with the reference and judges it.
 #include "sim/app/compared.hpp"
 
 namespace rayclock {

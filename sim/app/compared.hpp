@@ -1,5 +1,5 @@
 #pragma once
-// A machine's frame beside the reference's: what simulate and explain need.
+// Compares a machine's frame with the reference, for simulate and explain.
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/view/report/json.hpp"
@@ -7,7 +7,7 @@
 
 namespace rayclock {
 
-/// What a machine gave for a frame.
+/// A frame as a machine rendered it.
 struct MachineFrame {
     const Frame& frame;
     const Camera& camera;
@@ -16,14 +16,15 @@ struct MachineFrame {
     const std::vector<std::uint64_t>& signatures;
 };
 
+/// The machine's frame and the reference's, with all differences.
 struct Compared {
     FrameError error;
     std::optional<Judgement> judgement;
-    Picture picture, reference;       ///< the machine's, the reference's
-    HitFrame hits, reference_hits;    ///< likewise
-    std::vector<PixelStage> stages;   ///< of the pixel that was asked for, if the chip does not shade
+    Picture picture, reference;       ///< the machine's picture and the reference's
+    HitFrame hits, reference_hits;    ///< the hits of both
+    std::vector<PixelStage> stages;   ///< stages of the requested pixel, if the chip does not shade
 };
-/// `pixel`: whose stages are wanted, or none. The judge is asked if `judged`.
+/// Compares a frame. `judged` runs the judge; `pixel` selects a pixel whose stages are recorded.
 Compared compare(const Request& request, const Job& job, const MachineFrame& made, bool judged, int threads,
                  const Progress& progress, std::optional<std::size_t> pixel = std::nullopt);
 

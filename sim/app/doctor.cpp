@@ -1,4 +1,4 @@
-// rayclock doctor: what is installed, what is set, and what a missing part disables.
+// rayclock doctor: reports installed tools, settings, and what a missing part disables.
 #include <cstdlib>
 #include <filesystem>
 
@@ -27,10 +27,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the doctor looks at, and what he says of it.
+/// A checked part and its diagnosis.
 struct Part {
-    std::string name, key, found;   ///< found: empty if it is missing
-    std::string problem;            ///< why, if it is missing, and what that disables
+    std::string name, key, found;   ///< `found` is empty if the part is missing
+    std::string problem;            ///< the reason if it is missing, and what that disables
     std::string cure;
 };
 
@@ -39,7 +39,7 @@ constexpr const char* no_rtl =
 constexpr const char* no_new_rtl =
     "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
 
-/// The cure names a package and no script: an installed program has no sources beside it.
+/// The cure names a package, not a script, because an installed program has no sources next to it.
 Part tool(const char* name, const std::string& version, const char* package) {
     return {name, name, version, version.empty() ? no_new_rtl : "",
             fmt::format("{}: apt-get install {}", name, package)};
@@ -90,14 +90,14 @@ std::vector<Part> parts() {
     const RtlTools& tools = rtl_tools();
     std::vector<Part> all{tool("verilator", tools.verilator, "verilator"), tool("c++", tools.compiler, "g++"),
                           vega_part(), cache_part(), sources_part()};
-    // Both run, and yet something is missing: Verilator's own sources.
+    // Both tools run, but Verilator's own sources are missing.
     if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
         all[0] = {"verilator", "verilator", "", tools.problem + ": " + no_new_rtl,
                   "verilator: install it again"};
     return all;
 }
 
-/// What is to be known although nothing is missing.
+/// Returns remarks about parts that are present.
 std::vector<std::string> remarks() {
     std::vector<std::string> all;
     const auto add = [&](const std::string& sentence) {
@@ -110,7 +110,7 @@ std::vector<std::string> remarks() {
     add(router.problem.empty() ? router.remark : router.problem + "; only chip needs it");
     try {
         add(cache_place().warning);
-    } catch (const UserError&) {}   // said of the cache
+    } catch (const UserError&) {}   // already reported for the cache
     return all;
 }
 
@@ -133,7 +133,7 @@ int run(const Options& o) {
         missing[part.key] = part.problem;
         cures.push_back(part.cure);
     }
-    // Nobody needs these but a command each, so they are never missing.
+    // One command each needs these parts, so they never count as missing.
     const chip::Nextpnr& router = chip::nextpnr();
     const bool routes = router.problem.empty();
     table.add(

@@ -1,4 +1,4 @@
-// rayclock explain: what happened to one pixel, ray by ray and cycle by cycle, and why it differs.
+// rayclock explain: shows one pixel's history, ray by ray and cycle by cycle, and why it differs.
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
@@ -96,7 +96,7 @@ int run(const Options& o) {
     if (costs.partial) throw Interrupted("interrupted: nothing is written");
     observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
-    std::vector<FrameError> error;   // of the frame that is explained
+    std::vector<FrameError> error;   // errors of the explained frame
     if (!o.no_reference) {
         const Trace& trace = traces.back().trace;
         const Compared compared = compare(

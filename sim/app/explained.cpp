@@ -1,3 +1,4 @@
+// Collects the findings and events of explained pixels.
 #include "sim/app/explained.hpp"
 
 #include <fmt/format.h>

@@ -1,14 +1,14 @@
 #pragma once
-// What explain says of a pixel, and simulate's report of many.
+// Explanations of one pixel for explain, and of many pixels for simulate's report.
 #include "sim/app/compared.hpp"
 #include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
 
-/// A pixel of frames that were compared.
+/// Returns the finding for a pixel of compared frames.
 ColourFinding colour_finding(const Compared& compared, std::size_t pixel);
 
-/// Keeps the steps of several pixels.
+/// Records the steps of several pixels.
 class PixelsEvents final : public EventSink {
 public:
     explicit PixelsEvents(const std::vector<std::uint32_t>& pixels);

@@ -1,4 +1,4 @@
-// rayclock export: a frame of a chip as files for another simulator or a board.
+// rayclock export: writes a frame of a chip as files for another simulator or a board.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
@@ -34,7 +34,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-/// As far as it matters to whoever reads the export.
+/// Returns the command with the options that affect the export.
 std::string command_of(const Options& o) {
     std::string text = fmt::format("rayclock export {} --size {} --config {}", told_path(o.scene), o.size,
                                    told_path(o.config.name));
@@ -49,7 +49,7 @@ int run(const Options& o) {
     const Progress progress = stopping(terminal_progress());
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     check_rtl(request.config);
-    set_parameter(request.config, "dram", "ideal", "export");   // the bench has no other memory
+    set_parameter(request.config, "dram", "ideal", "export");   // the test bench has only this memory
     request.config.dram_channels = 1;
     const Job job =
         make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);

@@ -1,3 +1,4 @@
+// Records the frames of a film, compares them and writes their pictures.
 #include "sim/app/film_strip.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// The model's picture of the frame at hand, and what its pixels hit.
+/// The model's picture of the current frame, and the hits of its pixels.
 struct Drawn {
     HitFrame hits;
     Picture picture;
@@ -32,7 +33,7 @@ Drawn drawn(const Request& request, const Job& job, const FrameTrace& trace) {
     return {std::move(hits), std::move(picture)};
 }
 
-/// The reference draws the frame from the scene alone, and knows no other frame.
+/// Renders the current frame with the reference, which uses the scene alone and no earlier frame.
 Drawn drawn_by_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
     const Reference tracer(request.scene);
     if (request.finished) {
@@ -91,7 +92,7 @@ void finish_film(const FilmStrip& strip, bool quiet) {
 
 namespace {
 
-/// What is told of every frame, as numbers.
+/// The figures reported for every frame, as numbers.
 struct FrameFigures {
     double cycles = 0, upload = 0, reset = 0, fps = 0, read = 0, written = 0, nodes = 0, prims = 0,
            visits = 0, tests = 0, made = 0, instances = 0, refitted = 0, rebuilt = 0, cost = 0, seconds = 0;

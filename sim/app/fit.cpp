@@ -1,5 +1,5 @@
-// rayclock fit: the smallest configuration that draws a scene within a bound, and the proof that nothing in
-// it overflows.
+// rayclock fit: finds the smallest configuration that renders a scene within an error bound, and proves that
+// nothing in it overflows.
 #include <cmath>
 #include <filesystem>
 
@@ -70,7 +70,7 @@ Goal goal_of(const Options& o) {
     return goal;
 }
 
-/// gears:8 -> gears-8, scenes/desk.json -> desk.
+/// Returns a file name for a scene: gears:8 gives gears-8, scenes/desk.json gives desk.
 std::string name_of(const std::string& scene) {
     const bool file = scene.find(':') == std::string::npos;
     std::string name = file ? std::filesystem::path(scene).stem().string() : scene;
@@ -86,7 +86,7 @@ std::string goal_text(const Goal& b) {
         b.max_error, b.min_psnr ? fmt::format(", PSNR {:g} dB", *b.min_psnr) : "", b.max_work);
 }
 
-/// One sentence: what is reached, what makes the scene large, and what would do without it.
+/// Returns one sentence: the best error reached, the cause of the scene's size, and a remedy.
 std::string hopeless(const Options& o, const Goal& goal, const Config& base, Measure& measure,
                      const Config& closest) {
     const Outcome& best = measure(closest);
@@ -116,7 +116,7 @@ constexpr const char* no_proof =
     "judges "
     "every ray of this one";
 
-/// The options of the picture, as they were typed, for the command that verifies it.
+/// Returns the options of the picture as typed, for the command that verifies it.
 std::string picture_words(const Options& o) {
     std::string words;
     const auto add = [&](const char* option, const auto& value) {
@@ -135,7 +135,7 @@ std::string picture_words(const Options& o) {
     return words;
 }
 
-/// What was found, and what it took.
+/// The result of the search, and what it needed.
 struct Found {
     const Scene& scene;
     FrameSize size;
@@ -143,9 +143,9 @@ struct Found {
     const Goal& goal;
     const Config& base;
     Fit fit;
-    Config config;   ///< what is written
+    Config config;   ///< the configuration to write
     std::optional<DeviceFit> device;
-    std::optional<Ranges> ranges;   ///< of a flat scene's camera rays
+    std::optional<Ranges> ranges;   ///< for camera rays of a flat scene
     std::size_t frames = 0;
     double seconds = 0;
 };
@@ -197,7 +197,7 @@ nlohmann::ordered_json json_of(const Found& f) {
     return report;
 }
 
-/// The search, and the sentence if it finds nothing.
+/// Runs the search. If it finds nothing, throws with a sentence.
 Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& measure,
                const Progress& progress) {
     measure.tell = [&](const Config& c, std::size_t done) {

@@ -1,3 +1,4 @@
+// Searches, routes and reports the machine for a device.
 #include "sim/app/fit_device.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +16,11 @@ namespace rayclock {
 
 namespace {
 
-constexpr const char* default_fill = "90%";   // the host and wires between units are not counted before
+constexpr const char* default_fill = "90%";   // leaves room for the host and for wiring between units, which
+                                              // are not counted before routing
 constexpr const char* device_group = "Device (without --device only formats are fitted)";
 
-/// Too little room for the least machine, as a sentence.
+/// Returns a sentence for a device that is too small for the least machine.
 std::string no_machine(const DeviceFit& fit) {
     const balance::Machine& first = fit.found.first;
     if (!first.fps || !first.use)

@@ -1,6 +1,5 @@
 #pragma once
-// What `fit --device` does after the formats: the fastest machine that fits a device, confirmed by routing
-// it.
+// The part of `fit --device` after the formats: the fastest machine that fits a device, confirmed by routing.
 #include <optional>
 
 #include "sim/app/methods.hpp"
@@ -10,7 +9,7 @@
 
 namespace rayclock {
 
-/// As typed.
+/// The options as typed.
 struct DeviceOptions {
     std::string device;
     std::optional<std::string> fill, clock;
@@ -19,24 +18,26 @@ struct DeviceOptions {
 };
 void device_options(Parser& parser, DeviceOptions& options);
 
+/// The device and the limits of the search.
 struct DeviceGoal {
     chip::Device device;
-    chip::Use room;   ///< what the search may fill: the rest is for wiring, and for the placer
+    chip::Use room;   ///< the part that the search may fill; the rest is for wiring and for the placer
     int khz = default_khz;
     bool route = true, fresh = false;
-    chip::Methods methods{};   ///< by which it is routed
+    chip::Methods methods{};   ///< methods for routing
 };
-/// Nothing if no device was asked for. Throws UserError.
+/// Returns the goal, or nothing if no device was requested. Throws UserError.
 std::optional<DeviceGoal> device_goal(const DeviceOptions& options);
 
+/// The result for a device.
 struct DeviceFit {
     DeviceGoal goal;
     balance::Found found;
-    Config config;                        ///< the winner
-    std::optional<chip::Result> routed;   ///< if it was to be
-    std::optional<double> routed_fps;     ///< at the routed clock, if it fits
+    Config config;                        ///< the fastest machine
+    std::optional<chip::Result> routed;   ///< the routed chip, if routing was requested
+    std::optional<double> routed_fps;     ///< frames per second at the routed clock, if the chip fits
 };
-/// Looks among machines with the formats of `formats`. Throws std::runtime_error if none fits, or if
+/// Searches machines with the number formats of `formats`. Throws std::runtime_error if none fits, or if
 /// interrupted().
 DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size, const Config& formats,
                      int threads, const Progress& progress, const PictureChoice& picture);

@@ -1,4 +1,4 @@
-// rayclock scenes, config, rtl: what there is.
+// rayclock scenes, config, rtl: list scenes, print a configuration, build its RTL.
 #include <fmt/format.h>
 
 #include "model/scene/builtin.hpp"

@@ -1,5 +1,4 @@
-// rayclock: the command line. Every command's options and work are in the file of its name.
-#include <algorithm>
+// rayclock: parses the command line and runs a command. Each command has a file of its name.
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +28,7 @@ namespace {
 
 using namespace rayclock;
 
-/// A heading of the help, and the commands under it.
+/// A heading of the help, and its commands.
 struct Group {
     const char* heading;
     std::vector<Command (*)()> commands;
@@ -48,7 +47,7 @@ const std::vector<Group>& groups() {
     return all;
 }
 
-/// A command, and where the parser keeps what it found out about it.
+/// A command and its parser.
 struct Added {
     Command command;
     CLI::App* parsed;
@@ -69,7 +68,7 @@ std::vector<Added> add_commands(CLI::App& app) {
             CLI::App* const sub = (is_study ? study : &app)->add_subcommand(command.name, command.what);
             sub->group(is_study ? "Pages" : group.heading);
             sub->footer(std::string("Example: ") + command.example);
-            // The other commands' options are never made.
+            // Declares options only for the command in use.
             sub->preparse_callback([sub, declare = command.declare](std::size_t) {
                 Parser parser(*sub);
                 declare(parser);
@@ -80,7 +79,7 @@ std::vector<Added> add_commands(CLI::App& app) {
     return all;
 }
 
-/// All commands as people type them: those of study with its name before theirs.
+/// Returns all commands as typed; those of study have its name as prefix.
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const Group& group : groups())
@@ -109,8 +108,8 @@ constexpr const char* manual_footer =
     "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's libjs-vega\n"
     "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete";
 
-/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
-/// end.
+/// Prints one sentence to standard error and returns the exit code. The sentence contains user input: escape
+/// control characters and truncate it.
 int complain(const std::string& sentence, int code) {
     constexpr std::size_t longest = 1000;
     std::fprintf(stderr, "rayclock: %s\n",
@@ -118,14 +117,15 @@ int complain(const std::string& sentence, int code) {
     return code;
 }
 
-/// The library of threads tells of a thread that the system does not give in its own words.
+/// Returns true if the system refused a thread. The thread library reports this with its own message.
 bool is_lack_of_threads(const std::exception& error) {
     const auto* const system = dynamic_cast<const std::system_error*>(&error);
     return (system && system->code() == std::errc::resource_unavailable_try_again) ||
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
-/// The exception at hand as one sentence; the exit code. No other library's words are among it.
+/// Reports the current exception as one sentence and returns the exit code. Messages of other libraries are
+/// never shown.
 int complain_of_exception() {
     try {
         throw;
@@ -135,26 +135,26 @@ int complain_of_exception() {
         return complain(error.what(), 1);
     } catch (const std::bad_alloc&) {
         return complain("not enough memory for this scene and picture", 2);
-    } catch (const std::length_error&) {   // more than any memory has
+    } catch (const std::length_error&) {   // a size beyond any memory
         return complain("not enough memory for this scene and picture", 2);
     } catch (const std::filesystem::filesystem_error& error) {
         return complain(error.path1().string() + ": " + error.code().message(), 2);
     } catch (const std::exception& error) {
         if (is_lack_of_threads(error))
             return complain("not enough threads: the system gives no more (ulimit -u shows how many)", 2);
-        if (std::ferror(stdout)) return 2;   // finish() says so
+        if (std::ferror(stdout)) return 2;   // finish() reports it
         if (dynamic_cast<const std::runtime_error*>(&error)) return complain(error.what(), 1);   // our own
         return complain("a fault of rayclock's own has ended this run; please report it with the command", 1);
     }
 }
 
-/// What is printed and does not arrive is an error, whatever else came of the run.
+/// Returns `code`, or an error if standard output could not be written.
 int finish(int code) {
     const std::string lost = finish_output();
     return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
-/// The first word that looks like an option and is none of `app`; empty if there is no such word.
+/// Returns the first word that looks like an option and is unknown to `app`; empty if there is none.
 std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i], name = word.substr(0, word.find('='));
@@ -164,7 +164,7 @@ std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     return {};
 }
 
-/// The long names of an application's options.
+/// Returns the long names of an application's options.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
@@ -178,19 +178,14 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
     return names;
 }
 
-bool has_subcommand(const CLI::App& app, const std::string& word) {
-    const std::vector<std::string> names = subcommand_names(app);
-    return std::find(names.begin(), names.end(), word) != names.end();
-}
-
-/// What was typed behind a word, if it is no option.
+/// Returns the word typed after `word`, unless it is an option.
 std::string word_after(std::string_view word, int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i)
         if (argv[i] == word && argv[i + 1][0] != '-') return argv[i + 1];
     return {};
 }
 
-/// What the parser found wrong, in one sentence that names what was typed.
+/// Returns the parser's error as one sentence that names the typed text.
 std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
                         char** argv) {
     const CLI::App& root = *commands.front().parsed->get_parent();
@@ -202,7 +197,7 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
     const bool lacks_page = used == &study && !word_after(study_name, argc, argv).empty();
     if ((!used && argc > 1 && argv[1][0] != '-') || lacks_page) {
         const std::string word = lacks_page ? word_after(study_name, argc, argv) : argv[1];
-        if (!lacks_page && has_subcommand(study, word))
+        if (!lacks_page && study.get_subcommand_no_throw(word))
             return fmt::format("{0} is now called 'rayclock study {0}'", word);
         return (lacks_page ? "study: no page is called " : "no command is called ") + shown(word) +
                did_you_mean(word, subcommand_names(lacks_page ? study : root)) + " ('rayclock " +
@@ -231,7 +226,7 @@ int print_manual(const char* form) {
     }
 }
 
-/// Runs what was asked for; the exit code.
+/// Runs the requested command and returns the exit code.
 int run(int argc, char** argv) {
     CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer", "rayclock"};
     app.footer(help_footer);
@@ -260,8 +255,8 @@ int run(int argc, char** argv) {
     return 2;
 }
 
-/// What is thrown where nothing may be thrown, as in a thread that the library of threads begins, ends here
-/// instead of in a core file.
+/// Ends the program after an exception that nothing can catch, such as one in a thread that the thread
+/// library starts. Avoids a core file.
 [[noreturn]] void end_badly() noexcept {
     int code = 2;
     if (std::current_exception())

@@ -1,3 +1,4 @@
+// Writes the manual page and the completions of shells.
 #include "sim/app/manual.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,21 +22,22 @@ std::string replaced(std::string text, const std::string& old, const std::string
 
 const std::string study_prefix = std::string(study_name) + " ";
 
-/// An option as people type it.
+/// An option as typed.
 struct OptionText {
-    std::vector<std::string> names;   ///< "-o", "--output"; of a word without a name its own: "SCENE"
-    std::string value;                ///< "TEXT=512x384"; of a flag empty
+    std::vector<std::string> names;   ///< "-o", "--output"; for a positional word its own name: "SCENE"
+    std::string value;                ///< "TEXT=512x384"; empty for a flag
     std::string help, group;
     bool is_word = false;
 };
+/// A command with the texts of its options.
 struct CommandText {
     const Command& command;
     std::vector<OptionText> options;
 
     bool is_page() const { return command.name.starts_with(study_prefix); }
-    /// Behind `rayclock`, or behind `rayclock study`.
+    /// The word typed after `rayclock`, or after `rayclock study`.
     std::string word() const { return is_page() ? command.name.substr(study_prefix.size()) : command.name; }
-    /// In a shell's `case`: "study-area".
+    /// The name in a shell's `case`: "study-area".
     std::string label() const { return replaced(command.name, " ", "-"); }
 };
 
@@ -63,10 +65,10 @@ std::vector<CommandText> texts_of(const std::vector<Command>& commands) {
     return all;
 }
 
-/// Text as troff shows it.
+/// Escapes text for troff.
 std::string troff(const std::string& text) {
     std::string out = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
-    out = replaced(out, "\n", "\n\\&");   // no line begins with a request
+    out = replaced(out, "\n", "\n\\&");   // keeps lines from starting with a request
     return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
@@ -104,7 +106,7 @@ std::string joined(const std::vector<std::string>& words) {
     return line;
 }
 
-/// What may follow an option, or stand for a word; nothing: a file.
+/// Returns the possible values of an option or word; if there are none, completion offers files.
 std::vector<std::string> values_of(const OptionText& o) {
     const std::string& name = o.names.back();
     std::vector<std::string> values;
@@ -165,7 +167,7 @@ complete -o filenames -F _rayclock rayclock
                        names, pages, options, values, values);
 }
 
-/// Text between single quotes of a shell.
+/// Quotes text with a shell's single quotes.
 std::string single_quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
 
 std::string zsh_completion(const std::vector<CommandText>& commands) {

@@ -1,5 +1,5 @@
 #pragma once
-// The manual page, and what shells complete, made from the options that the commands declare.
+// The manual page and the completions of shells, made from the declared options of all commands.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace rayclock {
 
-/// `form`: man, bash, zsh or fish. `footer`: what the help says of exit codes and environment. Throws
-/// UserError for any other form.
+/// Returns the text for `form`: man, bash, zsh or fish. `footer` is the help about exit codes and
+/// environment. Throws UserError for any other form.
 std::string manual(std::string_view form, const std::vector<Command>& commands, const std::string& footer);
 
 }   // namespace rayclock

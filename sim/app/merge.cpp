@@ -1,4 +1,4 @@
-// rayclock merge: the parts of a sweep that several machines worked out, as one.
+// rayclock merge: joins the parts of a sweep that several machines computed.
 #include <fmt/format.h>
 
 #include "sim/app/commands.hpp"

@@ -1,3 +1,4 @@
+// Declares and checks the options of placers and routers.
 #include "sim/app/methods.hpp"
 
 #include <algorithm>

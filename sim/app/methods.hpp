@@ -8,20 +8,20 @@
 
 namespace rayclock {
 
-/// As typed; what is not typed is chip::usual_methods().
+/// The options as typed; missing ones default to chip::usual_methods().
 struct MethodOptions {
     std::optional<std::string> placer, router;
     std::optional<int> placements;
 
-    /// The first of them that was typed; empty if none was.
+    /// Returns the first option that was typed; empty if none was.
     std::string first() const {
         return placer ? "--placer" : router ? "--router" : placements ? "--placements" : "";
     }
 };
-/// `group`: under which heading of --help.
+/// Declares the options under the heading `group` of --help.
 void method_options(Parser& parser, MethodOptions& options, const char* group);
 
-/// For the whole chip ("chip"), or a unit of that name alone. Throws UserError.
+/// Returns the methods for the whole chip ("chip"), or for the unit of that name. Throws UserError.
 chip::Methods methods_of(const MethodOptions& options, const std::string& top);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Declares the options that several commands share.
 #include "sim/app/options.hpp"
 
 #include <cstdio>

@@ -1,3 +1,4 @@
+// Implements option declarations with the library CLI11.
 #include "sim/app/parser.hpp"
 
 #include <optional>

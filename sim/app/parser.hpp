@@ -1,6 +1,5 @@
 #pragma once
-// The options of one command, as it declares them. Only parser.cpp knows the library that reads the command
-// line.
+// Declares the options of one command. Only parser.cpp uses the library that reads the command line.
 #include <string>
 
 namespace CLI {
@@ -10,33 +9,34 @@ class Option;
 
 namespace rayclock {
 
-/// An option that has been declared, for what else there is to say about it.
+/// A declared option, for further properties.
 class Declared {
 public:
     explicit Declared(CLI::Option* option) : option_(option) {}
 
     Declared& required();
-    /// The help shows the value that it has now.
+    /// Shows its current value as default in the help.
     Declared& with_default();
     Declared& within(int least, int most);
-    /// Several values in one word, with commas between them.
+    /// Accepts several values in one word, separated by commas.
     Declared& by_commas();
-    /// The help lists it under this heading.
+    /// Lists the option under this heading of the help.
     Declared& under(const char* heading);
-    /// Not together with the other.
+    /// Refuses the option together with another.
     Declared& excludes(const Declared& other);
 
 private:
     CLI::Option* option_;
 };
 
+/// Declares options.
 class Parser {
 public:
     explicit Parser(CLI::App& app) : app_(app) {}
 
-    /// `names`: "--size", "-o,--output", or "SCENE" for a word without a name. Values are strings, whole
-    /// numbers, numbers, lists of strings, and what may be missing (std::optional) of these; parser.cpp lists
-    /// them.
+    /// Declares an option. `names` is "--size", "-o,--output", or "SCENE" for a positional word. Values are
+    /// strings, whole numbers, numbers, lists of strings, or std::optional of these; parser.cpp lists the
+    /// types.
     template <class Value> Declared option(const char* names, Value& value, const char* help);
     Declared flag(const char* names, bool& value, const char* help);
 

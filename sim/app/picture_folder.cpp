@@ -1,3 +1,4 @@
+// Checks and writes folders of pictures.
 #include "sim/app/picture_folder.hpp"
 
 #include <filesystem>
@@ -26,7 +27,7 @@ void write_pictures(const StagedFiles& staged, const std::vector<NamedPicture>& 
     for (const NamedPicture& p : pictures) try {
             write_picture((fs::path(stage) / p.name).string(), p.picture, p.hits);
         } catch (const UserError& error) {
-            // Nobody knows the name that a picture has meanwhile.
+            // Replace the temporary path of the picture in the message by its final path.
             std::string sentence = error.what();
             if (const std::size_t at = sentence.find(stage); at != sentence.npos)
                 sentence.replace(at, stage.size(), folder);

@@ -1,4 +1,4 @@
-// rayclock render: a picture with one engine.
+// rayclock render: renders a picture with one engine.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -64,17 +64,18 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-/// Several frames go to a folder, and how many they are is known only once the scene is there.
+/// Returns true if there may be several frames, which need a folder. Their number is known only after the
+/// scene is loaded.
 bool may_be_film(const Options& o) {
     return o.frames.frames > 1 || o.frames.time.find(':') != std::string::npos;
 }
 
-/// A picture, what its pixels hit, and what the report says of it.
+/// A picture, the hits of its pixels, and its part of the report.
 struct Drawn {
     HitFrame hits;
     Picture picture;
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    double seconds = 0;   ///< without loading
+    double seconds = 0;   ///< excludes loading
 };
 
 Drawn draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
@@ -93,7 +94,7 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
     return drawn;
 }
 
-/// The frame at hand.
+/// Renders the current frame.
 Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
     FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
@@ -113,11 +114,11 @@ Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& pr
                                    : draw_machine(request, film.job(), o.engine == "rtl", progress);
 }
 
-/// The pictures beside the reference's.
+/// Errors of the pictures against the reference.
 struct Comparison {
     std::vector<FrameError> errors;
 
-    /// Of several frames, the one with the least PSNR.
+    /// Returns the error with the least PSNR of all frames.
     std::optional<FrameError> error() const {
         const auto least =
             std::min_element(errors.begin(), errors.end(),
@@ -131,7 +132,7 @@ struct Comparison {
     }
 };
 
-/// Numbered pictures, each drawn as if it were the only one, and the film of them.
+/// Renders numbered pictures, each as if it were the only one, and joins them to a film.
 std::string draw_all(const Options& o, Film& film, FrameSize size, const Progress& progress,
                      Comparison& comparison, nlohmann::ordered_json& json) {
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
@@ -155,7 +156,7 @@ int run(const Options& o) {
         throw UserError("--compare needs --engine model or rtl: the reference is what it compares with");
     const Limits limits = limits_of(o.limits);
     o.json.check();
-    const Progress progress = stopping(terminal_progress());   // also for who waits for the file
+    const Progress progress = stopping(terminal_progress());   // shows progress also while the scene loads
     if (!may_be_film(o)) check_picture_path(o.output);
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     if (o.engine == "rtl") check_rtl(request.config);

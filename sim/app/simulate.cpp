@@ -1,4 +1,4 @@
-// rayclock simulate: cycles, frames per second, work and accounts of frames, at each clock.
+// rayclock simulate: reports cycles, frames per second, work and accounts of frames at each clock.
 #include <algorithm>
 #include <chrono>
 #include <mutex>
@@ -67,7 +67,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-/// One replay per clock, on all cores, from the same trace.
+/// Replays the same trace once per clock, in parallel.
 std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks,
                                     const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
                                     const Progress& progress) {
@@ -103,28 +103,31 @@ std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clo
     return runs;
 }
 
-/// What is simulated: the frames of a film, at each clock.
+/// The input of a simulation: the frames of a film, and the clocks.
 struct Work {
     Film& film;
     FrameSize size;
     std::vector<int> clocks;
-    const Request& request() const { return film.request(); }   ///< of the last frame, once all are made
+    const Request& request() const {
+        return film.request();
+    }   ///< the last frame's request once all frames
+        ///< are recorded
     const Job& job() const { return film.job(); }
 };
 
-/// What came of it.
+/// The results of a simulation.
 struct Simulated {
     bool is_model = true;
     std::vector<FrameTrace> traces;
     std::vector<ClockRun> runs;         ///< [clock]
-    FilmStrip strip;                    ///< of the frames, if they were made one by one
-    std::optional<Compared> compared;   ///< the last frame with the reference's
+    FilmStrip strip;                    ///< of the frames, if they were recorded one by one
+    std::optional<Compared> compared;   ///< the last frame compared with the reference
     bool partial = false;
 
     std::optional<FrameError> error() const {
         return compared ? std::optional(compared->error) : std::nullopt;
     }
-    /// Of all frames that were compared.
+    /// Returns the errors of all compared frames.
     std::vector<FrameError> errors() const {
         return compared ? all_errors(strip, compared->error) : std::vector<FrameError>{};
     }
@@ -144,9 +147,8 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
     Simulated s;
     Film& film = work.film;
     s.is_model = o.engine == "model";
-    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {   // one replay,
-                                                                                          // beside the
-                                                                                          // recording
+    // A single frame at a single clock replays while it is recorded.
+    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {
         film.next();
         const std::vector<FrameTiming> timings =
             record_and_replay(work.job(), work.clocks[0], s.traces, traffic, o.threads, progress);
@@ -162,7 +164,7 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
     return s;
 }
 
-/// Sets the last frame beside the reference's, and judges it.
+/// Compares the last frame with the reference and judges it.
 void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
     s.compared = rayclock::compare(work.request(), work.job(),
                                    {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(),
@@ -170,10 +172,10 @@ void compare(Simulated& s, const Options& o, const Work& work, const Progress& p
                                    !o.no_judge, o.threads, progress);
 }
 
-/// All frames at all clocks together.
+/// Sums over all frames and clocks.
 struct Totals {
     std::uint64_t cycles = 0;
-    double machine_seconds = 0, record_seconds = 0, engine_seconds = 0;   ///< of the host
+    double machine_seconds = 0, record_seconds = 0, engine_seconds = 0;   ///< seconds on the host
     Digest digest;
 };
 Totals totals_of(const Simulated& s) {
@@ -185,7 +187,7 @@ Totals totals_of(const Simulated& s) {
             t.digest.add(frame.digest);
         }
     for (const FrameTrace& trace : s.traces) t.record_seconds += trace.trace.seconds;
-    // A single replay runs beside the recording, and its time has both.
+    // A single replay runs in parallel with the recording, so its time includes both.
     t.engine_seconds =
         t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
     return t;
@@ -246,7 +248,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"digest", digest_text(t.digest.value())}};
 }
 
-/// The last frame at the first clock again, watched.
+/// Repeats the last frame at the first clock under observation.
 FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, EventSink* sink,
                        const Progress& progress) {
     constexpr std::uint64_t windows = 100;
@@ -259,7 +261,7 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
     return costs;
 }
 
-/// The last frame's picture, which a comparison has as well.
+/// Returns the last frame's picture, from the comparison if there is one.
 Picture picture_of(const Work& work, const Simulated& s) {
     if (s.compared) return s.compared->picture;
     return work.request().finished
@@ -267,7 +269,7 @@ Picture picture_of(const Work& work, const Simulated& s) {
                : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
-/// What was drawn anyway; the names of the files.
+/// Writes the pictures of the comparison. Returns the names of the files.
 std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
     const Picture picture = picture_of(work, s);
     const HitFrame hits =
@@ -285,10 +287,11 @@ std::string write_pictures(const Options& o, const Work& work, const Simulated& 
 
 using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 
-/// What explain says of the slowest pixels: a second frame, of these alone, tells when each step was.
+/// Returns the explanations of the slowest pixels. A second run of the frame records only their events.
 Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
                       const Progress& progress) {
-    constexpr std::size_t most_bytes = 4 << 20;   // in a finished picture a pixel may have thousands of rays
+    constexpr std::size_t most_bytes = 4 << 20;   // one pixel of a finished picture may have thousands of
+                                                  // rays
     const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
@@ -366,7 +369,7 @@ int run(const Options& o) {
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
     }
     if (!o.output.empty() && !simulated.partial) {
-        finish_film(simulated.strip, o.json.is_alone());   // if it fails, all that was there stays
+        finish_film(simulated.strip, o.json.is_alone());   // on failure all earlier files stay
         const std::string paths = write_pictures(o, work, simulated);
         if (!o.json.is_alone()) fmt::print("  pictures: {}\n", paths);
     }

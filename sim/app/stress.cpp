@@ -1,4 +1,4 @@
-// rayclock stress: families of hard cases, on many lattices, judged by the oracle.
+// rayclock stress: runs families of hard cases on many lattices, judged by the oracle.
 #include <algorithm>
 #include <map>
 

@@ -1,5 +1,5 @@
-// rayclock sweep: one scene on many configurations and clocks. Those that differ in timing only share one
-// trace.
+// rayclock sweep: runs one scene on many configurations and clocks. Configurations that differ only in timing
+// share one trace.
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
@@ -63,19 +63,19 @@ void declare(Parser& parser, Options& o) {
     sweep_outputs(parser, o.outputs);
 }
 
-/// The grid, as far as it was asked for; each point at its own clock.
+/// Returns the requested points of the grid, each with its own clock.
 std::vector<sweep::Point> points_of(const Options& o, const std::vector<sweep::Axis>& axes,
                                     const Config& config) {
     const bool at_fmax = o.clock == "fmax";
     std::vector<sweep::Point> points =
         sweep::make_points(axes, config, at_fmax ? 0 : parse_clocks(o.clock)[0], axis_clock);
     sweep::keep_size(points, o.cache_bytes);
-    for (sweep::Point& point : points)   // an axis over clocks comes first
+    for (sweep::Point& point : points)   // an axis over clocks takes precedence
         if (at_fmax && point.khz == 0) point.khz = clocks_of(o.clock, point.config)[0];
     return points;
 }
 
-/// Leaves the points of this part, and says which these are.
+/// Removes all points outside this part. Returns the indices of the remaining points.
 std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const sweep::Shard& shard) {
     const std::vector<std::size_t> mine = sweep::points_of(shard, points);
     std::vector<sweep::Point> kept;

@@ -1,3 +1,4 @@
+// Checks and writes the outputs of sweep and merge.
 #include "sim/app/swept.hpp"
 
 #include <algorithm>
@@ -31,10 +32,11 @@ void sweep_outputs(Parser& parser, SweepOutputs& o) {
 
 namespace {
 
-/// What --plot asks for.
+/// The argument of --plot.
 struct Plot {
     std::string name;
-    std::optional<std::pair<std::string, std::string>> columns;   ///< X and Y, or the fronts
+    std::optional<std::pair<std::string, std::string>> columns;   ///< columns X and Y, or nothing for the
+                                                                  ///< fronts
 };
 Plot plot_of(const std::string& typed) {
     const std::size_t equals = typed.find('='), comma = typed.substr(0, equals).find(',');
@@ -46,7 +48,8 @@ Plot plot_of(const std::string& typed) {
     const std::string columns = typed.substr(0, equals), x = columns.substr(0, comma),
                       y = columns.substr(comma + 1);
     std::string name = equals == std::string::npos ? x + "-" + y : typed.substr(equals + 1);
-    if (equals == std::string::npos) std::replace(name.begin(), name.end(), '/', '-');   // of linked axes
+    // Linked axes have slashes in their names.
+    if (equals == std::string::npos) std::replace(name.begin(), name.end(), '/', '-');
     if (name.empty()) throw UserError("--plot: " + shown(typed) + " names no file after the columns");
     return {name, std::pair(x, y)};
 }

@@ -1,10 +1,11 @@
 #pragma once
-// What sweep and merge write about the points of a sweep.
+// The outputs of sweep and merge.
 #include "sim/app/options.hpp"
 #include "sim/explore/sweep/merge.hpp"
 
 namespace rayclock {
 
+/// Output options as typed.
 struct SweepOutputs {
     std::string table, report;
     std::vector<std::string> plots;
@@ -12,15 +13,16 @@ struct SweepOutputs {
     JsonOutput json;
 };
 void sweep_outputs(Parser& parser, SweepOutputs& o);
-/// Fails early (UserError) if something could not be written later.
+/// Throws UserError if an output could not be written later, so that a command can fail early.
 void check_outputs(const SweepOutputs& o);
-/// Throws UserError if a plot is of a column that the table has not.
+/// Throws UserError if a plot names a column that the table lacks.
 void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes);
 
-/// A value of the axis `clock` in kHz. Throws UserError.
+/// Parses a value of the axis `clock` to kHz. Throws UserError.
 int axis_clock(const std::string& value);
 
-/// Prints the table under `how` ("6 points from 3 traces") and writes the files; `shard` as shard_json().
+/// Prints the table under the line `how` ("6 points from 3 traces") and writes the files. `shard` is the
+/// result of shard_json().
 void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,
                  const nlohmann::ordered_json& shard);
 

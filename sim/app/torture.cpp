@@ -1,4 +1,5 @@
-// rayclock verify --torture: frames that reach the corners of the machine, on model and RTL in lockstep.
+// rayclock verify --torture: runs frames that reach the machine's extreme cases, on model and RTL in
+// lockstep.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// rayclock trace: a stretch of a frame's time, for viewers of timelines.
+// rayclock trace: writes part of a frame's timeline for viewers.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ TimelineChoice choice_of(const Options& o, FrameSize size) {
     return choice;
 }
 
-/// A waveform has a save file beside it.
+/// Returns the path of a waveform's save file, next to it; empty for other formats.
 std::string view_of(const std::string& output) {
     std::filesystem::path path = output;
     return path.extension() == ".fst" ? path.replace_extension(".gtkw").string() : "";

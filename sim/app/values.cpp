@@ -1,4 +1,4 @@
-// What typed values mean.
+// Parses typed values.
 #include <charconv>
 #include <cmath>
 
@@ -27,7 +27,7 @@ FrameSize parse_size(const std::string& text) {
         !parse_whole(std::string_view(text).substr(cross + 1), size.height))
         throw UserError("--size: " + shown(text) + " is not WIDTHxHEIGHT, for example 512x384");
     check_frame_size(size);
-    constexpr int most = 1 << 26;   // what fits in a few gigabytes of host memory
+    constexpr int most = 1 << 26;   // fits in a few gigabytes of host memory
     if (size.width > most / size.height)
         throw UserError(fmt::format("--size: {} has more than {} pixels", text, most));
     return size;

@@ -1,5 +1,5 @@
-// rayclock verify: model and RTL in lockstep, both against the reference, and the golden picture if there is
-// one.
+// rayclock verify: runs model and RTL in lockstep, and compares both with the reference and with the golden
+// picture if there is one.
 #include <cmath>
 #include <filesystem>
 #include <future>
@@ -74,24 +74,24 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-/// The golden picture of the scene is of one size of its own; the model makes that frame for it.
+/// Compares with the golden picture, which has its own size. The model renders a frame of that size for it.
 GoldenResult golden_result(const std::string& spec, const Scene& scene, const Config& config) {
     const std::string folder = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/golden";
     const FrameSize size{128, 96};
-    // A built-in scene's name has its size in it, also where none was typed.
+    // A built-in scene's name includes its size, even if none was typed.
     if (!is_builtin(spec) || !fs::exists(golden_path(folder, scene.name, size))) return {};
     const Job job = make_job(scene, *scene.camera, size, config);
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
 }
 
-/// What the engines drew.
+/// The pictures of all engines.
 struct Pictures {
-    HitFrame hits;   ///< the reference's
+    HitFrame hits;   ///< the reference's hits
     Picture reference, model, rtl;
-    WhittedFrame finished;   ///< the reference's, of a finished picture
+    WhittedFrame finished;   ///< the reference's finished frame
 };
 
-/// The lockstep has one thread: the reference works beside it, and Ctrl-C ends both.
+/// Renders with the reference while the lockstep runs, which uses one thread. Ctrl-C ends both.
 Pictures draw_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
     const Reference tracer(request.scene);
     if (!request.finished) {
@@ -105,7 +105,7 @@ Pictures draw_reference(const Request& request, const Camera& camera, FrameSize 
     return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
 }
 
-/// What is verified: the frames of a film; the last is judged.
+/// The input of a verification: the frames of a film; the last frame is judged.
 struct Work {
     Film& film;
     FrameSize size;
@@ -118,22 +118,22 @@ struct Work {
     }
 };
 
-/// What came of it.
+/// The results of a verification.
 struct Verified {
-    Job job;   ///< of the last frame
+    Job job;   ///< job of the last frame
     std::vector<FrameTrace> traces;
     FilmStrip strip;
     LockstepResult result;
     Pictures pictures;
-    FrameError model, rtl;   ///< beside the reference
+    FrameError model, rtl;   ///< errors against the reference
     std::optional<Judgement> judgement;
-    Picture difference;   ///< of the judgement
+    Picture difference;   ///< picture of the judgement
     GoldenResult golden;
-    /// Of the host, from the start of the command: when the first divergence was found, and when its waveform
-    /// was written.
+    /// Seconds on the host since the command started: when the first divergence was found, and when its
+    /// waveform was written.
     std::optional<double> divergence_seconds, waveform_seconds;
     std::unique_ptr<DivergenceShow> show;   ///< of the first divergence
-    std::string no_show;                    ///< why there is none
+    std::string no_show;                    ///< the reason why there is none
 
     std::vector<NamedPicture> named_pictures() const {
         std::vector<NamedPicture> all{{"reference.png", pictures.reference, pictures.hits},
@@ -143,10 +143,10 @@ struct Verified {
         return all;
     }
     bool partial() const { return result.model.partial; }
-    /// If the RTL is the model, what is said of one holds for both.
+    /// If model and RTL agree, results of one hold for both.
     const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
     const FrameError& error() const { return result.agrees() ? model : rtl; }
-    /// Of all frames that were compared; the earlier ones are the model's.
+    /// Returns the errors of all compared frames; those of earlier frames are the model's.
     std::vector<FrameError> errors() const { return all_errors(strip, error()); }
     bool is_good(const Config& config) const {
         return result.agrees() && !partial() && (!judgement || judgement->wrong_for(config) == 0) &&
@@ -159,8 +159,8 @@ Diverged diverged(const Options& o, const Work& work, Traffic traffic, const Ver
     return {v.job, v.traces, traffic, int(o.traffic.seed), first, work.request().scene.name, command_line()};
 }
 
-/// Machines that do not agree are run again for a waveform, before they go on. What goes wrong there is no
-/// reason to say nothing of the divergence.
+/// Repeats diverging machines to record a waveform, before they continue. An error here must not hide the
+/// divergence.
 void capture_first(const Options& o, const Diverged& diverged, Verified& v, const Progress& progress) {
     if (o.no_wave || o.netlist || interrupted()) return;
     try {
@@ -170,7 +170,7 @@ void capture_first(const Options& o, const Diverged& diverged, Verified& v, cons
     }
 }
 
-/// The frames on both machines, and the reference's picture.
+/// Runs the frames on both machines, and renders the reference's picture.
 Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Stopwatch& watch,
                       const Progress& progress) {
     Verified v;
@@ -190,7 +190,7 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     return v;
 }
 
-/// Its page, and where all of it is.
+/// Writes the page of the first divergence. Returns the paths of its files as text.
 std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v) {
     if (!v.result.first) return {};
     if (!v.no_show.empty()) return fmt::format("    no waveform: {}\n", printable(v.no_show));
@@ -210,7 +210,7 @@ Picture drawn(const Work& work, const FrameRun& made) {
                                    : shade(work.request().scene, made.hits);
 }
 
-/// Sets the machines' pictures beside the reference's and the golden one, and judges what they answered.
+/// Compares the machines' pictures with the reference and the golden picture, and judges their answers.
 void compare(Verified& v, const Options& o, const Work& work, const Progress& progress) {
     const Scene& scene = work.request().scene;
     Pictures& p = v.pictures;
@@ -321,7 +321,7 @@ int run(const Options& o) {
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
     compare(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) {
-        finish_film(verified.strip, o.json.is_alone());   // if it fails, all that was there stays
+        finish_film(verified.strip, o.json.is_alone());   // on failure all earlier files stay
         write_pictures(o.output, verified.named_pictures());
     }
     const double seconds = watch.seconds();

@@ -1,4 +1,4 @@
-// docs/area.md from what Yosys counted and what was measured; nothing in it is typed in but the words.
+// Writes docs/area.md from Yosys's counts and from measurements. All numbers are computed.
 #include "sim/study/area.hpp"
 
 #include <algorithm>
@@ -19,14 +19,15 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// A scene that needs shading and no other unit, so that one machine has them idle and one has them not.
+// A scene that needs shading and no other unit. So the other units are idle on one machine and absent on the
+// other.
 constexpr const char* speed_scene = "mirrors";
 constexpr FrameSize speed_size{96, 72};
 constexpr int speed_depth = 4, speed_rounds = 3;
 
 const Row count_heads{"LUTs", "LUT4", "CCU2C", "DPR16X4", "FF", "MULT18X18D", "DP16KD"};
 
-/// In the order of the heads.
+/// Returns the counts in the order of the headings.
 std::array<std::uint64_t, 7> figures_of(const Count& c) {
     return {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram};
 }
@@ -52,7 +53,7 @@ Row joined(const std::string& first, const Row& rest) {
     return row;
 }
 
-/// Units and what they take, under a heading of the first column.
+/// Returns a table of units and their resources, with `first` as heading of the first column.
 Table count_table(const std::string& first, const std::vector<Row>& rows) {
     Table table(joined(first, count_heads));
     for (const Row& row : rows) table.add(row);
@@ -64,7 +65,7 @@ std::string name_text(const Part& part, const std::string& indent) {
            (part.times > 1 ? fmt::format(", {} of them", part.times) : "");
 }
 
-/// The part and all beneath it, each indented by `step` more than what holds it.
+/// Appends a part and everything below it. Each level is indented by `step` more than the one above.
 void add_rows(std::vector<Row>& rows, const Part& part, const std::string& indent, const std::string& step) {
     rows.push_back(joined(name_text(part, indent), count_cells(part.count)));
     for (const Part& p : part.parts) add_rows(rows, p, indent + step, step);
@@ -84,7 +85,7 @@ std::vector<Row> unit_rows_of(const Areas& areas, std::size_t variant, const std
     return rows;
 }
 
-/// Units that a variant has other than `before` has them.
+/// Returns the units that differ between a variant and `before`.
 std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t before) {
     std::vector<Row> rows;
     for (const UnitRow& unit : unit_rows()) {

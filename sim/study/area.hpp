@@ -1,20 +1,20 @@
 #pragma once
-// docs/area.md, and the same figures as a table and as JSON.
+// The page docs/area.md, and the same data as a table and as JSON.
 #include "sim/silicon/area/run.hpp"
 #include "sim/silicon/area/speed.hpp"
 
 namespace rayclock::area {
 
-/// Every unit of every variant, as a table for people.
+/// Returns every unit of every variant as a text table.
 std::string table(const Areas& areas);
 nlohmann::ordered_json json(const Areas& areas, const std::vector<Speed>& speeds);
 
-/// How fast three of the variants are simulated: without and with shading, and with all units. Throws
-/// UserError.
+/// Measures the simulation speed of three variants: without shading, with it, and with all units. Throws like
+/// measure().
 std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress);
 
-/// As Markdown. `command` is what to type for it, `base` the configuration's name; `speeds` are those of
-/// page_speeds().
+/// Returns the page as Markdown. `command` is the command that makes it, `base` the configuration's name,
+/// `speeds` the result of page_speeds().
 std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base,
                  const std::string& command);
 

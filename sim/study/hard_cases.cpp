@@ -1,3 +1,4 @@
+// Writes docs/hard-cases.md from a stress run.
 #include "sim/study/hard_cases.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::string per_million(std::uint64_t count, std::uint64_t rays) {
                                     1e6 * double(count) / double(rays) < 10 ? 1 : 0);
 }
 
-/// Leaks and double hits by test, on chosen families.
+/// Returns leaks and double hits of each test on selected families.
 std::string tests_table(const Plan& plan, const Outcome& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{
         {"random", {"random"}},          {"edges", {"edges"}},

@@ -3,8 +3,8 @@
 
 namespace rayclock::stress {
 
-/// docs/hard-cases.md: the families with their pictures, which go into a folder beside the page, and what
-/// came of the run. Throws UserError if a file cannot be written.
+/// Writes docs/hard-cases.md: the families, their pictures in a folder next to the page, and the results of
+/// the run. Throws UserError if a file cannot be written.
 void write_page(const std::string& path, const Plan& plan, const Outcome& outcome);
 
 }   // namespace rayclock::stress

@@ -1,3 +1,4 @@
+// Traces Haines' scenes and writes docs/spd.md.
 #include "sim/study/spd.hpp"
 
 #include <algorithm>
@@ -28,22 +29,23 @@ struct Published {
     const char* scene;
     Kinds rays;
 };
-/// Haines 1987 and the README of his package, version 3.14.
+/// Haines 1987, and the README of his package, version 3.14.
 constexpr Published table[] = {
     {"balls:4", {263169, 175095, 0, 954368}},
     {"gears:4", {245086, 304643, 207564, 2246955}},
     {"mount:6", {173125, 354769, 354769, 412922}},
     {"teapot:12", {161120, 225248, 0, 407656}},
     {"tetra:6", {49788, 0, 0, 46112}},
-    // Cones and cylinders of so many sides that twice as many change no count by more than 0.2 %.
+    // Cones and cylinders have so many sides that doubling them changes no count by more than 0.2 %.
     {"rings:7:96", {263169, 315236, 0, 1085002}},
     {"tree:11:48", {169836, 0, 0, 1097419}},
 };
 
 Kinds kinds_of(const RayCounts& c) { return {c.primary_hits, c.reflection, c.refraction, c.shadow}; }
 
-/// One ray through each corner of 512 x 512 pixels, of which so many spacings span the scene's angle; half a
-/// spacing more than the 512 on each side is this picture's edge. Smaller pictures show the same.
+/// Returns a camera with one ray through each corner of 512 x 512 pixels, where `spacings` spacings span the
+/// scene's angle. The picture extends half a spacing beyond the 512 on each side. Smaller pictures show the
+/// same view.
 Camera corner_rays(Camera camera, int spacings) {
     const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / spacings;
     camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
@@ -51,7 +53,7 @@ Camera corner_rays(Camera camera, int spacings) {
 }
 constexpr int between_centres = 511, between_corners = 512;   // Haines', Havran's
 
-/// |a / b - 1|; a count where none should be is infinitely far off.
+/// Returns a / b - 1. A count where none should be deviates infinitely.
 double deviation(std::uint64_t a, std::uint64_t b) {
     if (b == 0) return a == 0 ? 0 : HUGE_VAL;
     return double(a) / double(b) - 1;

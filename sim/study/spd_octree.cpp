@@ -1,4 +1,4 @@
-// Octrees of Haines' scenes, and rays in them, beside those that Havran published.
+// Compares octrees of Haines' scenes, and rays in them, with Havran's published figures.
 #include <algorithm>
 #include <mutex>
 
@@ -12,13 +12,13 @@ namespace rayclock::spd {
 
 namespace {
 
-/// Inner nodes, leaves, empty ones, references; tests for each ray that hits something, leaves and empty
-/// leaves a ray.
+/// Inner nodes, leaves, empty leaves, references; then tests for each ray that hits something, and leaves and
+/// empty leaves for each ray.
 using Figures = std::array<double, 7>;
 constexpr std::array<const char*, 7> figure_names{"inner_nodes",         "leaves",        "empty_leaves",
                                                   "references",          "tests_per_hit", "leaves_per_ray",
                                                   "empty_leaves_per_ray"};
-constexpr std::size_t of_tree = 4;   // the first of them do not depend on rays
+constexpr std::size_t of_tree = 4;   // the first four do not depend on rays
 constexpr struct { int first, last; } depths{4, 7};
 
 struct Published {
@@ -46,7 +46,7 @@ constexpr Published table[] = {
     {"teapot:12", 7, {18066, 126463, 38316, 295865, 40.02, 13.75, 9.53}},
 };
 
-/// Of the same source: eye rays that hit, and rays in all.
+/// From the same source: eye rays that hit, and all rays.
 constexpr struct PublishedRays {
     const char* scene;
     HavranRays rays;
@@ -97,7 +97,7 @@ With them:
 
 )";
 
-/// Whether light gets through a primitive.
+/// Returns true if a primitive transmits light.
 bool transmits(const Scene& scene, std::uint32_t primitive) {
     const std::size_t triangles = scene.triangles.size(), round = triangles + scene.spheres.size();
     const std::uint32_t material = primitive < triangles ? scene.triangles[primitive].material
@@ -106,7 +106,7 @@ bool transmits(const Scene& scene, std::uint32_t primitive) {
     return scene.materials[material].transmit > 0;
 }
 
-/// A count, and how far it is from what was published.
+/// Appends the deviation from the published value to a count.
 std::string beside(const std::string& shown, double mine, double his) {
     return shown + (mine == his ? " (=)" : fmt::format(" ({:+.2f} %)", 100 * (mine / his - 1)));
 }

@@ -1,3 +1,4 @@
+// Builds the configurations of the study of number formats.
 #include "sim/study/study.hpp"
 
 #include <algorithm>

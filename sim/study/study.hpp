@@ -1,37 +1,38 @@
 #pragma once
-// The study behind docs/speed-against-error.md: one width at a time around a configuration, and a grid of
-// two.
+// The study for docs/speed-against-error.md: one width at a time around a configuration, and a grid of two
+// widths.
 #include "sim/explore/sweep/plot.hpp"
 
 namespace rayclock::sweep {
 
-/// One parameter changed, all others held.
+/// One parameter varied, with all others fixed.
 struct Series {
     Axis axis;
-    std::string about;                 ///< what the parameter does, in a sentence
+    std::string about;                 ///< the effect of the parameter, in a sentence
     std::vector<std::size_t> points;   ///< [value]: index in Study::points
 };
 
+/// All configurations of the study.
 struct Study {
-    std::vector<Point> points;   ///< every configuration once
+    std::vector<Point> points;   ///< each configuration once
     std::vector<Series> series;
-    std::vector<Axis> grid;   ///< two
+    std::vector<Axis> grid;   ///< two axes
     std::vector<std::size_t> grid_points;
 };
 
-/// Around `default`, at this clock.
+/// Returns the study around `default` at this clock.
 Study make_study(int khz);
 
-/// What came of it for one scene.
+/// The results for one scene.
 struct SceneStudy {
     std::string name;
     std::size_t triangles = 0;
     FrameSize size;
     Outcome outcome;
-    std::string plot;   ///< file name of the grid's plot, without ending
+    std::string plot;   ///< file name of the grid's plot, without extension
 };
 
-/// The grid's results alone, and its front.
+/// Returns the results of the grid alone.
 std::vector<Result> grid_results(const Study& study, const Outcome& outcome);
 
 }   // namespace rayclock::sweep

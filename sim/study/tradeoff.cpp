@@ -1,4 +1,4 @@
-// docs/speed-against-error.md from measured figures; nothing in it is typed in but the words.
+// Writes docs/speed-against-error.md. All numbers are computed.
 #include "sim/study/tradeoff.hpp"
 
 #include <algorithm>
@@ -106,13 +106,13 @@ public:
     }
 
 private:
-    /// Pixels with another primitive; a dagger if the picture is beyond a limit.
+    /// Returns the share of pixels with another primitive, with a dagger if the picture exceeds a limit.
     std::string percent_text(const Result& r) const {
         const FrameError& error = r.picture->error;
         return fmt::format("{:.3f} %{}", 100 * double(error.pixels_other_primitive) / double(error.pixels),
                            far_from_reference(limits_, error).empty() ? "" : " †");
     }
-    /// What the dagger says, below the table that has one.
+    /// Returns the note for the dagger, or an empty string.
     std::string far_note(const std::vector<NamedError>& pictures) const {
         const std::string far = far_from_reference(limits_, pictures, pictures.size(), "pictures");
         return far.empty() ? "" : "\n† " + far + "\n";
@@ -122,7 +122,7 @@ private:
         return scene.outcome.results[point];
     }
 
-    /// The series' point that is `default`.
+    /// Returns the point of the series that is `default`.
     std::size_t at_default(const Series& series) const {
         Config base = named_config("default");
         for (std::size_t i = 0; i < series.points.size(); ++i) {
@@ -178,7 +178,7 @@ private:
         return table.markdown() + "\nPSNR in dB / largest depth error in scene units / cycles per ray.\n";
     }
 
-    /// What a step to the next value brings and costs, in figures of all scenes together.
+    /// Returns the gain and the cost of each step to the next value, summed over all scenes.
     std::string step_table(const Series& series) const {
         Table table = table_of({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive",
                                 "cycles of all frames"});
@@ -262,7 +262,8 @@ std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes,
     return text;
 }
 
-/// docs/page.md and gears:8 give docs/page-gears-8, whatever the name holds.
+/// Returns the plot's path: docs/page.md and gears:8 give docs/page-gears-8. Special characters become
+/// dashes.
 std::string plot_path(const std::string& page, const std::string& scene) {
     std::string name = std::filesystem::path(scene).filename().string();
     for (char& c : name)

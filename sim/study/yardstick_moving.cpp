@@ -1,4 +1,4 @@
-// Scenes that move, beside what was published of chips that drew such.
+// Simulates scenes that move, for comparison with published chips that rendered such scenes.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ constexpr MovingRow rows[] = {
     {"flight:1000", "default", 66, ""},
 };
 
-/// Of the frames but the first, which brings the whole memory.
+/// Means over all frames except the first, which writes the whole memory.
 struct Means {
     double fps = 0, least = 1e300, rays = 0, cycles = 0, read = 0, written = 0, instances = 0;
     void add(const FrameRun& run, const Upload& upload, int khz, double share) {

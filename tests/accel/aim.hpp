@@ -17,7 +17,7 @@ inline Vec3i unit_towards(const glm::dvec3& d, int bits) {
     return unit_vector(wide);
 }
 
-/// Points that rays are aimed at, and the rays.
+/// Targets of rays, and the rays.
 class Aim {
 public:
     Aim(const PlacedScene& scene, const Lattice& lattice, const Config& config, std::uint32_t seed)
@@ -30,7 +30,7 @@ public:
 
     double number() { return draw_(); }
 
-    /// From the eye, towards a point between two corners.
+    /// Draws a ray from the eye towards a point between two corners.
     Ray camera_ray(const Vec3i& eye) {
         const double share = 0.5 + 0.5 * draw_();
         const glm::dvec3 d = share * corner() + (1 - share) * corner() - glm::dvec3(eye[0], eye[1], eye[2]);
@@ -41,7 +41,7 @@ public:
         return make_ray(ray_origin(eye, config_), full, config_);
     }
 
-    /// As shade makes one: towards a corner, or anywhere.
+    /// Draws a direction as shade makes it: towards a corner, or anywhere.
     Vec3i direction(const Vec3l& from) {
         glm::dvec3 d = draw_.point() + glm::dvec3(1e-6);
         if (draw_() < 0.5) {
@@ -52,7 +52,7 @@ public:
         return direction_of(unit_towards(d, 30), config_);
     }
 
-    /// Anywhere, close to a point, or at a corner.
+    /// Draws a light anywhere, close to a point, or at a corner.
     Vec3i light(const Vec3l& near) {
         const int end = (1 << (config_.coord_bits - 1)) - 1;
         const double kind = draw_(), size = kind < 0 ? end : kind < 0.3 ? 1 : std::pow(2.0, 8 * kind);

@@ -1,4 +1,4 @@
-// The validator itself: every kind of damage has to be noticed.
+// The validator itself must detect every kind of damage.
 #include <catch2/catch.hpp>
 
 #include "tests/support/check/image_check.hpp"

@@ -1,3 +1,4 @@
+// Counts visits and tests of the machine's walk, and compares its hits with a search through all triangles.
 #include <catch2/catch.hpp>
 
 #include "model/layout/decode.hpp"
@@ -13,10 +14,10 @@ namespace {
 
 struct Walked {
     std::uint64_t rays = 0, hits = 0, visits = 0, tests = 0;
-    int stack = 0;   ///< most groups that a ray kept
+    int stack = 0;   ///< largest number of groups that a ray kept
 };
 
-/// The machine's walk of every `step`-th pixel across and down.
+/// Walks every `step`-th pixel across and down like the machine.
 Walked walked(const MemoryImage& image, const Frame& frame, const Config& config, std::uint32_t step = 1) {
     const Decoder decoder(image, config);
     Walk walk(frame, config, decoder);
@@ -67,8 +68,7 @@ TEST_CASE("the walk finds what a search through all triangles finds") {
 }
 
 TEST_CASE("visits per camera ray stay where they were measured") {
-    // 512 x 384, every fourth pixel across and down, width 8, one triangle a leaf; 5 % of room for a change
-    // of taste.
+    // 512 x 384, every fourth pixel across and down, width 8, one triangle per leaf, with 5 % of tolerance.
     const auto [spec, visits, tests] = GENERATE(table<const char*, double, double>({{"gears:8", 4.58, 3.67},
                                                                                     {"balls:3", 3.74, 2.98},
                                                                                     {"rings:3", 8.13, 22.2},

@@ -1,5 +1,5 @@
-// A node's planes: outward, by less than a step, and no coarser than they must be; for every two children of
-// a small lattice.
+// A node's planes round outwards by less than a step, with the finest possible exponent, for every pair of
+// children on a small lattice.
 #include <catch2/catch.hpp>
 
 #include "model/layout/encode.hpp"
@@ -19,7 +19,7 @@ std::vector<Interval> all_intervals(int bits) {
     return all;
 }
 
-/// Whether the quantised planes of a child along an axis are right for the real ones.
+/// Returns true if the quantised planes of a child along an axis enclose the real ones by less than a step.
 bool outward(const Node& node, std::size_t child, std::size_t axis, const Interval& real) {
     const std::int64_t step = std::int64_t(1) << node.exp[axis];
     const std::int64_t lo = dequantised(node, node.lo[3 * child + axis], axis),
@@ -38,7 +38,7 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
     std::uint64_t wrong = 0;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
-            // Three pairs at once, one an axis.
+            // Three pairs at once, one per axis.
             const std::array<Interval, 3> first{all[i], all[j], all[(i + j) % n]},
                 second{all[j], all[(2 * i + j) % n], all[i]};
             std::array<NodeChild, 2> children;
@@ -54,8 +54,8 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
                 wrong += !outward(node, 0, k, first[k]) || !outward(node, 1, k, second[k]);
                 wrong += node.hi[k] > std::uint32_t(most) || node.hi[3 + k] > std::uint32_t(most) ||
                          node.org[k] != std::min(first[k].lo, second[k].lo);
-                wrong += node.exp[k] > 0 && most << (node.exp[k] - 1) >= extent;   // a finer exponent would
-                                                                                   // have done
+                // A finer exponent would have been enough.
+                wrong += node.exp[k] > 0 && most << (node.exp[k] - 1) >= extent;
             }
         }
     REQUIRE(n == 528);

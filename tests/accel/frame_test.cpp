@@ -1,3 +1,4 @@
+// Camera registers: the directions of pixels and samples that make_frame() gives, and refused cameras.
 #include <catch2/catch.hpp>
 
 #include <bit>
@@ -20,8 +21,8 @@ Config with_dir_bits(int bits) {
     return config;
 }
 
-/// A pixel's direction: its largest component and that of the sum that it was made from, the power of two
-/// between the two, and how far it is off from the double direction times the scale and that power.
+/// A pixel's direction: its largest component and that of the sum from which it was made, and the power of
+/// two between them. `error` is its deviation from the double direction times the scale and that power.
 struct Seen {
     std::int64_t largest = 0, sum = 0;
     double power = 1, error = 0;
@@ -40,7 +41,7 @@ Seen look(const PixelRays& rays, const Frame& frame, double scale, int x, int y,
     return pixel;
 }
 
-/// The pixel map as the lattice has it.
+/// Converts the pixel map to lattice steps.
 PixelRays in_steps(PixelRays rays, const Lattice& lattice) {
     for (glm::dvec3* const part : {&rays.corner, &rays.right, &rays.down}) *part /= lattice.pitch;
     return rays;
@@ -79,9 +80,9 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     for (int k = 1; k < 3; ++k)
         if (std::abs(rays.corner[k]) > std::abs(rays.corner[axis])) axis = k;
     const double scale = double(frame.corner[std::size_t(axis)]) / rays.corner[axis] / (1 << guard_bits);
-    // Half from raygen's rounding, one if that would be too large; (1 + x + y) / 2 guard units from the
-    // registers', before they are moved up; as much again for what the scale found above may be off, seen at
-    // pixels up to m / |corner| times as long.
+    // The bound: half from raygen's rounding, or one if the result would be too large. Then (1 + x + y) / 2
+    // guard units from the registers' rounding, before they are shifted up. The same again for the error of
+    // the scale above, at pixels up to m / |corner| times as long.
     const double off = 2.0 * (size.width + size.height) / (1 << guard_bits);
 
     std::mt19937 draw{std::uint32_t(bits)};
@@ -111,8 +112,7 @@ TEST_CASE("a camera that is too wide is refused, and no other") {
                                          FrameSize{60, 1920}, FrameSize{1, 1}})
                 CHECK_NOTHROW(make(fov, size, bits));
     CHECK_NOTHROW(make(179.9, {512, 384}, 20));
-    // Straight ahead z is 1; beside it, at the picture's end, x is w / h tan(fov / 2), which may be
-    // 2^16: 22.9 x 2862.
+    // Straight ahead z is 1. At the picture's side x is w / h tan(fov / 2), which may be 2^16: 22.9 x 2862.
     CHECK_NOTHROW(make(90, {16384, 1}, 20));
     CHECK_NOTHROW(make(175, {2800, 1}, 20));
     CHECK_THROWS_WITH(make(175, {2900, 1}, 20), Catch::Contains("175 degrees") &&

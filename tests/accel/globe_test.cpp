@@ -1,4 +1,4 @@
-// Globes: the least around anything, written outward, and whole images of them.
+// Globes: the smallest around given points or spheres, outward rounding, and whole images of them.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -24,14 +24,14 @@ Config globes(int width = 8) {
     return config;
 }
 
-/// The most that is out of a ball.
+/// Returns the largest excess beyond a ball.
 double beyond(const std::vector<Bead>& beads, const glm::dvec3& centre, double radius) {
     double most = -1e30;
     for (const Bead& b : beads) most = std::max(most, glm::length(b.centre - centre) + b.radius - radius);
     return most;
 }
 
-/// By ever smaller steps towards what lies farthest (Badoiu and Clarkson): slow, and nothing like Gaertner's
+/// Moves by shrinking steps towards the farthest bead (Badoiu and Clarkson). Slow, and unlike Gaertner's
 /// pivots.
 double least_radius(const std::vector<Bead>& beads) {
     glm::dvec3 at = beads[0].centre;

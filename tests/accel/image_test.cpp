@@ -1,3 +1,4 @@
+// Memory images: valid for every scene and format, equal for every number of threads, and refused scenes.
 #include <catch2/catch.hpp>
 
 #include <tbb/global_control.h>
@@ -106,7 +107,7 @@ TEST_CASE("triangles without area on the lattice are left out and counted") {
     Scene scene = soup(50, 0.5, 12);
     add(scene, {0, 0, 0}, {1, 0, 0}, {0.3, 0, 0});       // collinear
     add(scene, {0, 0, 0}, {1e-6, 0, 0}, {0, 1e-6, 0});   // smaller than a step
-    add(scene, {0, 0, 0}, {0, 0, 0}, {1, 0, 0});         // a corner twice
+    add(scene, {0, 0, 0}, {0, 0, 0}, {1, 0, 0});         // two equal corners
     add(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const MemoryImage image = compile_scene(scene, eye, config);
     CHECK(image.report.triangles == 54);
@@ -120,7 +121,7 @@ TEST_CASE("what cannot be compiled is refused in one sentence") {
     CHECK_THAT(error_of(dust, shape(12, 8, 1)),
                Catch::Contains("dust: all 3 triangles vanish on a lattice of 12 bits"));
 
-    Scene nothing = named("nothing");   // no area as given: no lattice would help
+    Scene nothing = named("nothing");   // no area as given, so no lattice can help
     add(nothing, {0, 0, 0}, {1, 2, 3}, {1, 2, 3});
     for (const int levels : {1, 2}) {
         Config config = shape(12, 8, 1);

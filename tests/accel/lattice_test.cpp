@@ -10,7 +10,7 @@ using namespace rayclock;
 
 namespace {
 
-/// Distance from a point to its lattice point, in pitches, along the worst axis.
+/// Returns the distance from a point to its lattice point, in pitches, on the worst axis.
 double off(const Lattice& lattice, const glm::dvec3& point) {
     const Vec3i k = lattice.snap(point);
     double worst = 0;
@@ -42,7 +42,7 @@ TEST_CASE("every vertex lies within half a pitch of its lattice point") {
         for (const std::int32_t x : lattice.snap(eye)) reached = std::max(reached, std::abs(x));
         CHECK(worst <= 0.5 + 1e-6);
         CHECK(off(lattice, eye) <= 1e-6);
-        CHECK(reached >= largest - 1);   // no room is wasted, and none is lacking
+        CHECK(reached >= largest - 1);   // the range is used fully and is not exceeded
         CHECK(reached <= largest);
     }
 }
@@ -56,7 +56,7 @@ TEST_CASE("an axis along which the scene is short has a finer pitch, down to hal
     CHECK(lattice.pitch.y == 3 / largest);
     CHECK(lattice.pitch.z == 2 / largest);
     CHECK(lattice.coarsest() == lattice.pitch.x);
-    // A direction turns into lattice steps axis by axis, and the coarsest axis keeps its component.
+    // Directions are converted to lattice steps axis by axis, and the coarsest axis keeps its component.
     const glm::dvec3 d = lattice.direction({1, 1, 1});
     CHECK(d.x == 1);
     CHECK(d.y == Approx(4.0 / 3).epsilon(1e-15));

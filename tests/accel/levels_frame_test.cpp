@@ -1,4 +1,4 @@
-// Whole pictures in two levels, beside the same scene in one.
+// Compares whole pictures in two levels with the same scene in one level.
 #include <catch2/catch.hpp>
 
 #include "model/compile/levels/levels.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr FrameSize size{64, 48};
 
-/// The number that a primitive has if the instances stand in reverse order.
+/// Returns a primitive's number if the instances are in reverse order.
 std::uint32_t same_in_reverse(const PlacedScene& scene, std::uint32_t prim) {
     const auto count = [&](std::size_t i) {
         return std::uint32_t(scene.meshes[scene.instances[i].mesh].triangles.size());
@@ -53,7 +53,7 @@ TEST_CASE("where a map is exact on the lattice, two levels are one, bit for bit"
         std::size_t wrong = 0, found = 0;
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const Closest &a = hits[i], &b = trace.hits[i];
-            // Seen in a mirror, the second and the third corner have changed places.
+            // In a mirror image the second and the third corner are exchanged.
             const bool is_same = (a.u == b.u && a.v == b.v) || (a.u == b.v && a.v == b.u);
             wrong += a.found != b.found || a.prim != b.prim || a.t != b.t || !is_same;
             found += a.found;

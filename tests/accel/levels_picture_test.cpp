@@ -1,4 +1,4 @@
-// Finished pictures of instances, beside the reference and beside the same scene in one level.
+// Compares finished pictures of instances with the reference, and with the same scene in one level.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -58,7 +58,7 @@ TEST_CASE("finished pictures of instances are the reference's", "[levels][second
     const double with_two = psnr(two.picture, right.pixels), with_one = psnr(one.picture, right.pixels);
     CAPTURE(with_two, with_one, two.trace.counts.all(), one.trace.counts.all());
     CHECK(with_two >= 45);
-    // Nearly every ray is sent that a flat scene sends.
+    // The rays are nearly the same as in a flat scene.
     CHECK(std::abs(double(two.trace.counts.all()) - double(one.trace.counts.all())) <=
           0.005 * double(one.trace.counts.all()));
     CHECK(two.trace.counts.reflection > 500);

@@ -1,5 +1,6 @@
-// Secondary rays of two levels: inside the instance that a ray leaves it begins exactly on its triangle, so
-// no surface shadows itself and no light leaks; and no box of the scene's tree hides what a ray meets.
+// Secondary rays of two levels. Inside the instance that a ray leaves it starts exactly on its triangle, so
+// no surface shadows itself and no light leaks. No box of the scene's tree hides a primitive that a ray
+// meets.
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -35,7 +36,7 @@ Config shaded(const Format& f, Structure structure = Structure::bvh) {
     return config;
 }
 
-/// A compiled scene, and what a ray meets in it.
+/// A compiled scene, and the hits of rays in it.
 class World {
 public:
     World(const PlacedScene& scene, const glm::dvec3& eye, const Config& config)
@@ -46,7 +47,7 @@ public:
         for (std::uint32_t line = 0; line < levels_.image.surfaces; ++line)
             if (line_kind(levels_.image.line(line)) == LineKind::placement)
                 if (const auto p = unpack<Placement>(levels_.image.line(line), config); p.here == line)
-                    placements_.push_back(p);           // not where it stands once more
+                    placements_.push_back(p);           // skip copies
         std::map<std::uint32_t, std::size_t> numbers;   // of instances, by their first primitive
         std::uint32_t first = 0;
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -71,7 +72,7 @@ public:
     const std::vector<PrimData>& mesh(std::size_t instance) const { return meshes_[instance]; }
     Closest trace(const Ray& ray) { return walk_.trace(ray); }
 
-    /// Every triangle of every instance asked, without a tree. Counts crossings whose point on the scene's
+    /// Tests every triangle of every instance, without a tree. Counts crossings whose point on the scene's
     /// ray is not in the instance's box.
     Closest asked(const Ray& ray, std::uint64_t& outside) const {
         BestHit best({0, ray.kind}, reach_of(RayKind(ray.kind), config_));
@@ -93,7 +94,7 @@ public:
         return best.closest();
     }
 
-    /// What shade knows of a hit.
+    /// Returns shade's state after a hit.
     ShadeState surface_of(const Ray& ray, const Closest& hit, PassIn& in) const {
         in.hit = hit, in.o = ray.o, in.d = ray.d;
         in.placement = unpack<Placement>(levels_.image.line(hit.place), config_);
@@ -143,7 +144,7 @@ int side_of(const Vec3l& n, const Vec3i& d) {
     return dot > 0 ? 1 : dot < 0 ? -1 : 0;
 }
 
-/// The way in the mesh's space, judged by the instance's own triangles.
+/// Judges the path in the mesh's space with the instance's own triangles.
 Sight::Answer truth(const std::vector<PrimData>& mesh, std::uint32_t own, int facing,
                     const oracle::Path& path) {
     const auto corners = [](const PrimData& p) { return oracle::Corners{p.a, p.b, p.c}; };
@@ -167,7 +168,7 @@ struct Tally {
     }
 };
 
-/// Shadow rays and bounces off one instance.
+/// Shoots shadow rays and bounces from one instance.
 void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int rays, std::uint32_t seed,
                   const Config& config, Tally& shadows, Tally& bounces, std::uint64_t& wrong_sides) {
     Aim aim(scene, world.levels().image.lattice, config, seed);
@@ -219,7 +220,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
                                                    {"sheared", 0.3, 2, 3},
                                                    {"tiny and huge", 1e-3, 1e3, 0},
                                                    {"nearly flat", 0.2, 2, 40}}));
-    constexpr int rays = 150;   // a scene
+    constexpr int rays = 150;   // for each scene
     Tally shadows, bounces;
     std::uint64_t wrong_sides = 0;
     for (const Format& f : formats) {
@@ -233,7 +234,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
             std::optional<World> world;
             try {
                 world.emplace(scene, eye, config);
-            } catch (const UserError&) {   // a gear of a thousandth vanishes on a coarse lattice
+            } catch (const UserError&) {   // a gear of size 1/1000 vanishes on a coarse lattice
                 continue;
             }
             const Vec3i at = world->levels().image.lattice.snap(eye);
@@ -304,7 +305,7 @@ TEST_CASE(
     "how far a ray is off where it leaves an instance grows with the edges, and its box allows for that",
     "[levels][secondary]") {
     Config config = shaded({18, 24, 12});
-    config.bary_bits = 12, config.bounces = 1;   // u and v are coarse, and nothing else is
+    config.bary_bits = 12, config.bounces = 1;   // only u and v are coarse
     check_config(config, "the test");
     PlacedScene scene;
     scene.own.name = "floor";

@@ -1,5 +1,5 @@
-// Two levels in the model: maps, memory, walk. The judge transforms rays in whole numbers of its own and asks
-// the oracle about every triangle of every instance.
+// Two levels in the model: maps, memory, walk. The judge transforms rays with its own integer arithmetic and
+// tests every triangle of every instance with the oracle.
 #include <cmath>
 #include <deque>
 
@@ -21,7 +21,7 @@ namespace {
 
 __extension__ using Int = __int128;
 
-/// The whole number nearest to n / 2^frac, halves up.
+/// Returns n / 2^frac rounded to the nearest whole number, halves up.
 Int nearest(Int n, int frac) {
     const Int unit = Int(1) << frac;
     const Int twice = 2 * n + unit;   // floor((2n + unit) / (2 unit))
@@ -40,7 +40,7 @@ Vec3i moved(const InstanceMap& map, const Vec3i& v, bool is_point, int frac) {
     return out;
 }
 
-/// What is true of a ray: the closest hit of all instances, each asked by the oracle in its own space.
+/// The correct closest hit of a ray over all instances, from the oracle in each instance's own space.
 class Truth {
 public:
     Truth(const PlacedScene& scene, const LevelsImage& levels, const Config& config)
@@ -81,8 +81,8 @@ public:
         }
         return best;
     }
-    /// Crossings inwards less crossings outwards of one instance: 0 for whoever stands outside a closed mesh.
-    /// `outside` counts those whose point on the scene's ray is not in the instance's box.
+    /// Returns crossings inwards minus crossings outwards of one instance: 0 for an origin outside a closed
+    /// mesh. Adds to `outside` the crossings whose point on the scene's ray is not in the instance's box.
     int balance(const Ray& ray, std::size_t instance, std::uint64_t& crossings,
                 std::uint64_t& outside) const {
         const InstanceMap& map = levels_.maps.instances[instance];
@@ -112,7 +112,7 @@ private:
     std::vector<std::uint32_t> firsts_;
 };
 
-/// Directions of full length: towards corners and edges of instances, into their boxes, anywhere.
+/// Draws directions of full length: towards corners and edges of instances, into their boxes, or anywhere.
 class Aim {
 public:
     Aim(const PlacedScene& scene, const LevelsImage& levels, const Vec3i& o, const Config& config,
@@ -162,7 +162,7 @@ struct Tally {
     std::uint64_t rays = 0, hits = 0, wrong = 0, unbalanced = 0, crossings = 0, outside = 0, entered = 0;
 };
 
-/// A compiled scene of one structure, and what walks it.
+/// A compiled scene with one structure, and its walk.
 struct Machine {
     const Config config;
     const LevelsImage levels;
@@ -176,7 +176,7 @@ struct Machine {
           walk(frame, decoder, config) {}
 };
 
-/// Maps do not depend on the structure, and so the truth is the same for all.
+/// Judges all structures. Maps do not depend on the structure, so the correct answer is the same for all.
 Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& eye, int rays,
             std::uint32_t seed) {
     std::deque<Machine> machines;
@@ -228,7 +228,7 @@ TEST_CASE("rays through random maps find what the oracle finds, in every format 
     CHECK(tally.wrong == 0);
     CHECK(tally.outside == 0);
     CHECK(tally.hits > 50);
-    // The eye is outside of what is not huge: closed meshes are watertight.
+    // The eye is outside of instances that are not huge, and closed meshes are watertight.
     if (family.most < 10) CHECK(tally.unbalanced == 0);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's primitives on the lattice of a machine: those of a list.
+// A scene's primitives on the lattice of a machine, in the order of a list.
 #include "model/layout/decode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"

@@ -1,12 +1,12 @@
 #pragma once
-// Small scenes that try the compiler: random, flat, needle-like, coincident, huge.
+// Small scenes that test the compiler: random, flat, needle-like, coincident, huge.
 #include <random>
 
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
 
-/// Uniform in -1..1; the standard distributions differ from library to library.
+/// Uniform in -1..1. The standard distributions differ between libraries.
 class Draw {
 public:
     explicit Draw(std::uint32_t seed) : engine_(seed) {}
@@ -30,7 +30,7 @@ inline Scene named(const char* name) {
     return scene;
 }
 
-/// n triangles of about the given size in a cube from -1 to 1.
+/// Returns n triangles of about the given size in a cube from -1 to 1.
 inline Scene soup(int n, double size, std::uint32_t seed) {
     Scene scene = named("soup");
     Draw draw{seed};
@@ -41,7 +41,7 @@ inline Scene soup(int n, double size, std::uint32_t seed) {
     return scene;
 }
 
-/// n by n squares in a plane of constant z.
+/// Returns n by n squares in a plane of constant z.
 inline Scene sheet(int n) {
     Scene scene = named("sheet");
     for (int i = 0; i < n; ++i)
@@ -65,7 +65,7 @@ inline Scene coincident(int n) {
     return scene;
 }
 
-/// Long thin triangles through one another, many of them right through the scene.
+/// Returns long thin intersecting triangles, many of them across the whole scene.
 inline Scene needles(int n, std::uint32_t seed) {
     Scene scene = named("needles");
     Draw draw{seed};
@@ -76,7 +76,7 @@ inline Scene needles(int n, std::uint32_t seed) {
     return scene;
 }
 
-/// Triangles between the corners of the scene's cube: the largest coordinates there are.
+/// Returns triangles between the corners of the scene's cube, with the largest possible coordinates.
 inline Scene extremes() {
     Scene scene = named("extremes");
     const auto corner = [](int i) {
@@ -88,7 +88,7 @@ inline Scene extremes() {
     return scene;
 }
 
-/// A fan of ever smaller triangles towards a corner: deep, one-sided trees.
+/// Returns a fan of shrinking triangles towards a corner, which gives deep, one-sided trees.
 inline Scene vanishing(int n) {
     Scene scene = named("vanishing");
     double size = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Instances with mirrors, glass and shadows: what the tests of finished pictures in two levels look at.
+// Instances with mirrors, glass and shadows, for the tests of finished pictures in two levels.
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,7 +8,7 @@
 
 namespace rayclock {
 
-/// A ball of the radius 1; normals outwards if it is smooth.
+/// Returns a ball of radius 1; normals point outwards if it is smooth.
 inline SharedMesh ball(bool is_smooth) {
     const Scene scene = make_builtin("icosphere:3");
     SharedMesh mesh{"ball", scene.vertices, {}, scene.triangles};
@@ -25,7 +25,7 @@ inline Material coloured(const glm::dvec3& colour, double mirror, double transmi
     return material;
 }
 
-/// Balls on a floor: turned, squeezed, mirrored, small, of glass; two lights.
+/// Returns balls on a floor: rotated, squeezed, mirrored, small, and of glass, with two lights.
 inline PlacedScene mixed(bool is_smooth) {
     PlacedScene scene;
     Scene& own = scene.own;
@@ -52,7 +52,7 @@ inline PlacedScene mixed(bool is_smooth) {
     return scene;
 }
 
-/// The same on a checkered plane, beside two true spheres, of which one is of glass.
+/// Returns the same on a checkered plane, with two true spheres, one of glass.
 inline PlacedScene mixed_with_round(bool is_smooth) {
     PlacedScene scene = mixed(is_smooth);
     Scene& own = scene.own;
@@ -63,8 +63,8 @@ inline PlacedScene mixed_with_round(bool is_smooth) {
     return scene;
 }
 
-/// Balls under a pane of glass that is seen at a grazing angle, with corner normals that lean away from the
-/// camera: its refracted directions have a quarter of the usual length, more or less.
+/// Returns balls under a pane of glass that is seen at a grazing angle, with corner normals that lean away
+/// from the camera. Its refracted directions have about a quarter of the usual length.
 inline PlacedScene under_a_pane() {
     PlacedScene scene = mixed(true);
     scene.own.camera = Camera{{0, 1, 9}, {0, 0, 0}, {0, 1, 0}, 60};

@@ -1,4 +1,4 @@
-// The octree: halves in the middle, three axes at once, and both rules for what a plane cuts.
+// The octree: halves in the middle, on three axes at once, and both rules for primitives that a plane cuts.
 #include <catch2/catch.hpp>
 
 #include <set>
@@ -19,7 +19,7 @@ Config octree_of(int leaf_size, Straddlers straddlers) {
     return config;
 }
 
-/// Small triangles anywhere, and one from end to end.
+/// Returns small triangles anywhere, and one from end to end.
 std::vector<PrimData> triangles(std::uint32_t count, int extent) {
     test::Draw draw{count};
     std::vector<PrimData> prims;
@@ -33,14 +33,14 @@ std::vector<PrimData> triangles(std::uint32_t count, int extent) {
     return prims;
 }
 
-/// What a tree's cells say of it.
+/// Counts from a tree's cells.
 class Census {
 public:
     explicit Census(std::size_t leaf_size) : leaf_size_(leaf_size) {}
     std::set<std::uint32_t> seen;
     std::size_t references = 0, leaves = 0;
-    std::size_t crowded = 0;   ///< leaves that hold more than they should, and could have been cut
-    std::size_t beside = 0;    ///< leaves of what stays in an inner node
+    std::size_t crowded = 0;   ///< leaves that exceed their size and could have been cut
+    std::size_t beside = 0;    ///< leaves for primitives that stay in an inner node
 
     void count(const Cell& cell, const LatticeBox& box, std::uint32_t axis, int depth) {
         if (cell.is_leaf()) {
@@ -48,7 +48,7 @@ public:
             crowded += axis == 0 && cell.prims.size() > leaf_size_ && depth < octree::most_depth;
             return;
         }
-        if (cell.axis == no_axis) {   // primitives of its own, and its octants
+        if (cell.axis == no_axis) {   // its own primitives, and its octants
             REQUIRE(axis == 0);
             REQUIRE(cell.lower->is_leaf());
             leaf(*cell.lower);
@@ -89,7 +89,7 @@ TEST_CASE("an octree halves its cells in the middle, on three axes, while they h
     CHECK(census.seen.size() == prims.size());
     CHECK(census.references > prims.size());
     CHECK(census.references <= std::size_t(Config{}.references) * prims.size());
-    CHECK(census.crowded < census.leaves / 100);   // the bound of references
+    CHECK(census.crowded < census.leaves / 100);   // limited by the bound on references
     CHECK(census.beside == 0);
 }
 

@@ -1,5 +1,5 @@
-// Planes in any direction: what the compiler proposes, where it puts primitives, and what it does with
-// hopeless scenes.
+// Planes in any direction: the planes that the compiler proposes, its placement of primitives, and its
+// treatment of hopeless scenes.
 #include <catch2/catch.hpp>
 
 #include <functional>
@@ -26,7 +26,7 @@ Config bsp_of(int width = 8, Straddlers straddlers = Straddlers::leaves) {
     return config;
 }
 
-/// A scene's primitives on the lattice: those of a list.
+/// Returns the faults of the compiled image of these primitives.
 std::vector<std::string> complaints(const std::vector<PrimData>& prims, const Config& config) {
     return check_slants(compile_triangles(prims, config, "the case"), prims, config);
 }
@@ -36,7 +36,7 @@ PrimData triangle(const Vec3i& a, const Vec3i& b, const Vec3i& c, std::uint32_t 
     return {a, b, c, number, 0};
 }
 
-/// Triangles in all directions, of which many share corners, edges and planes.
+/// Returns triangles in all directions, many of which share corners, edges and planes.
 std::vector<PrimData> tangle(unsigned seed, int count, int extent) {
     test::Draw draw{seed};
     std::vector<Vec3i> corners;
@@ -66,8 +66,8 @@ TEST_CASE("a normal is the nearest of its bits", "[slant]") {
         for (const int x : n) REQUIRE(std::abs(x) < 1 << (normal_step_bits - 1));
         const glm::dvec3 m(n[0], n[1], n[2]);
         REQUIRE(glm::dot(m, d) > 0);
-        REQUIRE(glm::length(glm::cross(m, d)) <= glm::length(m) * glm::length(d) * 0.0113);   // sqrt 2 / 2 /
-                                                                                              // 63
+        // sqrt 2 / 2 / 63
+        REQUIRE(glm::length(glm::cross(m, d)) <= glm::length(m) * glm::length(d) * 0.0113);
     }
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("a damaged image of planes in any direction is noticed", "[slant]") {
     };
     CHECK(changed([](Slant&, MemoryImage&) {}) == 0);
     CHECK(changed([](Slant& slant, MemoryImage&) { ++slant.lo[0]; }) > 0);
-    // One of its sides may be empty, and lose nothing when the other one shrinks.
+    // One side may be empty, and loses nothing when the other one shrinks.
     CHECK(changed([](Slant& slant, MemoryImage&) { slant.at[0] += 20000; }) +
               changed([](Slant& slant, MemoryImage&) { slant.at[0] -= 20000; }) >
           0);

@@ -1,5 +1,5 @@
 #pragma once
-// Closed meshes in random places: what the tests of two levels look at.
+// Closed meshes in random places, for the tests of two levels.
 #include <array>
 #include <cmath>
 
@@ -21,10 +21,10 @@ inline Config format(int coord_bits, int dir_bits) {
     return config;
 }
 
-/// Structures that two levels can have.
+/// The structures that two levels support.
 inline constexpr std::array tree_structures{Structure::bvh, Structure::kd, Structure::octree,
                                             Structure::spheres, Structure::bsp};
-/// A node of planes in any direction must leave two bits of its line free.
+/// Planes in any direction need two free bits in the line of a node.
 inline Config of_structure(Config config, Structure structure) {
     config.structure = int(structure);
     if (config.has_slants()) config.addr_bits = 22;
@@ -56,7 +56,7 @@ inline SharedMesh cube() {
     return mesh;
 }
 
-/// Balls and cubes in turn, in random places.
+/// Returns balls and cubes alternately, in random places.
 inline PlacedScene solids(int count, std::uint32_t seed, double least, double most, double shear) {
     Draw draw{seed};
     PlacedScene scene = make_placed("icosphere:2");

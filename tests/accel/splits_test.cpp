@@ -1,4 +1,4 @@
-// Spatial splits: nothing is lost, references are bounded, and boxes that overlapped do so less.
+// Spatial splits: nothing is lost, references are bounded, and overlapping boxes overlap less.
 #include <catch2/catch.hpp>
 
 #include <set>
@@ -12,7 +12,7 @@ using namespace rayclock;
 
 namespace {
 
-constexpr int parts = 6;   // of an edge: points are in units of a sixth of a step
+constexpr int parts = 6;   // parts of an edge: points are in units of a sixth of a step
 
 Config split(int width = 8) {
     Config config;
@@ -27,7 +27,7 @@ class Reader {
 public:
     Reader(const MemoryImage& image, const Config& config) : image_(image), config_(config) { count(0); }
 
-    /// Whether a leaf whose boxes hold x / parts, all the way, has the primitive.
+    /// Returns true if a leaf whose boxes all contain x / parts has the primitive.
     bool holds(std::uint32_t line, const Vec3l& x, std::uint32_t prim) const {
         const Node node = read_node(image_, line, config_);
         std::uint32_t inner = 0, half_line = first_leaf(node);
@@ -45,7 +45,7 @@ public:
         }
         return false;
     }
-    std::uint64_t nodes = 0, leaves = 0, references = 0, twice = 0;   ///< twice in one leaf
+    std::uint64_t nodes = 0, leaves = 0, references = 0, twice = 0;   ///< `twice`: duplicates within one leaf
 
 private:
     std::uint32_t first_leaf(const Node& node) const {
@@ -73,7 +73,8 @@ private:
     const Config& config_;
 };
 
-/// 28 points of every triangle are in a leaf that has it, all in whole numbers.
+/// Requires that 28 points of every triangle are in a leaf with the triangle. All computation is in whole
+/// numbers.
 void check_held(const std::vector<PrimData>& prims, const Config& config) {
     const MemoryImage image = compile_triangles(prims, config, "the case");
     const Reader reader(image, config);
@@ -138,7 +139,7 @@ TEST_CASE("triangles that overlap are cut, and no more of them than the rule say
     Config off = split();
     off.splits = 0;
     CHECK(references(rings, off) == rings.size());
-    // Nothing to gain: they do not overlap.
+    // Without overlap there is no gain.
     std::vector<PrimData> row;
     for (std::int32_t i = 0; i < 100; ++i)
         row.push_back({{100 * i, 0, 0}, {100 * i + 50, 0, 0}, {100 * i, 50, 20}, std::uint32_t(i), 0});

@@ -1,4 +1,4 @@
-// Planes of a kd-tree and its treelets, against all planes and all treelets that there are.
+// Compares the planes of a kd-tree and its treelets with all possible planes and treelets.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ using kd::CellPtr;
 
 namespace {
 
-/// Boxes in a cell, a third of them flat on an axis, and many of these in the cell's sides: that is where a
-/// cut leaves what lies in its plane.
+/// Draws boxes in a cell. A third of them are flat on an axis, many of these in the cell's sides, where cuts
+/// leave primitives that lie in their plane.
 kd::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell) {
     kd::Items items(count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -35,7 +35,7 @@ kd::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell) {
     return items;
 }
 
-/// What a plane costs, by counting.
+/// Computes the cost of a plane by counting.
 double cost_of_plane(const kd::Items& items, const LatticeBox& cell, std::size_t axis, int plane,
                      bool flat_above) {
     std::size_t below = 0, above = 0;
@@ -77,7 +77,7 @@ void check_split(test::Draw& draw, std::uint32_t count, int extent, int step) {
           Approx(cost_of_plane(all, cell, best.axis, best.plane, best.flat_above)).epsilon(1e-12));
 }
 
-/// A tree of random planes; every leaf holds up to three primitives.
+/// Returns a tree of random planes; every leaf has up to three primitives.
 CellPtr random_tree(test::Draw& draw, const LatticeBox& box, int inner, std::uint32_t& next) {
     auto cell = std::make_unique<Cell>();
     cell->bounds = box;
@@ -100,12 +100,12 @@ CellPtr random_tree(test::Draw& draw, const LatticeBox& box, int inner, std::uin
     return cell;
 }
 
-/// What a choice of roles costs: role 0 a leaf, 1 a treelet of its own, 2 cut in the treelet that is there.
+/// The cost of a choice of roles: role 0 is a leaf, 1 a new treelet, 2 a cut in the current treelet.
 class Roles {
 public:
     Roles(const Cell& root, int levels) : root_(root), levels_(levels) { number(root); }
     std::size_t size() const { return cells_.size(); }
-    /// Infinite if there is no such treelet.
+    /// Returns the cost; infinite if no such treelet exists.
     double cost(const std::vector<int>& roles) {
         roles_ = &roles;
         return roles[0] == 1 ? parts(root_, root_.bounds, levels_ - 1) : HUGE_VAL;
@@ -145,7 +145,7 @@ void compute_inside(Cell& cell, const kd::Treelets& treelets) {
     cell.inside = treelets.inside(cell);
 }
 
-/// The roles that a settled tree has; 0 where it has leaves, and whatever for what was below them.
+/// Collects the roles of a settled tree. They are 0 at its leaves and arbitrary below them.
 void roles_of(const Cell& cell, const Cell& before, std::vector<int>& roles) {
     if (before.is_leaf()) return;
     const std::size_t at = roles.size();
@@ -169,7 +169,8 @@ std::size_t twice_in_a_leaf(const Cell& cell) {
 
 constexpr int levels_of_eight = 3;
 
-/// Treelets of a leaf that is too large for an exit, where so many levels of planes are left.
+/// Returns the number of treelets for a leaf that is too large for an exit, with `levels` levels of planes
+/// left.
 std::size_t treelets_in(std::size_t prims, int levels) {
     if (prims <= (1u << count_bits) - 2) return 0;
     const int below = (levels > 0 ? levels : levels_of_eight) - 1;

@@ -1,4 +1,4 @@
-// Multipliers and block memories find better sites among those that were used.
+// Multipliers and block memories get better sites among those in use.
 #include <catch2/catch.hpp>
 
 #include <fstream>
@@ -21,7 +21,7 @@ namespace {
 
 std::string bel(int x, int y, const char* site) { return fmt::format("X{}/Y{}/{}", x, y, site); }
 
-/// Multipliers in a row and memories in another, each wired to registers somewhere.
+/// Returns multipliers in one row and memories in another, each connected to registers somewhere.
 std::vector<Cell> random_chip(std::uint64_t seed, int movable) {
     Rng rng(seed);
     std::vector<Cell> cells;
@@ -29,7 +29,7 @@ std::vector<Cell> random_chip(std::uint64_t seed, int movable) {
         cells.push_back({fmt::format("mul{}", i), "MULT18X18D", "", bel(9 * i + 4, 10, "MULT18_0"), {}});
         cells.push_back({fmt::format("ram{}", i), "DP16KD", "", bel(9 * i + 4, 22, "EBR0"), {}});
     }
-    const int free = rng.below(3);   // some nets have an end more
+    const int free = rng.below(3);   // some nets have one more end
     for (int net = 0; net < 12 * movable; ++net) {
         cells[std::size_t(rng.below(2 * movable))].nets.push_back(net);
         for (int end = 0; end <= free; ++end)
@@ -39,7 +39,7 @@ std::vector<Cell> random_chip(std::uint64_t seed, int movable) {
                              bel(rng.below(9 * movable), rng.below(40), "SLICEA.FF0"),
                              {net}});
     }
-    for (int net = 0; net < 6 * movable; ++net)   // and some go from one to another
+    for (int net = 0; net < 6 * movable; ++net)   // some nets connect two of them
         for (int end = 0; end < 2; ++end)
             cells[std::size_t(rng.below(2 * movable))].nets.push_back(100000 + net);
     return cells;

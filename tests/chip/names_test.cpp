@@ -1,4 +1,4 @@
-// Names of cells, places in sources, devices, and the module around what is placed.
+// Names of cells, positions in sources, devices, and the harness around a placed module.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ TEST_CASE("what does not fit says by how much, and what to narrow") {
           "'small' does not fit lfe5u-25: it needs 29 multipliers of 28 (1 too many; narrow tri, which takes "
           "19)");
     std::map<std::string, Use> more = units;
-    more["list"] = {1, 0, 0, 0};   // one LUT is too many now, the harness's among them
+    more["list"] = {1, 0, 0, 0};   // one LUT too many, including the harness's
     CHECK_THAT(misfit("small", device, more),
                Catch::Contains(
                    "24,289 LUTs of 24,288 (1 too many; narrow box, which takes 20,000), 29 multipliers"));
@@ -128,7 +128,7 @@ TEST_CASE("a word in a comment or an assertion is not what is synthesised; a lin
     CHECK(plain == "module m;\n\n\n\n\n\n  a <= b;\nendmodule\n");
     CHECK(synth::synthesised_text(text("  // one", "assert (x);")) == plain);
     CHECK(synth::synthesised_text(text(" wire w;", "")) != plain);
-    CHECK(synth::synthesised_text(text("", "\n")) != plain);   // lines are told by their numbers
+    CHECK(synth::synthesised_text(text("", "\n")) != plain);   // positions include line numbers
     CHECK(synth::synthesised_text("x = \"//\"; // y\n") == "x = \"//\";\n");
     CHECK(synth::synthesised_text("`ifndef SYNTHESIS\na\n`else\nb\n`endif\nc\n").find("b\n") !=
           std::string::npos);

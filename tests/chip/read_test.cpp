@@ -1,4 +1,4 @@
-// What is read of nextpnr's files, on those of a real run: tests/chip/real/make.sh.
+// Reads nextpnr's files from a real run: tests/chip/real/make.sh.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ Route real_route() { return read_route(real, "dispatch", 1); }
 TEST_CASE("the slowest path is as slow as nextpnr says, and has both its registers") {
     const Route route = real_route();
     CHECK(route.fmax_mhz == Approx(154.727).margin(0.001));
-    REQUIRE(route.paths.size() == 4);   // in_q to itself and s0_q, on to s1_q and out_q
+    REQUIRE(route.paths.size() == 4);   // in_q to itself and s0_q, then to s1_q and out_q
     const PathRow& worst = route.paths[0];
     // report.json: 0.525 ns from the clock to the output, 5.938 ns of wire, no setup.
     CHECK(worst.ns == Approx(1000 / route.fmax_mhz).margin(0.002));
@@ -39,7 +39,7 @@ TEST_CASE("the slowest path is as slow as nextpnr says, and has both its registe
     CHECK(worst.to_unit == "dispatch");
     CHECK(worst.to == "s0_q");
     for (std::size_t i = 1; i < route.paths.size(); ++i) CHECK(route.paths[i].ns <= route.paths[i - 1].ns);
-    // Bits of one register are one path; the sum is among them, through at least one carry cell.
+    // The bits of one register are one path. The sum is among the paths, through at least one carry cell.
     bool sum = false;
     for (const PathRow& path : route.paths)
         if (path.from == "s0_q" && path.to == "s1_q") sum = path.levels >= 1;
@@ -51,7 +51,7 @@ TEST_CASE("cells are counted for their units") {
     const Use unit = route.units.at("dispatch"), harness = route.units.at(harness_unit);
     CHECK(unit.ff == 13);      // s0_q and s1_q
     CHECK(harness.ff == 13);   // in_q and out_q
-    CHECK(unit.lut == 10);     // two LUTs in each of five carry cells, two of which nextpnr has added
+    CHECK(unit.lut == 10);     // two LUTs in each of five carry cells, two of which nextpnr added
     CHECK(unit.dsp + unit.bram + harness.dsp + harness.bram == 0);
     CHECK(total_of(route.units) == unit);
     Use tiles;
@@ -103,7 +103,7 @@ TEST_CASE("every unit has its boxes and its line in the legend") {
 }
 
 TEST_CASE("delays of a file by hand: the slowest of all ways, and no way through a clock") {
-    // a -> x -> c and b -> c, with setup; x's second input comes from a pad, where no clock begins anything.
+    // a -> x -> c and b -> c, with setup. x's second input comes from a pad, where no clock starts a path.
     const std::string sdf = R"((DELAYFILE
   (CELL
     (INSTANCE )

@@ -1,5 +1,4 @@
-// rayclock study area on units that Yosys has done in a second: what is counted, what is found again, what is
-// refused.
+// rayclock study area on units that Yosys synthesises in a second: counts, cache hits, refusals.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -41,8 +40,8 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         CHECK(variant["units"].size() == 2);
         const json sched = part_of(variant, "sched")["count"],
                    dispatch = part_of(variant, "dispatch")["count"];
-        // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no
-        // memory.
+        // The number of the next tile: two counters of the picture's size in tiles, and little else. No
+        // multiplier, no memory.
         CHECK(dispatch["ff"].get<int>() >= 16);
         CHECK(dispatch["ff"].get<int>() <= 40);
         CHECK(dispatch["mult18x18d"] == 0);
@@ -52,7 +51,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         CHECK(sched["dpr16x4"].get<int>() > 0);
         CHECK(sched["luts"] ==
               sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
-        // Of the two only sched is one for each pipeline.
+        // Of the two, only sched exists once per pipeline.
         CHECK(variant["pipeline"] == sched);
         CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
     }

@@ -1,4 +1,4 @@
-// Hardware that is wrong: verify ends with 1 and names the first divergence.
+// Faulty hardware: verify ends with 1 and names the first divergence.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A copy of the project's RTL in `folder` with one text replaced; it must be there exactly once.
+/// Copies the project's RTL to `folder` with one text replaced, which must occur exactly once.
 std::string broken_rtl(const Folder& folder, const std::string& file, const std::string& old,
                        const std::string& fresh) {
     const std::string copy = folder.name("rtl");
@@ -26,7 +26,7 @@ std::string broken_rtl(const Folder& folder, const std::string& file, const std:
     return copy;
 }
 
-/// Waveform, save file and page of a divergence of u on the link tri_rsp.
+/// Checks waveform, save file and page of a divergence of u on the link tri_rsp.
 void check_waveform(const Folder& folder, const nlohmann::json& d) {
     const std::string out = folder.name("out") + "/";
     REQUIRE(d["wave"] == out + "divergence.fst");
@@ -37,7 +37,7 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     };
     const std::string link = "links.tri_rsp.";
     CHECK(number(wave.name_with("links.cycle"), time) == long(cycle));
-    // It is the first cycle in which the link differs, and what differs is what was said.
+    // It is the first cycle in which the link differs, with the reported difference.
     CHECK(wave.at(link + "differs", time) == "1");
     for (std::uint64_t c = cycle > 1000 ? cycle - 1000 : 0; c < cycle; ++c)
         REQUIRE(wave.at(link + "differs", 10 * c) == "0");
@@ -48,14 +48,14 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     CHECK(u("rtl") == d["got"].get<std::string>());
     CHECK(wave.first() == (cycle > 1000 ? 10 * (cycle - 1000) : 0));
     CHECK(wave.last() > time);
-    // The clock rises when a cycle begins, and what the RTL itself offers there is what the link shows.
+    // The clock rises when a cycle begins, and the link shows the RTL's own offer at that time.
     CHECK(wave.at("TOP.clk_i", time) == "1");
     CHECK(wave.at("TOP.clk_i", time + 5) == "0");
     const std::string offered = wave.name_with(".u_tri.rsp_valid_o");
     REQUIRE(!offered.empty());
     CHECK(wave.at(offered, time + 5) == "1");
 
-    // Every signal that GTKWave is to show is there.
+    // Every signal of GTKWave's save file exists.
     std::istringstream view(bytes_of(out + "divergence.gtkw"));
     std::size_t shown = 0;
     for (std::string line; std::getline(view, line);) {
@@ -111,12 +111,12 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     REQUIRE(got.starts_with("u="));
     CHECK(std::stol(got.substr(2)) == std::stol(expected.substr(2)) + 1);
     check_waveform(folder, d);
-    // The value goes through a queue and a register, back to the statement that makes it.
+    // The value passes a queue and a register, back to the statement that computes it.
     const std::string page = bytes_of(folder.name("out/divergence.html"));
     CHECK(page.find("<dt>made by</dt><dd>rtl/unit/isect/rc_hitdiv.sv:") != std::string::npos);
     CHECK(page.find("<code>assign u_o = (B+1)") != std::string::npos);
 
-    // The frame of the wrong RTL is what render shows; it does not stop.
+    // render shows the frame of the faulty RTL and does not stop.
     CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--config", "small", "--engine", "rtl", "-o",
                        folder.name("x.png")},
                       environment)
@@ -132,6 +132,6 @@ TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("rc_rank.sv") != std::string::npos);
     for (const auto& [name, bytes] : folder.contents())
-        if (name.starts_with("cache/") && !name.starts_with("cache/rc_verilated-"))   // that one is whole
+        if (name.starts_with("cache/") && !name.starts_with("cache/rc_verilated-"))   // this one is whole
             CHECK(name.ends_with(".lock"));
 }

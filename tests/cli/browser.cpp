@@ -1,3 +1,4 @@
+// Opens pages in a browser without a window, and reads their data.
 #include "tests/cli/browser.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// A chip with a rounding fault: the program must call it a bug, not an error of the lattice.
+// A chip with a rounding fault: the program must report a bug, not an error of the lattice.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A copy of rtl/ in which `from`, which must be there once, is `to`.
+/// Copies rtl/ with `from`, which must occur once, replaced by `to`.
 std::string faulty_rtl(const Folder& folder, const std::string& file, const std::string& from,
                        const std::string& to) {
     const std::string copy = folder.name("rtl");
@@ -44,7 +44,7 @@ TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[s
     const json error = json::parse(alone.out)["error"];
     CHECK(error["oracle"]["wrong"] > 100);
     CHECK(error["causes"]["bug"] == error["oracle"]["wrong"]);
-    // The fault does not touch u and v, so the colours are right, and only the oracle sees it.
+    // The fault does not affect u and v, so the colours are right, and only the oracle detects it.
     CHECK(error["causes_other_primitive"]["bug"] == 0);
 
     std::vector<std::string> verify{"verify", "--no-wave"};

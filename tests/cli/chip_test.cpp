@@ -1,5 +1,5 @@
-// rayclock chip around a nextpnr that copies the files of a real run at once: what is kept, what goes on,
-// what is refused. Yosys is real, on a unit that takes it two seconds.
+// rayclock chip with a fake nextpnr that copies the files of a real run: kept results, continued runs, and
+// refusals. Yosys is real, on a unit that takes two seconds.
 #include <csignal>
 
 #include <catch2/catch.hpp>
@@ -49,8 +49,9 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.routed() == 4);
     CHECK(fake.run({"--fresh"}).code == 0);
     CHECK(fake.routed() == 5);
-    const Outcome other = fake.run({"--placer", "static", "--router", "router2"});   // likewise other methods
-    CHECK(fake.routed() == 7);   // placed first, and then routed with settings of router2's own
+    // Other methods are also another chip.
+    const Outcome other = fake.run({"--placer", "static", "--router", "router2"});
+    CHECK(fake.routed() == 7);   // placed first, then routed with router2's own settings
     CHECK_THAT(other.out, Catch::Contains("with seed 1, placer static, router2\n"));
     CHECK_THAT(
         bytes_of(fake.calls()),
@@ -65,7 +66,7 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK_THAT(all, Catch::Contains("--json netlist.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --report report.json"));
-    fake.replace("true", "nextpnr-0.12");   // and another router another clock
+    fake.replace("true", "nextpnr-0.12");   // another router gives another clock
     CHECK(fake.run().code == 0);
     CHECK(fake.routed() == 11);
 }
@@ -79,13 +80,13 @@ TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on afte
     CHECK(stopped.code == 1);
     CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("goes on after"));
     CHECK(fake.kept("chip-route-") == 1);
-    CHECK(fake.kept("yosys-") == 0);   // folders of work
+    CHECK(fake.kept("yosys-") == 0);   // working folders
     CHECK_FALSE(fs::exists(fake.folder().name("out/report.txt")));
     fake.replace("true");
     CHECK(fake.run({"--seeds", "1,2"}).code == 0);
     CHECK(fake.routed() == 3);
 
-    // A netlist that somebody removed is made again when a seed needs it, and not before.
+    // A removed netlist is made again when a seed needs it, and not before.
     for (const auto& entry : fs::directory_iterator(fake.folder().name("cache/chip")))
         if (entry.path().extension() == ".netlist") fs::remove(entry.path());
     CHECK(fake.run({"--seeds", "1,2"}).code == 0);
@@ -140,7 +141,7 @@ TEST_CASE("a router that gets no further is stopped, and another seed may be rou
 
 namespace {
 
-/// A Yosys that has a chip of so many multipliers ready, in tri.
+/// Returns a Yosys script that has a chip with this number of multipliers, in tri.
 std::string fake_yosys(const FakeNextpnr& fake, int multipliers) {
     std::string cells;
     for (int i = 0; i < multipliers; ++i)
@@ -181,7 +182,7 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     CHECK(fake.routed() == 0);
     const Outcome fits = chip("lfe5u-45");
     CHECK(fits.code == 0);
-    // A whole chip is placed twice and routed, by what brings one to its end; a unit alone by nextpnr's
+    // A whole chip is placed twice and routed with its own default methods; a unit alone with nextpnr's
     // defaults.
     CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer mixed, router1, placed 2 times\n"));
     CHECK_THAT(bytes_of(fake.calls()),
@@ -195,8 +196,9 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placements", "3"}, environment);
     CHECK_THAT(thrice.out, Catch::Contains("with seed 1, placer mixed, router1, placed 3 times\n"));
     CHECK_THAT(bytes_of(fake.calls()), Catch::Contains(static_again));   // heap is the last of them
-    CHECK(fake.routed() == 4);   // where the first has multipliers and block memories was kept
-    // The first placement of mixed is static's, and the last of one is not the other's.
+    CHECK(fake.routed() == 4);   // the sites of multipliers and block memories from the first placement were
+                                 // kept
+    // The first placement of mixed equals static's. The last of one is not that of the other.
     const auto by_static =
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placer", "static"}, environment);
     CHECK_THAT(by_static.out, Catch::Contains("with seed 1, placer static, router1, placed 2 times\n"));
@@ -216,9 +218,9 @@ TEST_CASE("a chip that is stopped while it is placed once more goes on after the
     CHECK(fake.kept("chip-sites-") == 1);
     fake.replace("true");
     REQUIRE(fake.run(placed).code == 0);
-    CHECK(fake.routed() == 4);   // placed a second time, and a third time and routed
+    CHECK(fake.routed() == 4);   // placed a second and a third time, and routed
     CHECK(fake.kept("chip-sites-") == 2);
-    // Another router does not ask for other placements; another seed, placer or device does.
+    // Another router needs no other placements; another seed, placer or device does.
     CHECK(fake.run({"--placements", "3", "--router", "router2"}).code == 0);
     CHECK(fake.routed() == 6);
     CHECK(fake.kept("chip-sites-") == 2);
@@ -298,7 +300,7 @@ TEST_CASE(
     CHECK_THAT(after.out, Catch::Contains("routed on lfe5u-85: 154.7 MHz; 200 MHz assumed"));
     const json clocks = json::parse(bytes_of(report))["clocks"];
     REQUIRE(clocks.size() == 3);
-    CHECK(clocks[0]["mhz"] == 154.726);   // not above what was shown
+    CHECK(clocks[0]["mhz"] == 154.726);   // rounds down to a clock that routing has shown
     CHECK(clocks[0]["clock_is"] == "routed");
     CHECK(clocks[0]["clock_mhz_routed"].get<double>() == Approx(154.727).margin(0.001));
     CHECK(clocks[1]["clock_is"] == "routed");
@@ -313,7 +315,8 @@ TEST_CASE("a disk that fills up is one sentence, whichever step meets it, and no
     const FakeNextpnr fake;
     const std::string variables = "RAYCLOCK_NEXTPNR='" + fake.folder().name("nextpnr") +
                                   "' RAYCLOCK_CACHE='" + fake.folder().name("cache") + "' ";
-    // Of 512 bytes. The package is written by rayclock, a netlist by Yosys, which does not say why it fails.
+    // In blocks of 512 bytes. rayclock writes the package, Yosys the netlist, and Yosys does not report why
+    // it fails.
     for (const auto& [blocks, why] :
          {std::pair{"4", "File too large"}, {"100", "is the disk full?"}, {"400", "is the disk full?"}}) {
         INFO("blocks: " << blocks);
@@ -334,7 +337,7 @@ TEST_CASE("chip refuses what makes no sense") {
     };
     check_refused(chip({"--device", "lfe5u-84"}), {"'lfe5u-84'", "did you mean 'lfe5u-85'"});
     check_refused(chip({"--unit", "bx"}), {"'bx'", "did you mean 'box'", "raygen"});
-    check_refused(chip({"--unit", "shade"}), {"'shade'", "small"});   // there is none in it
+    check_refused(chip({"--unit", "shade"}), {"'shade'", "small"});   // the configuration lacks it
     check_refused(chip({"--seeds", "0"}), {"--seeds", "above 0"});
     check_refused(chip({"--seeds", "1:200"}), {"--seeds", "more than 100"});
     check_refused(chip({"--seeds", "one"}), {"'one'"});

@@ -1,4 +1,4 @@
-// rayclock compare: what changed is found, judged, and bounded.
+// rayclock compare: changes are found, judged, and bounded.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ json compared(std::vector<std::string> arguments, int code) {
     return json::parse(outcome.out);
 }
 
-/// 0: what people ask for first, by the words of docs/report.md.
+/// Returns 0 for key figures, as listed in docs/report.md.
 int rank_of(const std::string& figure, const json& verdict) {
     const std::vector<std::string> first{
         "clocks.66.cycles", "clocks.66.fps",         "clocks.66.dram_bytes", "clocks.200.cycles",
@@ -55,7 +55,8 @@ TEST_CASE("compare finds what changed, says which way, and fails beyond a bound"
     bool found = false;
     std::pair<int, double> last{0, -1e300};
     for (const json& d : worse["differences"]) {
-        // Key figures come first, then what has a verdict, then the rest; the largest change first in each.
+        // Key figures come first, then figures with a verdict, then the rest. Each group is sorted by
+        // descending change.
         const std::string figure = d["figure"];
         const int rank = rank_of(figure, d["verdict"]);
         const std::pair<int, double> place{rank,

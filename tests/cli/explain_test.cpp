@@ -1,4 +1,4 @@
-// rayclock explain: its figures close, its sentences name what is wrong with a request.
+// rayclock explain: its figures add up, and its messages name faults in a request.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>

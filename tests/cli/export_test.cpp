@@ -1,5 +1,5 @@
-// What `rayclock export` writes works on its own: its test bench passes under Verilator, and fails if a
-// pixel, a counter or a line of memory is another. And a place where it cannot be written is one sentence.
+// An export of `rayclock export` works on its own: its test bench passes under Verilator, and fails if a
+// pixel, a counter or a line of memory differs. A folder that cannot be written gives one sentence.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -15,19 +15,20 @@ using Catch::Contains;
 
 namespace {
 
-/// A program that is installed, run in a folder: `script` by a shell.
+/// Runs an installed program in a folder: `script` in a shell.
 Outcome in(const std::string& folder, const std::string& script) {
     return run_in_shell("cd '" + folder + "' && " + script, {"--version"});
 }
 
-/// As the README of an export says.
+/// Builds the bench as the README of an export describes.
 Outcome build_bench(const std::string& folder) {
     return in(folder,
               "verilator --binary --timing --x-assign unique --x-initial unique -f chip.f rc_bench.sv "
               "--top-module rc_bench -CFLAGS -O1 > build.log 2>&1");
 }
 
-/// The bench's own words. Registers start at random; with a seed above 0 so do the memory and the sink.
+/// Runs the bench and returns its output. Registers start at random values; with a seed above 0 memory and
+/// sink are random too.
 Outcome bench(const std::string& folder, int seed = 0) {
     return in(folder, "obj_dir/Vrc_bench +verilator+rand+reset+2 +verilator+seed+" +
                           std::to_string(seed + 1) + " +seed=" + std::to_string(seed));
@@ -75,7 +76,7 @@ TEST_CASE(
         const Outcome random = bench(place, seed);
         CHECK(random.code == 0);
         CHECK_THAT(random.out, Contains("PASS: 192 pixels, "));
-        // Its cycles are others, each seed's its own.
+        // Its cycles differ, and each seed has its own.
         CHECK_THAT(random.out, !Contains(", " + std::to_string(json["cycles"].get<int>()) + " cycles"));
         CHECK_THAT(random.out, !Contains(bench(place, seed + 1).out));
     }
@@ -86,7 +87,7 @@ TEST_CASE(
         const Outcome bad = bench(place);
         CHECK(bad.code != 0);
         CHECK_THAT(bad.out, Contains("FAIL") && !Contains("PASS"));
-        // With a seed only pixels are compared, and what is spoiled in memory may change counters alone.
+        // With a seed only pixels are compared. A spoiled memory may change only counters.
         if (file != std::string("memory.hex"))
             CHECK((bench(place, 1).code != 0) == (file == std::string("pixels.hex")));
         std::ofstream(path, std::ios::binary) << before;
@@ -105,7 +106,7 @@ TEST_CASE("an export's test bench sees a register whose reset is missing", "[slo
     std::ofstream(path, std::ios::binary)
         << text.replace(text.find(reset), reset.size(), "if (!rst_ni && 1'b0) begin");
     REQUIRE(build_bench(place).code == 0);
-    // From registers that are 0 nothing shows.
+    // With registers that start at 0 the fault does not show.
     CHECK_THAT(in(place, "obj_dir/Vrc_bench").out, Contains("PASS: "));
     const Outcome seen = bench(place);
     CHECK(seen.code != 0);
@@ -173,7 +174,7 @@ TEST_CASE("a place where no export can be written is one sentence, and nothing i
     refused(folder.name("file/chip"), "does not exist");
     refused("", "is empty");
     refused("/proc/chip", "cannot be written");
-    // A scene that cannot be made, and a chip that has no RTL.
+    // A scene that cannot be made, and a chip without RTL.
     for (const std::vector<std::string>& words : {std::vector<std::string>{"export", "nothing:1"},
                                                   {"export", "tetra:1", "--set", "primitive_test=woop"}}) {
         std::vector<std::string> all = words;
@@ -182,7 +183,7 @@ TEST_CASE("a place where no export can be written is one sentence, and nothing i
         check_refused(run_program(all), {});
         CHECK(folder.contents() == before);
     }
-    // A disk that is full in the middle of a file.
+    // A disk that fills up in the middle of a file.
     const auto before = folder.contents();
     check_refused(run_in_shell("ulimit -f 8; exec \"$@\"",
                                {"export", "tetra:3", "--size", "64x48", "-o", folder.name("chip")}),

@@ -10,12 +10,12 @@ namespace rayclock::test {
 
 namespace fs = std::filesystem;
 
-/// A nextpnr that copies the files of a real run at once, in a folder of its own with a cache.
+/// A nextpnr that copies the files of a real run, in its own folder with a cache.
 class FakeNextpnr {
 public:
     FakeNextpnr() { replace("true"); }
 
-    /// What it does before it copies the files; `version` is its own.
+    /// Replaces the script that it runs before it copies the files, and its version.
     void replace(const std::string& script, const std::string& version = "nextpnr-0.11.1") const {
         const std::string real = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/chip/real";
         folder_.write("nextpnr", "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake (Version " + version +
@@ -34,13 +34,13 @@ public:
         more.insert(more.begin(), {"chip", "--config", "small", "--unit", "dispatch"});
         return more;
     }
-    /// How often it was called to route.
+    /// Returns the number of calls.
     int routed() const {
         const std::string lines = bytes_of(calls());
         return int(std::count(lines.begin(), lines.end(), '\n'));
     }
     std::string calls() const { return folder_.name("calls"); }
-    /// Names in the cache that begin so.
+    /// Returns the number of names in the cache with this prefix.
     int kept(const std::string& begin) const {
         int n = 0;
         for (const auto& entry : fs::directory_iterator(folder_.name("cache/chip")))

@@ -1,3 +1,4 @@
+// Writes the fake tools as shell scripts, and counts their calls.
 #include "tests/cli/fake_tools.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #pragma once
-// A Verilator and a compiler that make nothing, at once, so that what happens around them can be tried
-// quickly.
+// A fake Verilator and compiler that finish at once, so that everything around them can be tested quickly.
 #include <string>
 #include <vector>
 
@@ -8,36 +7,37 @@
 
 namespace rayclock::test {
 
-/// Programs in a folder `bin` that is all of PATH, a cache, and RTL of a few lines. The library that is
-/// "built" is a line of text.
+/// Programs in a folder `bin` that is the whole PATH, a cache, and RTL of a few lines. The "built" library is
+/// a line of text.
 class FakeTools {
 public:
     explicit FakeTools(const std::string& cache = "cache");
 
-    /// For run_program().
+    /// Returns the environment for run_program().
     std::vector<std::string> environment() const;
     std::string path(const std::string& file) const { return folder_.name(file); }
     std::string cache() const { return folder_.name(cache_); }
     const Folder& folder() const { return folder_; }
 
-    /// Puts a shell script in the place of a tool.
+    /// Replaces a tool by a shell script.
     void replace(const std::string& tool, const std::string& script) const;
     void remove(const std::string& tool) const;
 
-    /// `rayclock rtl`: builds, or finds what is built.
+    /// Runs `rayclock rtl`, which builds RTL or finds it built.
     Outcome rtl() const { return run_program({"rtl"}, environment()); }
-    /// How often the compiler was called to compile or link a library: twice.
+    /// Returns how often the compiler was called to compile or link a library. A build takes two calls.
     int compilations() const;
-    /// The only library of the cache; beside it lie Verilator's own sources, compiled.
+    /// Returns the only library of the cache. Verilator's compiled sources are next to it.
     std::string entry() const;
-    /// Names in the cache, without locks and those sources.
+    /// Returns the names in the cache, without locks and Verilator's sources.
     std::vector<std::string> names() const;
 
-    /// As the compiler, says its version and records its arguments, then runs `script`, in which $out is what
-    /// it must make.
+    /// Returns a compiler script. It prints its version and records its arguments, then runs `script`, which
+    /// must make $out.
     static std::string compiler(const std::string& script = "echo built > \"$out\"",
                                 const std::string& version = "12.2.0");
-    /// What it makes has so many bytes. One source is enough for a few; of many there are two.
+    /// Returns a Verilator script whose output has this number of bytes. A small output has one source, a
+    /// large one two.
     static std::string verilator(const std::string& version = "5.006", int bytes = 1);
     static constexpr int many = 200'000;
 

@@ -1,4 +1,4 @@
-// The page of figures and the ray counts, on small pictures.
+// The page of figures and the ray counts, with small pictures.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -49,8 +49,8 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
             CHECK(thresholds.back()["rays"] < thresholds.front()["rays"]);
             for (std::size_t k = 1; k < depths.size(); ++k) CHECK(depths[k]["rays"] >= depths[k - 1]["rays"]);
         }
-    // With 8x8 samples the plane has less noise than with one; an adaptive picture has no more samples than
-    // 4x4 everywhere.
+    // With 8x8 samples the plane has less noise than with one. An adaptive picture has at most as many
+    // samples as 4x4 everywhere.
     for (const json& p : numbers["adaptive"]["plane"]["model"])
         CHECK(p["samples"].get<int>() <= 16 * 32 * 24);
     CHECK(numbers["plane"].size() == 12);

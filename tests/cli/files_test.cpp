@@ -1,5 +1,5 @@
-// Bad files in, outputs that cannot be written: exit code 2, one sentence, and no file is left behind or
-// touched.
+// Bad input files and outputs that cannot be written: exit code 2, one sentence, and no file is created or
+// changed.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct BadFile {
     std::vector<std::string> words;
 };
 
-/// Every command that reads the file refuses it and leaves the folder as it was.
+/// Requires that every command that reads the file refuses it and leaves the folder unchanged.
 void check_input(const std::vector<BadFile>& cases, const std::vector<std::vector<std::string>>& commands) {
     for (const BadFile& bad : cases) {
         const Folder folder;
@@ -51,7 +51,7 @@ const std::vector<std::vector<std::string>> scene_commands{
     {"render", "FILE", "--size", "8x8", "-o", "new.png", "--engine", "reference"},
     {"verify", "FILE", "--size", "8x8", "-o", "pictures", "--json", "report.json"}};
 
-/// Every parameter of `default` as a file states it, except for the last.
+/// Returns every parameter of `default` as a file states it, except the last.
 std::string all_but_one() {
     const rayclock::Config config = rayclock::named_config("default");
     std::string text;
@@ -99,7 +99,7 @@ TEST_CASE("a directory, a device or nothing in place of a scene") {
 
 TEST_CASE("a file of which nothing is visible has a background, and no machine holds it") {
     const Folder folder;
-    // One triangle, whose opacity is below the cutoff.
+    // One triangle whose opacity is below the cutoff.
     const std::string file = folder.write("mask.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
 "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
@@ -178,7 +178,7 @@ TEST_CASE("outputs that cannot be written") {
     refused({"render", "tetra:1", "--size", "8x8", "-o", ""}, "ending");
     refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file")}, "file");
     refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file/deeper")}, "file");
-    if (::geteuid() != 0) {   // permission bits do not bind root
+    if (::geteuid() != 0) {   // permission bits do not restrict root
         fs::create_directory(folder.name("locked"));
         fs::permissions(folder.name("locked"), fs::perms::owner_read | fs::perms::owner_exec);
         check_refused(
@@ -274,7 +274,7 @@ TEST_CASE("a memory from a file: as good as the one it was made from, in a repor
     CHECK(slow["clocks"][0]["cycles"] > named["clocks"][0]["cycles"]);
     CHECK(slow["config"]["dram"]["cl_clocks"] == 30);
     CHECK(slow["memory"]["dram"]["name"] == "slow");
-    // The report's configuration, as it stands; and a configuration beside the memory that it names.
+    // The report's configuration unchanged, and a configuration next to the memory file that it names.
     folder.write("config.json", slow["config"].dump());
     CHECK(simulate({"--config", folder.name("config.json")}, "again.json")["digest"] == slow["digest"]);
     folder.write("beside.json", R"({"like": "default", "dram": "slow.json", "dram_channels": 2})");
@@ -285,7 +285,7 @@ TEST_CASE("a memory from a file: as good as the one it was made from, in a repor
     check_refused(run_program({"simulate", "gears:1", "--set", "dram=" + folder.name("bad.json")}),
                   {"bad.json", "line 2", "cl_clocks", "from 1 to 200, not 0"});
 
-    // The picture's load: what it read and wrote is told, and memories that cannot bear it are refused.
+    // The picture's load: its reads and writes are reported, and memories that are too slow are refused.
     const auto shown =
         simulate({"--set", "dram=sdr", "--set", "scan_out=1", "--set", "pixel_writes=1"}, "shown.json");
     CHECK(shown["clocks"][0]["cycles"] > named["clocks"][0]["cycles"]);

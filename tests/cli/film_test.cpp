@@ -1,4 +1,4 @@
-// Films: numbered frames, one picture that plays them, and options of time that make no sense.
+// Films: numbered frames, one animated picture, and invalid options of time.
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -24,7 +24,7 @@ Words film_of(Words more, int frames = 3) {
     return all;
 }
 
-/// How many pictures an animated PNG says that it has (its chunk acTL); 0 if it is none.
+/// Returns the number of pictures in an animated PNG (its chunk acTL); 0 for any other file.
 std::uint32_t pictures_of(const std::string& png) {
     const std::size_t at = png.find("acTL");
     if (at == std::string::npos || at + 8 > png.size()) return 0;
@@ -53,7 +53,7 @@ TEST_CASE("a film is numbered frames that differ, and one picture that plays the
     CHECK(first != second);
     CHECK(second != bytes_of(out + "/frame_0002.png"));
     CHECK(pictures_of(bytes_of(out + "/film.png")) == 3);
-    // A shorter one in the same folder leaves nothing of the longer one behind.
+    // A shorter film in the same folder leaves no file of the longer one.
     REQUIRE(run_program(film_of({"--fps", "4", "-o", out}, 2)).code == 0);
     CHECK(pictures_of(bytes_of(out + "/film.png")) == 2);
     CHECK(folder.contents().count("film/frame_0002.png") == 0);
@@ -64,7 +64,7 @@ TEST_CASE("a film that does not show its frames is refused") {
     const Folder folder;
     const std::string out = folder.name("film"), tools = folder.name("tools");
     std::filesystem::create_directory(tools);
-    // Films whose second frame, or whose pace, is another.
+    // Films with a wrong second frame, or a wrong frame rate.
     const std::pair<std::string, std::string> faults[] = {
         {"cp \"$d/frame_0000.png\" \"$d/frame_0001.png\"", "frame 1 differs"},
         {"set -- \"$1\" \"$2\" 7 1000 -kc", "frame 0 is shown for 7/1000 s"},
@@ -104,7 +104,7 @@ TEST_CASE("a film that is not whole leaves the old one and its frames") {
     REQUIRE(run_program(film_of({"--fps", "4", "-o", out})).code == 0);
     const auto before = folder.contents();
     std::filesystem::create_directory(folder.name("bin"));
-    // Each leaves what a full disk leaves; the last says nothing of it.
+    // Each leaves what a full disk leaves; the last one reports no error.
     for (const std::string then :
          {"echo 'ERROR: disk'; exit 1", "rm film.png", "truncate -s -1 film.png", "truncate -s 60 film.png",
           "printf x | dd of=film.png bs=1 seek=99 conv=notrunc"}) {
@@ -143,7 +143,7 @@ TEST_CASE("times of frames are what --fps and --time say, and a second buffer dr
 
 TEST_CASE("the report tells of every frame which trees were refitted and which were built anew") {
     const Folder folder;
-    // Strips that lie side by side and then cross each other.
+    // Strips that are first next to each other and then cross each other.
     std::ostringstream a, b, faces;
     for (int i = 0; i < 40; ++i) {
         a << "v " << i << " 0 0\nv " << i << " 1 0\nv " << i << " 0 1\n";

@@ -1,4 +1,4 @@
-// Finished pictures from the command line: what makes no sense is refused, what is odd but sound is drawn.
+// Finished pictures on the command line: invalid options are refused, unusual but valid scenes are rendered.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ json simulate(std::vector<std::string> arguments) {
     return json::parse(outcome.out);
 }
 
-/// A scene of one sphere on a plane, with parts replaced.
+/// Returns a scene of one sphere on a plane, with parts replaced.
 std::string sphere_scene(const std::string& sphere, const std::string& material, const std::string& eye,
                          const std::string& lights) {
     return R"({"camera":{"eye":)" + eye + R"(,"at":[0,0,-9],"up":[0,1,0],"fov_degrees":50},"lights":)" +
@@ -71,7 +71,7 @@ TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
     struct Odd {
         const char* what;
         std::string scene;
-        double least;   ///< PSNR
+        double least;   ///< least PSNR
     };
     const std::string mirror = R"("colour":[1,0.9,0.8],"mirror":0.5)",
                       glass = R"("colour":[1,1,1],"diffuse":0.1,"transmit":0.8,"index":)";

@@ -1,4 +1,4 @@
-// rayclock fit: the file it writes, the report, what it says when nothing will do, and what it refuses.
+// rayclock fit: its file, its report, its message if no configuration is good enough, and its refusals.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A teapot on a lawn so large that the teapot is a handful of lattice points.
+/// Returns a teapot on a lawn so large that the teapot has only a few lattice points.
 std::string stadium(double half) {
     const json ground{
         {"vertices", {{-half, -half, -1}, {half, -half, -1}, {half, half, -1}, {-half, half, -1}}},
@@ -38,7 +38,7 @@ TEST_CASE("fit writes a configuration that verify passes with") {
     CHECK(fit.err.empty());
     const json report = json::parse(fit.out), written = json::parse(bytes_of(file));
 
-    // The file states every parameter, and is the report's configuration.
+    // The file states every parameter, and equals the report's configuration.
     CHECK(written == report.at("config"));
     CHECK(written.at("name") == (scene == "cornell" ? "cornell" : "teapot-3"));
     for (const rayclock::Parameter& p : rayclock::parameters()) CHECK(written.contains(p.key));
@@ -65,7 +65,7 @@ TEST_CASE("fit writes a configuration that verify passes with") {
         CHECK(s.at("to").is_string());
     }
 
-    // The same again, in words; and the same file.
+    // The same run in words gives the same file.
     const std::string again = folder.name("again.json");
     const Outcome words = run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5 %", "-o", again});
     CHECK(words.code == 0);
@@ -82,7 +82,7 @@ TEST_CASE("fit writes a configuration that verify passes with") {
     CHECK(verified.at("value_mismatches") == 0);
     CHECK(verified.at("reference").at("pixels_other_primitive") ==
           report.at("error").at("pixels_other_primitive"));
-    // A larger picture than it was fitted for is refused in a sentence.
+    // A picture larger than the fitted size is refused with a sentence.
     check_refused(run_program({"simulate", scene, "--size", "400x3", "--config", file}),
                   {"pixel_bits", "9 bits"});
 }
@@ -110,7 +110,7 @@ TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
         CHECK(hopeless.err.find(word) != std::string::npos);
     }
     CHECK(std::count(hopeless.err.begin(), hopeless.err.end(), '\n') == 1);
-    // There are no triangles here, one of which could be too large.
+    // This scene has no triangles, so none can be too large.
     const Outcome round =
         run_program({"fit", "spheres", "--depth", "1", "--size", "16x12", "--min-psnr", "150", "-o", never});
     CHECK(round.code == 1);

@@ -1,4 +1,4 @@
-// Ctrl-C while Assimp reads a file: nothing of it is left, neither the process nor its folder.
+// Ctrl-C while Assimp reads a file: neither its process nor its folder remains.
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -29,8 +29,8 @@ TEST_CASE("Ctrl-C ends a converter that hangs, and removes what it left") {
             stopped = Clock::now();
             return fs::exists(started);
         });
-    CHECK(Clock::now() - stopped < std::chrono::seconds(5));   // a second, on a machine with nothing else to
-                                                               // do
+    // A second on an idle machine.
+    CHECK(Clock::now() - stopped < std::chrono::seconds(5));
     CHECK(outcome.code != 0);
     const pid_t converter = static_cast<pid_t>(std::stol(bytes_of(started)));
     for (int i = 0; i < 500 && (kill(converter, 0) == 0 || !fs::is_empty(folder.name("tmp"))); ++i)

@@ -1,4 +1,4 @@
-// Several frames, several clocks, sweeps, and runs that are interrupted.
+// Several frames, several clocks, sweeps, and interrupted runs.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -84,7 +84,7 @@ TEST_CASE("a sweep goes on where a scene does not fit a configuration") {
 }
 
 TEST_CASE("Ctrl-C gives a valid report that is marked as partial") {
-    // The model replays while it records. RTL has its rays recorded first, which is half a second of these.
+    // The model replays while it records. For RTL the rays are recorded first, which takes half a second.
     struct Run {
         const char *engine, *scene, *size, *clock;
         int pixels;

@@ -1,4 +1,4 @@
-// Inputs made to hurt, as a user would give them: one sentence and exit code 2, soon, whatever it is.
+// Hostile inputs, as a user would pass them: one sentence and exit code 2, soon, for any input.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -18,14 +18,14 @@ std::string nested(int depth) {
     return std::string(std::size_t(depth), '[') + std::string(std::size_t(depth), ']');
 }
 
-/// A sentence fit for a terminal.
+/// Requires output that is safe for a terminal.
 void check_printable(const Outcome& outcome) {
     CHECK(outcome.err.size() < 1200);
     for (const char c : outcome.err + outcome.out)
         CHECK(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n'));
 }
 
-/// A state of a stress run and the options that made it.
+/// The options of a stress run that makes a state.
 const std::vector<std::string> plan{"stress", "--bits", "16", "--family", "edges,quad", "--rays", "2000"};
 std::vector<std::string> with_state(const std::string& file) {
     std::vector<std::string> all = plan;
@@ -61,7 +61,7 @@ TEST_CASE("a configuration that is no file, or nested, or with a key twice") {
             check_refused(outcome, {word});
             check_printable(outcome);
         }
-    // A name goes to tables and terminals.
+    // Tables and terminals show the name.
     const Outcome named =
         run_program({"config", folder.write("good.json", "{\"like\":\"small\",\"name\":\"\\u001b[2J" +
                                                              std::string(1000, 'y') + "\"}")});
@@ -75,7 +75,7 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
     const std::string file = folder.name("state.json");
     REQUIRE(run_program(with_state(file)).code == 0);
     const json good = json::parse(bytes_of(file));
-    REQUIRE(run_program(with_state(file)).code == 0);   // nothing left to do
+    REQUIRE(run_program(with_state(file)).code == 0);   // nothing is left to do
     int number = 0;
     const auto refused = [&](const json& changed, const std::string& word) {
         const std::string bad = folder.write("bad" + std::to_string(number++) + ".json", changed.dump());
@@ -90,10 +90,10 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
         changed["batches"] = wrong;
         refused(changed, "batches");
         changed = good;
-        changed["counts"][0][0] = wrong;   // rays
+        changed["counts"][0][0] = wrong;   // number of rays
         refused(changed, "counts[0]");
         changed = good;
-        changed["counts"][1][1] = wrong;   // leaks
+        changed["counts"][1][1] = wrong;   // number of leaks
         refused(changed, "counts[1]");
     }
     for (const char* key : {"plan", "batches", "counts", "check"}) {
@@ -102,10 +102,10 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
         refused(changed, key);
     }
     json changed = good;
-    changed["counts"][0][1] = 1;   // a leak that never was
+    changed["counts"][0][1] = 1;   // a leak that did not happen
     refused(changed, "check");
     changed = good;
-    changed["batches"] = 0;   // counts of more than that
+    changed["batches"] = 0;   // the counts belong to more batches
     refused(changed, "counts[0]");
     changed = good;
     changed["counts"].push_back(good["counts"][0]);
@@ -195,7 +195,7 @@ json changed(json value, const char* place, const json& to) {
     return value;
 }
 
-/// Refused with these words, soon, and without much memory.
+/// Requires a refusal with these words, soon, and without much memory.
 void check_cheap(const std::vector<std::string>& words, const std::vector<std::string>& wanted) {
     const Outcome outcome = run_program(words);
     INFO(words[0] << " " << words[1] << ": " << outcome.seconds << " s, " << outcome.peak_mb << " MB");

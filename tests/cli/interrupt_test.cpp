@@ -1,4 +1,4 @@
-// Ctrl-C: long commands end soon, leave nothing half-written, and no process behind.
+// Ctrl-C: long commands end soon, leave no incomplete files, and leave no process running.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Processes of which the command line or the folder of work names this folder.
+/// Counts processes whose command line or working directory contains this folder.
 std::size_t processes_of(const std::string& folder) {
     std::size_t found = 0;
     for (const auto& process : fs::directory_iterator("/proc")) {
@@ -77,7 +77,7 @@ TEST_CASE("Ctrl-C ends every long command within a second, and nothing half-writ
     };
     for (const std::vector<std::string>& command : commands) {
         Stopped stopped;
-        for (int attempt = 0; attempt < 3; ++attempt) {   // other work may be in the way
+        for (int attempt = 0; attempt < 3; ++attempt) {   // retries, because other jobs may delay it
             const Folder folder;
             std::vector<std::string> words = command;
             if (words.back().starts_with("out")) words.back() = folder.name(words.back());
@@ -85,7 +85,7 @@ TEST_CASE("Ctrl-C ends every long command within a second, and nothing half-writ
             if (is_page) fs::create_directory(words.back());
             stopped = stop(words, folder.name("cache"));
             INFO(command[0] << " " << command[1] << ": " << stopped.outcome.out << stopped.outcome.err);
-            const int code = stopped.outcome.code;   // -1: there was nothing to put in order
+            const int code = stopped.outcome.code;   // -1: there was nothing to clean up
             CHECK((code == 1 || code == 2 || code == -1));
             CHECK(processes_of(folder.name("")) == 0);
             for (const auto& [name, bytes] : folder.contents()) {

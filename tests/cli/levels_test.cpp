@@ -1,4 +1,4 @@
-// Two levels from the command line.
+// Two levels on the command line.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>

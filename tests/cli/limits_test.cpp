@@ -1,4 +1,4 @@
-// How far a picture may be from the reference's: every command that compares says so in one sentence, and
+// The distance of a picture from the reference: every command that compares prints it in one sentence, and
 // verify fails.
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// In this frame 14 of 432 pixels lie on edges that rings share: 3.2 % hold another primitive, and PSNR is 76
+/// In this frame 14 of 432 pixels are on edges that rings share: 3.2 % hold another primitive, and PSNR is 76
 /// dB.
 const std::vector<std::string> frame{"rings:3", "--size", "24x18"};
 const std::string sentence =
@@ -31,7 +31,7 @@ bool begins(const std::string& text, const std::string& part) { return text.rfin
 TEST_CASE("verify fails beyond a limit, also beyond one that was not typed") {
     struct Typed {
         std::vector<std::string> limits;
-        std::string sentence;   ///< none: it is within
+        std::string sentence;   ///< empty: within the limits
     };
     const auto typed = GENERATE(
         Typed{{}, sentence}, Typed{{"--max-other", "3.3%"}, {}},
@@ -98,7 +98,7 @@ TEST_CASE("a sweep says which of its points is farthest, and which points are fa
 
 TEST_CASE("every frame of a film is held against the limits, and the farthest is named") {
     const Folder folder;
-    // The last frame sees nothing but background: it is the reference's.
+    // The last frame shows only background and equals the reference's.
     const std::vector<std::string> frames{"--frames", "3", "--pan", "90"};
     const std::string told = sentence + " (frame 1; 1 of 3 frames are far)";
     const auto command = GENERATE("simulate", "verify", "render");
@@ -137,7 +137,7 @@ TEST_CASE("compare says which of its reports are far from the reference") {
 }
 
 TEST_CASE("a depth that is far off is told, and has a limit of its own") {
-    // The eye is as near to the surface as the lattice is coarse.
+    // The eye is as close to the surface as the lattice is coarse.
     std::vector<std::string> close{"simulate", "square",       "--size", "24x18",
                                    "--eye",    "0,0,0.000006", "--at",   "0,0,-1"};
     const Outcome far = run_program(close);

@@ -1,5 +1,4 @@
-// simulate --report: one file with every figure in it, whatever the scene is called; and a real browser shows
-// it.
+// simulate --report: one file with every figure, for any name of the scene, displayed by a real browser.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -14,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A map's value of every pixel, unpacked by zlib and a decoder of the test's own.
+/// Returns a map's value of every pixel, unpacked by zlib and the test's own decoder.
 std::vector<std::uint32_t> values_of(const nlohmann::json& map, std::size_t pixels) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::vector<Bytef> packed;
@@ -36,7 +35,7 @@ std::vector<std::uint32_t> values_of(const nlohmann::json& map, std::size_t pixe
     return values;
 }
 
-/// Without what differs from run to run.
+/// Returns the report without values that differ between runs.
 json lasting(json report) {
     report.erase("host");
     report["compile"].erase("seconds");

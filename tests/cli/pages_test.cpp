@@ -1,5 +1,4 @@
-// The pages of sweep, compare and explain: their figures, hostile names, and what a real browser makes of
-// them.
+// The pages of sweep, compare and explain: their figures, hostile names, and their display in a real browser.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -19,7 +18,7 @@ Outcome sweep(const Folder& folder, std::vector<std::string> more) {
                  "pipelines=1,2,4,8", "--axis", "clock=33,66,90,120,200", "--no-netlist"});
     return run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
 }
-/// A page of simulate, 64 x 48.
+/// Writes a page of simulate, 64 x 48.
 void simulate(const std::string& file, std::vector<std::string> more) {
     more.insert(more.begin(),
                 {"simulate", "gears:2", "--size", "64x48", "--clock", "66", "--no-judge", "--report", file});
@@ -67,7 +66,7 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
     const json report = json::parse(bytes_of(folder.name("c.json"))), pixels = report["pixels"];
     CHECK(pixels["faster"].get<int>() + pixels["slower"].get<int>() + pixels["equal"].get<int>() == 64 * 48);
     CHECK(pixels["faster"] > pixels["slower"]);   // fewer rays wait for each other
-    // Gains and losses are the difference of what the two pages sum up.
+    // Gains and losses sum to the difference between the totals of both pages.
     const auto cycles = [](const std::string& file) {
         return data_of(bytes_of(file), "data")["maps"][0]["sum"].get<std::int64_t>();
     };
@@ -76,7 +75,7 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
     CHECK(data_of(page, "data")["differences"] == report["differences"]);
     CHECK(data_of(page, "data")["maps"].size() == 6);
 
-    // A page and a report of the same run agree; then there is nothing to say of pixels.
+    // A page and a report of the same run agree, so there is no change of pixels.
     const std::string text = data_of(bytes_of(a), "report").dump();
     const std::string plain = folder.write("a.json", text);
     const json mixed = json::parse(run_program({"compare", a, plain, "--json", "-"}).out);
@@ -110,7 +109,7 @@ TEST_CASE("a pixel's page has its rays' way through the tree") {
         std::size_t tests = 0;
         for (std::size_t v = 0; v < visits.size(); ++v) {
             CHECK(visits[v]["parent"] == (v == 0 ? -1 : visits[v]["parent"].get<int>()));
-            CHECK(visits[v]["parent"] < int(v));   // a node is reached from one that was visited before
+            CHECK(visits[v]["parent"] < int(v));   // a node is reached from an earlier visit
             if (v > 0) CHECK(visits[visits[v]["parent"].get<std::size_t>()]["met"] > 0);
             tests += visits[v]["tests"].get<std::size_t>();
         }
@@ -204,7 +203,7 @@ TEST_CASE("a browser draws the pages of sweep, compare and explain, and links th
         return [document.body.dataset.shown, marks('tree') === 2 * visits - 1, marks('steps') >= visits].join(' ');)");
     CHECK(answer == "yes true true");
 
-    // A click on a pixel, or on its row, shows what explain says of it.
+    // A click on a pixel, or on its row, shows its explanation.
     answer = shown(folder, bytes_of(folder.name("a.html")), R"(
         const row = document.querySelector('#pixels tbody tr');
         row.click();
@@ -234,7 +233,7 @@ TEST_CASE("every page opens in under a second", "[slow]") {
     for (const char* name : {"sweep.html", "a.html", "compare.html", "explain.html"}) {
         const std::string page = bytes_of(folder.name(name));
         CHECK(page.size() < 3'000'000);
-        PageTimes best = time_to_open(folder, page);   // the best of five: other work may be in the way
+        PageTimes best = time_to_open(folder, page);   // the best of five, because other jobs may run
         for (int again = 0; again < 4 && best.whole >= 1000; ++again) {
             const PageTimes times = time_to_open(folder, page);
             if (times.whole < best.whole) best = times;

@@ -1,3 +1,4 @@
+// Starts the program in a process of its own and collects its outcome.
 #include "tests/cli/program.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Whoever waits at a terminal is told for what, and how long it will take.
+// Progress on a terminal: it shows the current work and the remaining time.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 struct Watched {
     int code = -1;
-    double seconds = 0, silence = 0;   ///< in all, and the longest time in which nothing came
-    std::string before;                ///< what was shown when that silence began
+    double seconds = 0, silence = 0;   ///< total time, and the longest time without output
+    std::string before;                ///< the text shown when that silence began
 };
 
 /// Runs the program on a terminal.
@@ -49,7 +49,8 @@ Watched watch(const std::vector<std::string>& arguments, const std::string& fold
     for (char bytes[4096];;) {
         pollfd wanted{terminal, POLLIN, 0};
         if (poll(&wanted, 1, 1000) <= 0) continue;
-        const ssize_t got = read(terminal, bytes, sizeof bytes);   // an error is the terminal's end
+        const ssize_t got = read(terminal, bytes, sizeof bytes);   // an error means that the terminal is
+                                                                   // closed
         heard(Clock::now());
         if (got <= 0) break;
         shown.assign(bytes, std::size_t(got));
@@ -81,7 +82,7 @@ TEST_CASE("nobody waits at a terminal for two seconds without being told for wha
     };
     for (const std::vector<std::string>& command : commands) {
         Watched watched;
-        for (int attempt = 0; attempt < 2; ++attempt) {   // other work may be in the way
+        for (int attempt = 0; attempt < 2; ++attempt) {   // retries, because other jobs may delay it
             const Folder folder;
             watched = watch(command, folder.name(""));
             if (watched.silence < 2) break;

@@ -1,4 +1,4 @@
-// Good runs: what is printed, what is written, and every report key that others rely on.
+// Successful runs: the printed text, the written files, and every report key that others rely on.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Keys with their types, for example "clocks.0.fps": "number". Dots go deeper.
+/// Checks keys and their types, for example "clocks.0.fps": "number". Dots separate levels.
 void check_keys(const json& report, const std::vector<std::pair<std::string, std::string>>& keys) {
     for (const auto& [path, type] : keys) {
         std::string pointer = "/" + path;
@@ -80,8 +80,8 @@ void check_shared(const json& report) {
     }
 }
 
-/// Every cause is there, what differs in primitive has one, and the oracle has judged all and found nothing
-/// wrong.
+/// Requires every cause, one cause for each other primitive, and that the oracle judged everything without a
+/// fault.
 void check_causes(const json& error) {
     std::uint64_t sum = 0;
     for (const char* cause :

@@ -1,4 +1,4 @@
-// What goes wrong before and while RTL is built: one sentence, and nothing is left running or lying about.
+// Faults before and during RTL builds: one sentence, and no process or file remains.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -23,7 +23,7 @@ bool comes_true(const std::function<bool()>& claim) {
     return false;
 }
 
-/// Processes whose numbers stand in a file and that still run.
+/// Counts processes whose ids are in a file and that still run.
 int living(const std::string& file) {
     std::istringstream numbers(bytes_of(file));
     int count = 0;
@@ -35,9 +35,9 @@ int living(const std::string& file) {
     return count;
 }
 
-/// A compiler that would take ten minutes, and has a child that does, as the real one has.
+/// A compiler that takes ten minutes and has a child that does too, like the real one.
 const std::string endless = FakeTools::compiler("/bin/sleep 600 & echo $$ $! >> \"$FAKE/pids\"; wait");
-/// It is quick with Verilator's own sources.
+/// Quick only for Verilator's own sources.
 const std::string endless_on_modules = FakeTools::compiler(
     "case $out in support.o) echo built > $out; exit;; esac; /bin/sleep 600 & echo $$ $! >> \"$FAKE/pids\"; "
     "wait");
@@ -178,7 +178,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
     fs::create_directory(tools.path("my 'odd' $x rtl/a part"));
     tools.folder().write("my 'odd' $x rtl/a part/rc_odd name.sv", "module rc_odd; endmodule\n");
     environment[2] = "RAYCLOCK_RTL=" + tools.path("my 'odd' $x rtl");
-    // What the sources include is there beside them; nothing names the tree that the program was built from.
+    // The included files are next to the sources, and nothing names the tree from which the program was
+    // built.
     tools.replace("c++", FakeTools::compiler(
                              "[ -f abi.hpp -o $out = support.o ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR
                              "' . && echo built > \"$out\""));

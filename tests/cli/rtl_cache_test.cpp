@@ -1,4 +1,4 @@
-// The cache of built RTL: whatever happened to it, the next run is good again.
+// The cache of built RTL: after any damage the next run works again.
 #include <filesystem>
 #include <functional>
 #include <thread>
@@ -107,7 +107,7 @@ TEST_CASE("Verilator's own sources are compiled once for all RTL, and again if t
     CHECK(compiled() == 1);
     REQUIRE(bytes_of(own()) == "built\n");
     write(own(), "buiLt\n");
-    check_built(tools, false);   // a library that is there needs them no more
+    check_built(tools, false);   // an existing library no longer needs them
     CHECK(compiled() == 1);
     fs::remove_all(tools.entry());
     check_built(tools, true);
@@ -193,7 +193,7 @@ TEST_CASE("what dead builders have left is swept, and nothing else") {
     CHECK(fs::exists(living + ".4711-0/obj/Vrc.cpp"));
     CHECK(fs::exists(living + ".lock"));
     close(lock);
-    REQUIRE_THAT(tools.rtl().out, Contains("built before"));   // a run that builds nothing sweeps as well
+    REQUIRE_THAT(tools.rtl().out, Contains("built before"));   // a run that builds nothing also sweeps
     CHECK_FALSE(fs::exists(living + ".4711-0"));
     CHECK_FALSE(fs::exists(living + ".lock"));
     for (const std::string& other : others) CHECK(fs::exists(tools.cache() + "/" + other));
@@ -255,7 +255,7 @@ TEST_CASE("without a home RTL is kept in a folder of one's own, with a warning")
     CHECK_THAT(outcome.out, Contains(place));
     CHECK(fs::status(place).permissions() == fs::perms::owner_all);
     CHECK_THAT(run_program({"doctor"}, environment).out, Contains("HOME is not set"));
-    fs::permissions(place, fs::perms::all);   // anybody may plant a library there
+    fs::permissions(place, fs::perms::all);   // anybody could plant a library there
     check_refused(run_program({"rtl"}, environment), {place, "others can write to this folder"});
     fs::remove_all(place);
     link(place, tools.path("rtl"));

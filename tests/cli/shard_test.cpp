@@ -1,4 +1,4 @@
-// A sweep in parts: merged it is the sweep that one machine makes, byte for byte.
+// A sweep in parts: after merging it equals the sweep of one machine, byte for byte.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -21,27 +21,27 @@ Words together(Words a, const Words& b) {
     return a;
 }
 
-/// A sweep of little work: linked parameters, a clock, points that are refused, and words.
+/// A small sweep: linked parameters, a clock, refused points, and words.
 const Words grid{"sweep",       "tetra:2",        "--size", "16x12",
                  "--axis",      "clock=33,66.5",  "--axis", "coord_bits=18,20",
                  "--axis",      "dir_bits=20,24", "--axis", "node_sets/dram=16/ddr3,64/ideal",
                  "--no-netlist"};
 
-/// A place to work in, with a cache that all parts share.
+/// A working folder with a cache that all parts share.
 struct Place {
     const Folder folder;
     const Words cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
 
     std::string part(int k) const { return folder.name("part-" + std::to_string(k) + ".json"); }
     Outcome run(const Words& words) const { return run_program(words, cache); }
-    /// Part k of n, with the files that it needs.
+    /// Computes part k of n, and writes its report.
     void work_out(int k, int n) const {
         const Outcome o =
             run(together(grid, {"--shard", std::to_string(k) + "/" + std::to_string(n), "--json", part(k)}));
         INFO(o.err);
         REQUIRE(o.code == 0);
     }
-    /// The same with a key of the report changed.
+    /// Returns part k with one key of the report changed.
     std::string changed(int k, const std::string& pointer, const json& value) const {
         auto report = nlohmann::ordered_json::parse(bytes_of(part(k)));
         report[nlohmann::ordered_json::json_pointer(pointer)] = value;
@@ -78,10 +78,10 @@ TEST_CASE("the parts of a sweep, merged in any order, are the sweep of one machi
             CHECK(bytes_of(p.folder.name(std::string("merged") + kind)) ==
                   bytes_of(p.folder.name(std::string("whole") + kind)));
     }
-    // A sweep that is whole already is read as well.
+    // A complete sweep is also accepted.
     const Outcome again = p.run({"merge", p.folder.name("whole.json"), "--json", "-"});
     CHECK(again.out == bytes_of(p.folder.name("whole.json")));
-    // Values are numbers, each parameter by itself, and hit rates stand beside them.
+    // Values are numbers, each parameter has its own entry, and hit rates are included.
     const json& point = whole["points"][9];
     CHECK(point["values"] == json::parse(
                                  R"({"clock": 66.5, "coord_bits": 18, "dir_bits": 20,
@@ -162,13 +162,13 @@ TEST_CASE("a part that was interrupted goes on where it was, and until then noth
 
 namespace {
 
-/// What remains of the grid for the script: all but the word `sweep`.
+/// Returns the grid for the script: all words except `sweep`.
 std::string grid_words() {
     std::string words;
     for (std::size_t i = 1; i < grid.size(); ++i) words += " '" + grid[i] + "'";
     return words;
 }
-/// `script` with rayclock in its PATH, in the folder.
+/// Runs `script` with rayclock in its PATH, in the folder.
 void run_script(const Place& p, const std::string& script) {
     const std::string program = program_under_test();
     const Outcome o =

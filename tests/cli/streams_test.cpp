@@ -1,5 +1,4 @@
-// What is printed has arrived, or the exit code is 2 and a sentence says so; and a full disk costs no old
-// file.
+// If output is lost, the exit code is 2 and a sentence says so. A full disk destroys no old file.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -40,7 +39,7 @@ TEST_CASE("standard output that is full or closed is an error of every command t
         INFO("rayclock " << arguments[0] << " " << arguments.back());
         check_lost(run_in_shell("exec \"$@\" >/dev/full", arguments), "No space left on device");
         check_lost(run_in_shell("exec \"$@\" >&-", arguments), "Bad file descriptor");
-        // Nobody reads any more: the pipe's reader has ended before the program begins.
+        // The pipe's reader ends before the program begins.
         const Folder folder;
         const Outcome pipe =
             run_in_shell("{ sleep 0.3; \"$@\"; echo $? >" + folder.name("code") + "; } | true", arguments);
@@ -111,7 +110,7 @@ TEST_CASE("links, pipes and devices as outputs") {
                                         {"scenes", "--json", folder.name("pipe")});
     CHECK(nobody.code == 2);
     CHECK(nobody.err.find("is a pipe that nobody reads") != std::string::npos);
-    // The shell holds the other end, so there is a reader from the beginning.
+    // The shell holds the other end, so the pipe has a reader from the start.
     const Outcome read =
         run_in_shell("exec 3<>" + folder.name("pipe") + "; \"$@\" >/dev/null && head -n 5 <&3",
                      {"scenes", "--json", folder.name("pipe")});

@@ -1,4 +1,4 @@
-// rayclock stress: what it prints and writes, its exit codes, and that a run can be stopped and gone on with.
+// rayclock stress: its output and files, its exit codes, and runs that stop and continue.
 #include <catch2/catch.hpp>
 
 #include <csignal>
@@ -45,7 +45,7 @@ TEST_CASE("stress says what came of it, and exits with 1 if a demand is not met"
     CHECK(good.code == 0);
     CHECK_THAT(good.out,
                Catch::Contains("every decision is the exact one") && Catch::Contains("a control: noticed"));
-    // One ray does not find the seam: that says nothing of the test.
+    // One ray does not find the seam, which says nothing about the test.
     const Outcome bad = run_program({"stress", "--bits", "16", "--family", "t_junction", "--rays", "1"});
     CHECK(bad.code == 1);
     CHECK_THAT(bad.out, Catch::Contains("too few rays: the families that must leak do not show it yet") &&

@@ -1,4 +1,4 @@
-// rayclock sweep and tradeoff as a user runs them: what is kept, what is drawn, and runs that are killed.
+// rayclock sweep and tradeoff as a user runs them: the cache, plots, and killed runs.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A sweep of little work, with a cache of its own and without Yosys.
+/// Returns a small sweep with its own cache and without Yosys.
 std::vector<std::string> sweep(std::vector<std::string> more) {
     std::vector<std::string> arguments{"sweep",  "tetra:4",      "--size",
                                        "64x48",  "--axis",       "coord_bits=12:20:4",
@@ -64,7 +64,7 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] >
           parsed["points"][4]["error"]["pixels_other_primitive"]);
     CHECK(parsed["front"]["cost"] == "chip_memory_bits");
-    // What simulate says of the same frame.
+    // The output of simulate for the same frame.
     const json single = json::parse(run_program({"simulate", "tetra:4", "--size", "64x48", "--set",
                                                  "coord_bits=12", "--clock", "33", "--json", "-"})
                                         .out);
@@ -85,14 +85,14 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
 
 namespace {
 
-/// What both of `sweep` and `simulate` are told, and an axis.
+/// The common options of `sweep` and `simulate`, and an axis.
 struct Swept {
     std::vector<std::string> words;
     std::string key;
     std::vector<std::string> values;
 };
 
-/// Every figure of a sweep's row that simulate has, too.
+/// Compares every figure of a sweep's row that simulate also has.
 void check_row(const json& point, const json& single) {
     const json &swept = point["clock"], &alone = single["clocks"][0];
     for (const auto& [key, value] : alone.items()) {
@@ -110,9 +110,10 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
     const std::vector<Swept> sweeps{
         {{"balls:1", "--depth", "2", "--threshold", "0.1"}, "coord_bits", {"16", "20"}},
         {{"spheres", "--depth", "3", "--aa", "2", "--jittered", "--fresnel"}, "surf_sets", {"1", "64"}},
-        {{"scenes/pond.json", "--depth", "2"}, "bary_bits", {"8", "12"}},   // horizon needs 9 bits of an
-                                                                            // origin
-        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},                // fewer than it has are refused
+        // Horizon needs 9 bits of an origin.
+        {{"scenes/pond.json", "--depth", "2"}, "bary_bits", {"8", "12"}},
+        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},   // fewer than the scene has are
+                                                               // refused
         {{"crowd", "--frames", "3", "--fps", "5"}, "levels", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--depth", "1", "--frames", "2"}, "pipelines", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},
@@ -146,7 +147,7 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
             REQUIRE(single.code == 0);
             check_row(point, json::parse(single.out));
         }
-        // Known, and merged, it is the same to the byte.
+        // From the cache and after merging it is equal, byte for byte.
         CHECK(run("sweep", {"--axis", s.key + "=" + values, "--no-netlist"}).out.find("2 of them known") !=
               std::string::npos);
         REQUIRE(run_program({"merge", folder.name("a.json"), "--json", folder.name("b.json")}).code == 0);
@@ -207,7 +208,8 @@ TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
     REQUIRE(done.code == 0);
     CHECK(done.out.find(" 0 of them known before") == std::string::npos);
     with_json.back() = other;
-    CHECK(run_program(with_json, {"RAYCLOCK_CACHE=" + folder.name("other")}).code == 0);   // from nothing
+    // Starts from nothing.
+    CHECK(run_program(with_json, {"RAYCLOCK_CACHE=" + folder.name("other")}).code == 0);
     CHECK(bytes_of(report) == bytes_of(other));
 }
 
@@ -242,7 +244,7 @@ TEST_CASE("a sweep weighs what is asked for, over caches of one size") {
               "film_fps\n") != std::string::npos);
     const json report = json::parse(bytes_of(folder.name("a.json")));
     CHECK(report["front"]["cost"] == "chip_memory_bits");
-    REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, of four ways and 64 bytes
+    REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, with four ways and 64 bytes
     CHECK(report["points"][1]["node_sets/prim_sets"] == "64/16");
     for (const json& point : report["points"]) {
         CHECK(point["pipeline_cache_bytes"] == 20480);
@@ -354,7 +356,7 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     CHECK(report["points"][1]["multipliers"].is_null());
     CHECK(report["points"][1]["pareto"] == false);
     CHECK(report["front"]["cost"] == "multipliers");
-    // No Yosys: no counts, and a word about it.
+    // Without Yosys there are no counts, and a note.
     const Outcome without =
         run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "contexts=16"},
                     {"RAYCLOCK_CACHE=" + folder.name("cache"), "PATH=" + folder.name("nothing")});

@@ -1,4 +1,4 @@
-// rayclock trace: files that are written, and requests that are refused.
+// rayclock trace: written files and refused requests.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,8 @@
 
 namespace rayclock::test {
 
-/// The program of this build, or the one that RAYCLOCK_PROGRAM names: mutants are judged by the same tests.
+/// Returns the program of this build, or the one that RAYCLOCK_PROGRAM names, so that the same tests judge
+/// mutants.
 std::string program_under_test();
 
 }   // namespace rayclock::test

@@ -1,4 +1,4 @@
-// --eye, --at, --fov, --orbit: where a scene is looked at from.
+// --eye, --at, --fov, --orbit: the view of a scene.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -34,7 +34,7 @@ TEST_CASE("a view is the scene's own but for what was typed") {
     CHECK(typed["camera"]["up"] == own["camera"]["up"]);
     CHECK(typed["digest"] != own["digest"]);
     CHECK(simulated({"--fov", own["camera"]["fov_degrees"].dump()})["digest"] == own["digest"]);
-    // Once around is where it began; half around is the eye's mirror image in the up axis.
+    // A full turn returns to the start. Half a turn mirrors the eye in the up axis.
     check_near(simulated({"--orbit", "360"})["camera"]["eye"], own["camera"]["eye"]);
     const json side = simulated({"--eye", "1,2,3", "--at", "0,0,0", "--orbit", "180"})["camera"];
     double along = 0;

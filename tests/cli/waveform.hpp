@@ -1,5 +1,5 @@
 #pragma once
-// A waveform that the program wrote, by GTKWave's own reader.
+// Reads a waveform that the program wrote, with GTKWave's own reader.
 #include <map>
 #include <set>
 #include <string>
@@ -30,7 +30,7 @@ public:
         read_fst(file, visitor);
     }
     const std::set<std::string>& names() const { return names_; }
-    /// The one name that has this in it; empty if there is none.
+    /// Returns the first name that contains `part`; empty if there is none.
     std::string name_with(const std::string& part) const {
         for (const std::string& name : names_)
             if (name.find(part) != std::string::npos) return name;
@@ -38,7 +38,7 @@ public:
     }
     std::uint64_t first() const { return first_; }
     std::uint64_t last() const { return last_; }
-    /// Digits of a signal at a time.
+    /// Returns a signal's digits at a time.
     std::string at(const std::string& name, std::uint64_t time) const {
         const auto& changes = changes_.at(signals_.at(name));
         const auto next = changes.upper_bound(time);

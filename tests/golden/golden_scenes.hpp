@@ -7,13 +7,13 @@
 
 namespace rayclock {
 
-// Which golden pictures there are; shared by the program that makes them and the test that looks at them.
+// The list of golden pictures, shared by the program that makes them and the test that checks them.
 
 constexpr std::array golden_scenes{"tetra:6",   "mount:6", "gears:4", "balls:2",
                                    "teapot:12", "rings:2", "cornell", "icosphere:4"};
 constexpr FrameSize golden_size{128, 96};
 
-/// A built-in scene with its camera set.
+/// Returns a built-in scene with its camera set.
 inline Scene golden_scene(const char* spec) {
     Scene scene = make_builtin(spec);
     if (!scene.camera)

@@ -2,8 +2,8 @@
 //
 //     golden_make FOLDER
 //
-// It refuses to replace a picture: whoever means to update one deletes it first. It checks nothing; that is
-// done by tests/image/golden_test.cpp, which writes nothing. After a run, look at the pictures and mend
+// It refuses to replace a picture: delete a picture to update it. It checks nothing;
+// tests/image/golden_test.cpp checks, and writes nothing. After a run, look at the pictures and update
 // PROVENANCE.md.
 #include <cstdio>
 #include <exception>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace rayclock;
 
-/// False if the picture is there already.
+/// Returns false if the picture already exists.
 bool make(const std::string& folder, const char* spec) {
     const std::string path = golden_path(folder, spec, golden_size);
     if (std::filesystem::exists(path)) {

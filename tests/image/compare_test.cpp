@@ -1,4 +1,4 @@
-// Colours as 8-bit sRGB, the distance of two pictures, golden pictures.
+// Colours as 8-bit sRGB, the distance of two pictures, and golden pictures.
 #include <cmath>
 #include <limits>
 
@@ -76,15 +76,15 @@ TEST_CASE("golden pictures are found by scene and size, and hold within their bo
     CHECK_FALSE(check_golden(folder.path().string(), "gears:4", grey_picture({30, 40}, 0.5f)).found);
 
     Picture pixel_off = picture;
-    pixel_off.pixels[7] = glm::vec3(0.3f);   // one of 1200, as a silhouette leaves it
+    pixel_off.pixels[7] = glm::vec3(0.3f);   // one of 1200, like at a silhouette
     CHECK(check(pixel_off).pixels_beyond == 1);
     CHECK(check(pixel_off).within);
-    // 188 against 187 everywhere: 48 dB. Against 183: 34 dB, although no pixel is beyond the tolerance.
+    // 188 against 187 everywhere: 48 dB. Against 183: 34 dB, although no pixel exceeds the tolerance.
     CHECK(check(grey_picture(size, 0.4959f)).within);
     const GoldenResult paler = check(grey_picture(size, 0.47f));
     CHECK(paler.pixels_beyond == 0);
     CHECK_FALSE(paler.within);
-    // Seven pixels of 1200 are more than 0.5 %, even if each is off by little.
+    // Seven pixels of 1200 are more than 0.5 %, even with small errors.
     Picture spots = picture;
     for (int i = 0; i < 7; ++i) spots.pixels[i] = glm::vec3(0.44f);
     CHECK(check(spots).psnr_db > golden_min_psnr_db);

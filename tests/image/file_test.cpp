@@ -1,5 +1,4 @@
-// Picture files: what is written is what is read back, exactly; failures are one sentence and leave nothing
-// behind.
+// Picture files: a written file reads back exactly. Failures give one sentence and leave no file.
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -17,8 +16,8 @@
 using namespace rayclock;
 namespace fs = std::filesystem;
 
-/// For the leak sanitizer: at the end of a cut file OpenImageIO 2.4's png reader makes a string and then has
-/// libpng jump over its destructor.
+/// For the leak sanitizer: at the end of a truncated file OpenImageIO 2.4's png reader creates a string, then
+/// libpng jumps over its destructor.
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:OpenImageIO_v2_4::ImageInput::geterror\n";
 }
@@ -32,7 +31,7 @@ std::string contents(const std::string& path) {
 
 void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// One sentence: no line break, names the file.
+/// Requires one sentence that names the file, without a line break.
 void check_sentence(const std::string& text, const std::string& path, const std::string& part) {
     CAPTURE(text);
     CHECK(text.find('\n') == std::string::npos);
@@ -97,7 +96,7 @@ TEST_CASE("exr keeps light beyond 1, depth and primitive numbers", "[image]") {
     CHECK(spec.channelformat(z) == OIIO::TypeFloat);
     CHECK(spec.channelformat(id) == OIIO::TypeUInt32);
     CHECK(spec.channelformat(spec.channelindex("R")) == OIIO::TypeHalf);
-    // Uniform reads go through float, which cannot hold every number: read in the file's own types.
+    // Uniform reads go through float, which cannot hold every number. So read in the file's own types.
     std::vector<char> raw(4 * spec.pixel_bytes(true));
     REQUIRE(file->read_image(0, 0, 0, 5, OIIO::TypeUnknown, raw.data()));
     for (int i = 0; i < 4; ++i) {
@@ -114,7 +113,7 @@ TEST_CASE("exr keeps light beyond 1, depth and primitive numbers", "[image]") {
 
 namespace {
 
-/// Faults of an encoder that reports success. The real one, which they need:
+/// Faults of an encoder that reports success. They use the real one:
 const PictureCodec* real = nullptr;
 
 std::string last_pixel_differs(const char* plugin, const Picture& picture, const HitFrame& hits,
@@ -145,7 +144,7 @@ std::string half_a_file(const char* plugin, const Picture& picture, const HitFra
 
 TEST_CASE("a picture that is encoded wrongly is refused, and the old file stays", "[image]") {
     const TestFolder folder;
-    const FrameSize size{7, 131};   // two bands of rows, and a part of one
+    const FrameSize size{7, 131};   // two bands of rows, and part of a third
     real = &picture_codec();
     struct Fault {
         decltype(PictureCodec::encode) encode;
@@ -189,7 +188,7 @@ TEST_CASE("an existing picture is replaced", "[image]") {
 
 TEST_CASE("writing that is stopped leaves what was there, and else every row is written", "[image]") {
     const TestFolder folder;
-    const FrameSize size{3, 201};   // some bands of rows, and a part of one
+    const FrameSize size{3, 201};   // several bands of rows, and part of one
     Picture picture = grey_picture(size, 0);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
         picture.pixels[i] = glm::vec3(static_cast<float>(linear_from_srgb(double(i / 3) / 255)));
@@ -222,14 +221,13 @@ TEST_CASE("pictures that cannot be written are refused in one sentence, with not
     check_sentence(refusal(folder / "none/a.exr"), folder / "none/a.exr", "does not exist");
     put(folder / "file", "text");
     check_sentence(refusal(folder / "file/a.png"), folder / "file/a.png", "");
-    // No one may create files here, not even root.
+    // Nobody can create files here, not even root.
     check_sentence(refusal("/proc/a.png"), "/proc/a.png", "cannot be written");
     CHECK(complaint([&] { write_picture("", grey_picture(size, 0), no_hits(size)); }) != "");
     CHECK(folder.files() == 2);
 }
 
-/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, except for the
-/// number of the error.
+/// While it lives, no file may grow beyond this size. It imitates a full disk, except for the error number.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -278,7 +276,7 @@ TEST_CASE("a file that cannot be written to its end leaves the old one and nothi
         CHECK(complaint(write).empty());
         CHECK(fs::file_size(file) == whole);
     }
-    // The last bytes lie in a buffer until the file is closed; a device that is always full takes none.
+    // The last bytes stay in a buffer until the file is closed; a full device accepts none.
     check_sentence(complaint([] { write_bytes("/dev/full", "x"); }), "/dev/full", "No space left on device");
 }
 

@@ -10,7 +10,7 @@
 
 namespace rayclock {
 
-/// A fresh folder that vanishes with all it holds.
+/// A new folder that is deleted with its content.
 class TestFolder {
 public:
     TestFolder() {
@@ -33,7 +33,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// What a UserError says; empty if the call succeeds.
+/// Returns the message of a UserError; empty if the call succeeds.
 template <typename Call> std::string complaint(const Call& call) {
     try {
         call();

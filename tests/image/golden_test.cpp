@@ -1,5 +1,5 @@
-// The golden pictures in tests/golden: the reference tracer still makes them, and so does Embree, which
-// shares no code with it but the scene, the camera and the shading. Nothing here writes.
+// The golden pictures in tests/golden: the reference tracer still makes them. So does Embree, which shares
+// only the scene, the camera and the shading with it. These tests write nothing.
 #include <algorithm>
 #include <string>
 
@@ -35,7 +35,8 @@ TEST_CASE("the reference tracer makes the golden pictures", "[image][golden]") {
         check_golden(folder, spec, shade(scene, Reference(scene).frame(*scene.camera, golden_size)));
     REQUIRE(result.found);
     CHECK(result.within);
-    // The same arithmetic on any host; only the mathematical library's last digits may turn a byte by one.
+    // The arithmetic is the same on any host. Only the mathematical library's last digits may change a byte
+    // by one.
     CHECK(result.psnr_db > 70);
     CHECK(result.pixels_beyond == 0);
 }
@@ -47,14 +48,14 @@ TEST_CASE("Embree's hits, shaded alike, give the golden pictures", "[image][gold
     const GoldenResult result = check_golden(folder, spec, shade(scene, embree_frame(scene, golden_size)));
     REQUIRE(result.found);
     CHECK(result.within);
-    // A pixel in ten thousand may fall to the other side of an edge in single precision.
+    // One pixel in ten thousand may fall to the other side of an edge in single precision.
     CHECK(result.pixels_beyond <= 1);
 }
 
-// For tests/setup/release: the demo's pictures lie in out/, those of `verify gears:4 --size 128x96` in
+// For tests/setup/release: the demo's pictures are in out/, those of `verify gears:4 --size 128x96` in
 // out/golden/.
 TEST_CASE("the files of the demo and of a golden scene show what they should", "[.left]") {
-    const Picture demo = read_picture("docs/gears8.png");   // on Debian 12
+    const Picture demo = read_picture("docs/gears8.png");   // made on Debian 12
     for (const std::string name : {"reference.png", "model.png", "rtl.png"}) {
         CAPTURE(name);
         CHECK(compare(read_picture("out/" + name), demo).psnr_db > 30);

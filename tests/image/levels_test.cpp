@@ -1,4 +1,4 @@
-// Pictures of two levels beside the reference, which sees a flat scene in double precision.
+// Compares pictures of two levels with the reference, which renders a flat scene in double precision.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"

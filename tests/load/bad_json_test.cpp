@@ -1,4 +1,4 @@
-// What can be wrong in a JSON scene: the sentence names the path of the value and the value.
+// Faults in a JSON scene: the message names the path of the value and the value.
 #include <catch2/catch.hpp>
 
 #include <ctime>
@@ -17,7 +17,7 @@ struct Bad {
     std::vector<std::string> words;
 };
 
-/// A scene whose parts are given; the rest is in order.
+/// Returns a scene with these parts; the rest is valid.
 std::string scene(const std::string& object, const std::string& more = "",
                   const std::string& mesh = R"("builtin":"icosphere:1")") {
     return std::string("{") + more + R"("meshes":{"ball":{)" + mesh +
@@ -28,7 +28,7 @@ std::string inline_mesh(const std::string& vertices, const std::string& triangle
     return scene("", "", std::string("\"vertices\":") + vertices + ",\"triangles\":" + triangles);
 }
 
-/// A scene of one sphere or plane, and what else is said.
+/// Returns a scene of one sphere or plane with further keys.
 std::string ball(const std::string& keys, const std::string& more = "") {
     return std::string("{") + more + R"("spheres":[{)" + keys + "}]}";
 }
@@ -174,7 +174,7 @@ TEST_CASE("a million lights are refused, and soon") {
         lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
     const Folder folder;
     const std::string file = folder.write("lights.json", scene("", lights + "],"));
-    const std::clock_t begin = std::clock();   // of the processor: others may keep it busy
+    const std::clock_t begin = std::clock();   // processor time, because other jobs may run
     CHECK(complaint(file) == file + ": lights has 1000000 lights; the most is 64");
     CHECK(std::clock() - begin < 20 * CLOCKS_PER_SEC);   // 1 s optimised
 }

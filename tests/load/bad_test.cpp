@@ -1,5 +1,4 @@
-// Everything that can be wrong with a file gives one sentence with the file, the line where there is one, and
-// the value.
+// Every fault in a file gives one sentence with the file, the line if there is one, and the value.
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
@@ -13,7 +12,8 @@ namespace {
 
 struct Bad {
     std::string name, bytes;
-    std::vector<std::string> words;   ///< that the sentence must contain, beside the file's name
+    std::vector<std::string> words;   ///< words that the sentence must contain, in addition to the file's
+                                      ///< name
 };
 
 void check(const std::vector<Bad>& cases) {

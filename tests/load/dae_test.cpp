@@ -1,5 +1,5 @@
-// COLLADA as its standard has it: what each element does to the triangles and colours of one small mesh. The
-// expected values are worked out from the standard's sentences, one map of a point a case.
+// COLLADA by its standard: the effect of each element on the triangles and colours of one small mesh. The
+// expected values follow from the standard's text; each case maps points.
 #include <catch2/catch.hpp>
 
 #include <functional>
@@ -63,7 +63,7 @@ Told load(const std::string& text) {
     return told;
 }
 
-/// The faces of the mesh, once for each map, in this order.
+/// Requires the faces of the mesh, once for each map, in this order.
 void check(const std::string& text, const std::vector<Map>& maps,
            const std::vector<std::array<int, 3>>& faces = plain_faces) {
     INFO(text);
@@ -97,7 +97,7 @@ std::string drawn_with(const std::string& shader, const std::string& in_profile 
 Material material(const std::string& text) { return load(text).scene.materials.at(0); }
 constexpr const char* red = "<diffuse><color>1 0 0 1</color></diffuse>";
 
-/// What is let through of a red surface with such a <transparent> and <transparency>.
+/// Returns the transmission of a red surface with this <transparent> and <transparency>.
 double transmitted(const std::string& mode, const std::string& colour, const std::string& strength,
                    const std::string& tool = {}) {
     const std::string transparent =
@@ -148,8 +148,7 @@ TEST_CASE("dae: a node's transforms are applied in their order, lookat and skew 
           {[](const Point& p) { return Point(4 - p.y, 2 * p.x, p.z); }});
     check(document(node("<matrix>0 -1 0 4 2 0 0 0 0 0 1 0 0 0 0 1</matrix>")),
           {[](const Point& p) { return Point(4 - p.y, 2 * p.x, p.z); }});
-    // Looks along +x from (1, 2, 3): its -z is +x, its y stays, its x is +z. "Up" need not be at right
-    // angles.
+    // Looks along +x from (1, 2, 3): its -z is +x, its y stays, its x is +z. "Up" need not be perpendicular.
     for (const char* up : {"0 1 0", "3 4 0"})
         check(document(node("<lookat>1 2 3 5 2 3 " + std::string(up) + "</lookat>")),
               {[](const Point& p) { return Point(1 - p.z, 2 + p.y, 3 + p.x); }});
@@ -170,8 +169,8 @@ TEST_CASE("dae: each part stands in the axes and the unit of its own asset") {
           {[](const Point& p) { return Point(p.x, p.z, -p.y); }});
     check(document(here, mesh(plain), {}, up("X_UP")),
           {[](const Point& p) { return Point(-p.y, p.x, p.z); }});
-    // The document's unit scales all alike and is left out. That of a node measures its own transforms, and
-    // that of a geometry its own points.
+    // The document's unit scales everything equally and is ignored. A node's unit applies to its own
+    // transforms, and a geometry's to its own points.
     const std::string half = "<asset><unit meter=\"0.5\"/></asset>", whole = "<unit meter=\"1\"/>";
     check(document(here, mesh(plain), {}, "<unit meter=\"0.0254\"/>"), {same});
     check(document("<node>" + half + "<translate>8 0 0</translate>" + instance + "</node>", mesh(plain), {},
@@ -224,7 +223,7 @@ TEST_CASE("dae: a polygon with holes is cut around them") {
         double sum = 0;
         for (const Corners& c : corners_of(scene)) {
             const double twice = glm::cross(c[1] - c[0], c[2] - c[0]).z;
-            CHECK(twice >= 0);   // none is turned over
+            CHECK(twice >= 0);   // none is reversed
             sum += twice / 2;
         }
         return std::pair(scene.triangles.size(), sum);
@@ -232,7 +231,7 @@ TEST_CASE("dae: a polygon with holes is cut around them") {
     const std::string outline = "0 0 0 8 0 0 8 6 0 0 6 0 ", hole = "3 2 0 3 4 0 5 4 0 5 2 0 ";
     CHECK(area(outline + hole, 8, "<p>0 1 2 3</p><h>4 5 6 7</h>") == std::pair<std::size_t, double>(8, 44));
     CHECK(area(outline + hole, 8, "<p>0 1 2 3</p><h>7 6 5 4</h>") == std::pair<std::size_t, double>(8, 44));
-    // Three holes side by side, and one behind another; the outline has a notch between them.
+    // Three holes next to each other, and one behind another; the outline has a notch between them.
     const std::string three = "1 1 0 1 2 0 2 2 0 2 1 0 4 1 0 4 2 0 5 2 0 5 1 0 1 4 0 1 5 0 2 5 0 2 4 0 ";
     const std::string notched = "0 0 0 8 0 0 8 6 0 4 6 0 3 3 0 2.5 6 0 0 6 0 ";
     CHECK(area(outline + three, 16, "<p>0 1 2 3</p><h>4 5 6 7</h><h>8 9 10 11</h><h>12 13 14 15</h>") ==
@@ -283,7 +282,7 @@ TEST_CASE("dae: how transparent a material is, in the four modes of the standard
     CHECK(transmitted("opaque=\"RGB_ONE\"", "0 1 0 1", "1") == Approx(1 - 0.71516));
     CHECK(transmitted("", "", "0.5") == Approx(0.5));
     CHECK(transmitted("opaque=\"A_ONE\"", "1 1 1 1", "0") == 1);
-    CHECK(transmitted("", "1 1 1 1", "0") == 0);   // as programs of the time of 1.4.0 meant it
+    CHECK(transmitted("", "1 1 1 1", "0") == 0);   // as programs at the time of 1.4.0 meant it
     CHECK(transmitted("", "1 1 1 1", "0.25", "FBX COLLADA exporter") == Approx(0.25));
 }
 
@@ -291,7 +290,7 @@ TEST_CASE("dae: a skin stands as its joints do, a morph has the weights of the f
     // A vertex: 0.75 of joint J at (4, 0, 0), 0.25 of joint K at (0, 8, 0), after the bind shape.
     check(document(skinned, mesh(plain), skin("2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1", one, "0.75 0.25")),
           {[](const Point& p) { return 2.0 * p + Point(3, 2, 0); }});
-    // Bound where it stands, J moves nothing. Weights that sum to 2 are told and scaled.
+    // Bound at its place, J moves nothing. Weights that sum to 2 are scaled, with a note.
     const std::string bound = "1 0 0 -4 0 1 0 0 0 0 1 0 0 0 0 1";
     check(document(skinned, mesh(plain), skin(one, bound, "1 0")), {same});
     check(document(skinned, mesh(plain), skin(one, one, "1.5 0.5")), {moved(3, 2, 0)});

@@ -1,3 +1,4 @@
+// Writes one octahedron in every format.
 #include "tests/load/files.hpp"
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// Small files for the tests of loading: a folder that goes away, and one mesh written in every format.
+// Small files for the tests of loading: a temporary folder, and one mesh written in every format.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -55,7 +55,7 @@ inline std::vector<Corners> corners_of(const Scene& scene) {
     return all;
 }
 
-/// The sentence of the UserError, or nothing if it loads.
+/// Returns the message of the UserError, or an empty string if it loads.
 inline std::string complaint(const std::string& spec) {
     try {
         load_scene(spec);
@@ -71,8 +71,7 @@ template <class T> std::string raw(T value, bool is_big_endian = false) {
     return is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
 
-/// An octahedron with corners that 32-bit floats hold exactly, off the middle so that no axis looks like
-/// another.
+/// An octahedron whose corners 32-bit floats represent exactly. It is off centre, so that the axes differ.
 struct Octahedron {
     std::vector<glm::dvec3> vertices{{3, 0.25, 0},  {-1, 0.25, 0}, {1, 2.5, 0},
                                      {1, -1.75, 0}, {1, 0.25, 4},  {1, 0.25, -1.5}};
@@ -86,18 +85,18 @@ struct Octahedron {
     std::string stl_ascii() const;
     std::string stl_binary() const;
     std::string bin() const;                          ///< positions, then 16-bit indices
-    std::string gltf(const std::string& uri) const;   ///< uri of the buffer; empty: inside a GLB
+    std::string gltf(const std::string& uri) const;   ///< uri of the buffer; empty inside a GLB
     std::string glb() const;
     std::string json() const;
     std::string off() const;
-    std::string tds() const;   ///< 3DS, whose up is z
+    std::string tds() const;   ///< 3DS, where z is up
     std::string dae(const std::string& up_axis) const;
 };
 
-/// Compressed by gzip.
+/// Compresses with gzip.
 std::string gz_of(const std::string& bytes);
 
-/// A chunk of 3DS.
+/// Returns a chunk of 3DS.
 std::string chunk(std::uint16_t id, const std::string& inside);
 
 /// Wraps a JSON document and a buffer into a GLB.

@@ -1,5 +1,5 @@
-// Files that Assimp reads for us: what comes of them, and that nothing it does harms this program. Stand-ins
-// in its place hang on nothing, crash, flood, and tell what they are allowed.
+// Files that Assimp reads: their results, and that none of its faults harms this program. Fake programs in
+// its place hang, crash, flood the output, and report their limits.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ const char* const x3d =
 const std::vector<Corners> x3d_triangles{{{{1, 0, 0}, {1, 1, 0}, {3, 0, 0}}},
                                          {{{1, 0, 0}, {3, 0, 0}, {1, 0, 0.5}}}};
 
-/// A folder that is in front of PATH, with a shell script in the place of Assimp.
+/// A folder first in PATH, with a shell script in place of Assimp.
 class FakeAssimp {
 public:
     explicit FakeAssimp(const std::string& script) : path_(std::getenv("PATH")) {
@@ -57,7 +57,7 @@ bool is_there() { return !find_program(assimp_program).empty(); }
 }   // namespace
 
 TEST_CASE("assimp: a file of another kind is drawn where its author put it, packed or not") {
-    if (!is_there()) return;   // what it draws cannot be tried
+    if (!is_there()) return;   // without Assimp nothing can be tested
     const Folder folder;
     for (const auto& [name, bytes] :
          {std::pair("a.x3d", std::string(x3d)), std::pair("a.x3d.gz", gz_of(x3d))}) {
@@ -66,7 +66,7 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
         CHECK(corners_of(scene) == x3d_triangles);
         REQUIRE(scene.materials.size() == 1);
         CHECK(scene.materials[0].colour == glm::dvec3(1, 0.5, 0));
-        // Assimp 5.4 writes that a material is transparent, and not how much.
+        // Assimp 5.4 writes that a material is transparent, but not how much.
         const bool is_told = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
             return note.find("drawn opaque") != std::string::npos;
         });
@@ -77,7 +77,7 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
 }
 
 TEST_CASE("assimp: a name is one word for it, whatever is in it") {
-    if (!is_there()) return;   // what it draws cannot be tried
+    if (!is_there()) return;   // without Assimp nothing can be tested
     const Folder folder;
     CHECK(folder.load("a $(touch x) ; -b.x3d", x3d).triangles.size() == 2);
     CHECK(folder.load("-fobj.x3d", x3d).triangles.size() == 2);
@@ -92,9 +92,9 @@ TEST_CASE("assimp: what it does wrong becomes a sentence") {
     CHECK_THAT(said_with("echo no glTF > \"$3\""), Contains("a.x3d: "));
     CHECK_THAT(said_with("printf '\\033[31mERROR: \\007bell'; exit 1"),
                !Contains("\033") && !Contains("\007"));
-    // Neither its result nor what it prints fills the disk: it is ended at 256 MB.
+    // Neither its result nor its output fills the disk: it is ended at 256 MB.
     CHECK_THAT(said_with("head -c 400000000 /dev/zero > \"$3\" || exit 3"), Contains("a.x3d: "));
-    // Processor time in seconds, memory in kB and the largest file in blocks of 512 bytes.
+    // Processor time in seconds, memory in kB, and the largest file in blocks of 512 bytes.
     CHECK_THAT(said_with("echo ERROR: $(ulimit -t) $(ulimit -v) $(ulimit -f); exit 1"),
                Contains(": 10 2097152 524288"));
 }

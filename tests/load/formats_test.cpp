@@ -1,4 +1,4 @@
-// One mesh through every format: the same triangles, in the same order, to the last bit.
+// One mesh in every format: the same triangles in the same order, bit by bit.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Assimp may start a triangle at another of its corners; inside and outside must stay.
+/// Assimp may start a triangle at another corner; the orientation must stay.
 std::vector<Corners> rotated(std::vector<Corners> all) {
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);

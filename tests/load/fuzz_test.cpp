@@ -1,4 +1,4 @@
-// Cut-off and damaged files: each loads or gives a UserError; nothing else may happen.
+// Truncated and damaged files: each loads or gives a UserError; nothing else may happen.
 #include <catch2/catch.hpp>
 
 #include <random>
@@ -36,7 +36,7 @@ std::vector<Seed> seeds() {
             {"i.json", o.json()}};
 }
 
-/// True if it loads. Any other exception ends the test; a crash or a hang does so by itself.
+/// Returns true if it loads. Any other exception ends the test; a crash or a hang does so by itself.
 bool survives(const std::string& file) {
     try {
         const Scene scene = load_scene(file);
@@ -83,7 +83,7 @@ TEST_CASE("damaged bytes load or are refused") {
         int loaded = 0;
         for (int round = 0; round < 400; ++round) {
             std::string damaged = bytes;
-            // Digits and blanks besides any byte: they get past the grammar and reach what lies behind.
+            // Digits and blanks in addition to any byte: they pass the grammar and reach the code behind it.
             const std::string likely = "0123456789- .\n9/";
             for (int k = static_cast<int>(random() % 3); k >= 0; --k)
                 damaged[random() % damaged.size()] =
@@ -92,7 +92,7 @@ TEST_CASE("damaged bytes load or are refused") {
             loaded += survives(folder.write(name, damaged));
         }
         INFO(name);
-        CHECK(loaded > 0);   // or the damage never gets past the first check
+        CHECK(loaded > 0);   // otherwise the damage never passes the first check
         CHECK(loaded < 400);
     }
 }

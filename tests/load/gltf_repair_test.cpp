@@ -1,5 +1,5 @@
-// glTF of other programs: what can be repaired is repaired and told, what the machine can draw is drawn, and
-// a warning names the rest.
+// glTF files of other programs: faults that can be repaired are repaired with a note, supported features are
+// drawn, and a warning names the rest.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -37,7 +37,7 @@ Read read(const Animated& file, double time = 0) {
 
 Json& primitive(Animated& file) { return file.json["meshes"][0]["primitives"][0]; }
 
-/// The only material of an octahedron that has this one.
+/// Returns the octahedron with this single material.
 Read with_material(const Json& material, const Notes& notes = {}) {
     Animated file;
     file.json["materials"] = Json::array({material});
@@ -103,7 +103,7 @@ TEST_CASE("gltf: specular and glossiness become colour, mirror and highlight") {
     CHECK(glm::length(orange.colour - glm::dvec3(1, 0.1, 0)) < 0.05);
     CHECK(orange.mirror == 0);
     CHECK(orange.highlight == 0);
-    // A polished metal has no diffuse colour, and its specular colour is that of the mirror.
+    // A polished metal has no diffuse colour, and its specular colour is the mirror's.
     const Material gold = material({{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {1, 0.75, 0.25}}});
     CHECK(gold.mirror == Approx(1).margin(1e-3));
     CHECK(glm::length(gold.colour - glm::dvec3(1, 0.75, 0.25)) < 0.02);
@@ -180,7 +180,7 @@ TEST_CASE("gltf: colours of vertices multiply that of the material, by faces") {
     CHECK(colour(made.scene, 0) == glm::dvec3(0.5, 0, 0));                                // 0 2 4
     CHECK(glm::length(colour(made.scene, 1) - glm::dvec3(1.0 / 3, 0, 0.5 / 3)) < 1e-6);   // 2 1 4
     CHECK(made.notes == Notes{"6 faces with corners of different colours, drawn in their mean"});
-    // The same of a mesh that deforms, and of one in two places.
+    // The same for a deforming mesh, and for one in two places.
     Animated moving = file;
     primitive(moving)["targets"] = {{{"POSITION", moving.accessor(std::vector<float>(18, 0), "VEC3", 3)}}};
     moving.channel(0, "weights", {0, 1}, {0, 1});
@@ -249,7 +249,7 @@ TEST_CASE("gltf: weights of a skin count by their proportion, and without any th
     CHECK(read(weighted({0, 0, 0, 0})).notes ==
           Notes{"1 vertex of a skin without a weight, carried by the first joint ('vertex 3')"});
     CHECK(read(weighted({0, 0.5f, 0.5f, 0})).notes.empty());
-    // A joint that is not there is a fault only with a weight.
+    // A missing joint is a fault only if it has a weight.
     Skinned out = weighted({0, 1, 0, 0});
     primitive(out)["attributes"]["JOINTS_0"] =
         out.byte_accessor(std::string("\7\0\0\1\7\0\0\1\7\0\0\1\7\0\0\1\7\0\0\1\7\0\0\1", 24));
@@ -265,7 +265,7 @@ TEST_CASE("gltf: a key of scale 0 hides its node until the next one") {
     CHECK(seen(read(file, 1.5).scene) == 8);
     CHECK(seen(read(file, 2).scene) == 16);
     for (const double time : {0.0, 1.5}) CHECK_NOTHROW(check_scene(read(file, time).scene, "test"));
-    // What is flat along one axis is seen as a sheet, and keeps its normals.
+    // A mesh that is flat along one axis is visible as a sheet, and keeps its normals.
     Animated flat;
     flat.channel(0, "scale", {0, 2}, {1, 1, 1, 1, -1, 1});
     const Read made = read(flat, 1);
@@ -296,7 +296,7 @@ TEST_CASE("gltf: what no triangle uses may be no number") {
     CHECK(made.scene.normals[t.vertex[0]] == glm::dvec3(0, 0, 1));
     CHECK(glm::length(made.scene.normals[t.vertex[1]] -
                       glm::normalize(glm::cross(at[1] - at[0], at[2] - at[0]))) < 1e-6);
-    // The same of a mesh that deforms.
+    // The same for a deforming mesh.
     file.json["nodes"][0]["weights"] = {1};
     std::vector<float> moves(24, 0);
     moves[18] = nan;
@@ -305,7 +305,7 @@ TEST_CASE("gltf: what no triangle uses may be no number") {
     moves[0] = nan;
     primitive(file)["targets"] = {{{"POSITION", file.accessor(moves, "VEC3", 3)}}};
     check_says(file.says(), {"nan", "element 0"});
-    // Of meshes and materials that no node has nothing is asked.
+    // Meshes and materials that no node uses are not checked.
     Animated other;
     other.json["meshes"].push_back(
         {{"primitives", {{{"attributes", {{"POSITION", 99}}}, {"material", 99}}}}});

@@ -55,7 +55,7 @@ TEST_CASE("gltf: a mirrored node keeps the outside outside, also as a matrix") {
     CHECK(volume(load(json)) == Approx(inside));
     json = document();
     json["nodes"][0]["matrix"] = {0, 1, 0, 0, 1, 0, 0, 0,
-                                  0, 0, 1, 0, 5, 6, 7, 1};   // swaps x and y, columns first
+                                  0, 0, 1, 0, 5, 6, 7, 1};   // swaps x and y; columns first
     const Scene scene = load(json);
     CHECK(volume(scene) == Approx(inside));
     const Bounds box = bounds(scene);

@@ -1,4 +1,4 @@
-// Files made to hurt: each loads or is refused in a sentence, in a time and a memory that its size explains.
+// Hostile files: each loads or is refused with a sentence, in time and memory proportional to its size.
 #include <catch2/catch.hpp>
 
 #include <ctime>
@@ -31,11 +31,12 @@ double processor_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Loads or is refused; returns the sentence. A file of a few megabytes takes less than a second here.
+/// Loads the file or is refused; returns the sentence. A file of a few megabytes takes less than a second
+/// here.
 std::string quick(const std::string& file) {
     const double start = processor_seconds();
     const std::string sentence = complaint(file);
-    CHECK(processor_seconds() - start < 3);   // ten times what it takes, for slow machines and sanitizers
+    CHECK(processor_seconds() - start < 3);   // ten times the usual, for slow machines and sanitizers
     CHECK(sentence.size() < 1000);
     for (const char c : sentence) CHECK((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f));
     return sentence;
@@ -142,7 +143,7 @@ TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no z
         check_says(quick(folder.write("in/a.gltf", o.gltf(name))),
                    {"a.gltf: buffers[0].uri names", "outside the folder"});
     CHECK(complaint(folder.write("in/a.gltf", o.gltf("x/../in.bin"))).find("x/../in.bin") !=
-          std::string::npos);   // no folder x
+          std::string::npos);   // there is no folder x
     CHECK(complaint(folder.write("in/a.gltf", o.gltf("./in.bin"))).empty());
     check_says(quick(folder.write("in/a.gltf", o.gltf("in.bin%00.txt"))), {"\\x00", "zero byte"});
 }
@@ -166,7 +167,7 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
     CHECK(printable("Würfel \xe2\x80\xae") == "Würfel \\xe2\\x80\\xae");
     CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) ==
           std::string(17, 'a') + "..." + std::string(10, 'b'));
-    // The limit is that of what is shown, and no letter is cut in two.
+    // The limit applies to the displayed text, and no letter is cut in two.
     CHECK(printable(std::string(29, '\xff') + "b", 30) == "\\xff\\xff\\xff\\xff...\\xff\\xffb");
     CHECK(printable("\xc3\xbc" + std::string(28, '\xff') + "\xc3\xbc", 30) ==
           "\xc3\xbc\\xff\\xff\\xff...\\xff\\xff\xc3\xbc");
@@ -176,7 +177,7 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
         CHECK(printable(printable(text)) == printable(text));
     }
     CHECK(shown(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
-    // Not compared, since that would take the square of a megabyte, and listed as 40 letters.
+    // They are not compared, since that would take the square of a megabyte, and are listed as 40 letters.
     CHECK(did_you_mean(std::string(1 << 20, 'x'), std::vector<std::string>{std::string(1 << 20, 'y')}) ==
           "; there are '" + std::string(40, 'y') + "...'");
 }
@@ -221,7 +222,7 @@ TEST_CASE(
 TEST_CASE("a small file cannot ask for more than its size allows") {
     const Folder folder;
     const std::string much = "makes more than 1024 MB";
-    // Copies of copies, of materials as well.
+    // Copies of copies, also of materials.
     std::string obj = v3;
     for (int i = 0; i < 1000; ++i) (obj += "usemtl m") += std::to_string(i) + "\nf 1 2 3\n";
     folder.write("n0.obj", obj);
@@ -250,7 +251,7 @@ TEST_CASE("a small file cannot ask for more than its size allows") {
         json["scenes"][0]["nodes"].push_back(1 + i);
     }
     check_says(complaint(folder.write("a.glb", glb_of(json.dump(), bin))), {"accessors[", much});
-    // One list of indices, drawn many times: nothing is left of it, but it takes its time.
+    // One list of indices, drawn many times: nothing remains of it, but it takes time.
     json["accessors"].push_back(
         {{"bufferView", 2}, {"componentType", 5121}, {"count", 99'999}, {"type", "SCALAR"}});
     json["meshes"] = {{{"primitives", Json::array()}}};
@@ -357,7 +358,7 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
     };
     const std::string input = "<input semantic=\"VERTEX\" source=\"#v\"/>", face = "<p>0 1 2</p>";
     const Folder folder;
-    // Faces of no corners, for each list of corners again.
+    // Faces without corners, again for each list of corners.
     check_says(
         quick(folder.write("a.dae", document("<polylist>" + input + "<vcount>" + repeated("0 ", 200'000) +
                                              "</vcount>" + repeated("<p/>", 100'000) + "</polylist>"))),
@@ -370,7 +371,7 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
         quick(folder.write("a.dae", document("<triangles>" + repeated(input, 12'000) + face + "</triangles>",
                                              {}, repeated("<input semantic=\"X\" source=\"#s\"/>", 12'000))))
             .empty());
-    // An array, for each source that names it again: few of its numbers, and all.
+    // An array, for each source that names it again: with few of its numbers, and with all.
     for (const char* count : {"3", "75000"}) {
         std::string sources =
                         "<float_array id=\"B\">" + repeated("0 0 0 1 0 0 0 1 0 ", 25'000) + "</float_array>",
@@ -384,7 +385,7 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
         }
         CHECK(quick(folder.write("a.dae", document(primitives, sources))).empty());
     }
-    // A shader, for each material that is drawn with it again.
+    // A shader, for each material that uses it again.
     std::string materials, bound;
     for (int i = 0; i < 4000; ++i) {
         const std::string name = "m" + std::to_string(i);

@@ -1,4 +1,4 @@
-// Objects of JSON scenes that stand for many instances of one mesh, and graphs of them.
+// Objects of JSON scenes with many instances of one mesh, and graphs of instances.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -173,7 +173,7 @@ TEST_CASE("bad instances of JSON scenes") {
     const std::string own =
         R"({"meshes":{"m":{"file":"own.json"}},"objects":[{"mesh":"m","instances":[{}]}]})";
     CHECK(complaint(folder.write("own.json", own)).find("contain itself") != std::string::npos);
-    // Five thousand balls of 20,480 triangles are not written out, and so nobody finds lights for them.
+    // Five thousand balls of 20,480 triangles are not expanded, so no lights can be fitted to them.
     std::string many = R"({"meshes":{"b":{"builtin":"icosphere:5"}},"objects":[{"mesh":"b","instances":[{})";
     for (int i = 1; i < 5000; ++i) many += ",{}";
     CHECK(complaint(folder.write("many.json", many + "]}]}"))

@@ -1,4 +1,4 @@
-// Our own JSON scenes: copies, transforms, materials, files inside files.
+// JSON scenes of this program: copies, transforms, materials, nested files.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>

@@ -17,7 +17,7 @@ namespace {
 
 double area(const Corners& t) { return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])) / 2; }
 
-/// Sum of areas, and a check that all face +z.
+/// Returns the sum of areas, and requires that all triangles face +z.
 double upward_area(const Scene& scene) {
     double sum = 0;
     for (const Corners& t : corners_of(scene)) {
@@ -35,13 +35,13 @@ TEST_CASE("polygons are cut without gaps or overlaps, concave ones too") {
     const Scene l = folder.load("l.obj", l_shape + "f 1 2 3 4 5 6\n");
     CHECK(l.triangles.size() == 4);
     CHECK(upward_area(l) == Approx(6));
-    // From every corner on, and the arrowhead, whose dent must not be bridged.
+    // Starting at every corner, and the arrowhead, whose dent must not be bridged.
     for (int first = 0; first < 6; ++first) {
         std::string face = "f";
         for (int k = 0; k < 6; ++k) face += std::string(" ") + std::to_string((first + k) % 6 + 1);
         CHECK(upward_area(folder.load("l.obj", l_shape + face + "\n")) == Approx(6));
     }
-    // The same from below: everything turns the other way round.
+    // The same from below: everything is reversed.
     const Scene below = folder.load("l.obj", l_shape + "f 6 5 4 3 2 1\n");
     double signed_area = 0;
     for (const Corners& t : corners_of(below)) {

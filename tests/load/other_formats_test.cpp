@@ -1,4 +1,4 @@
-// OFF, 3DS, DAE, gzip, and the textures of glTF: what each takes, and what it refuses with which words.
+// OFF, 3DS, DAE, gzip, and the textures of glTF: accepted files, and the messages for refused ones.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -80,7 +80,7 @@ TEST_CASE("3ds: materials by face, and faces in the order of the file") {
         chunk(0xafff, chunk(0xa000, std::string("red\0", 4)) +
                           chunk(0xa020, chunk(0x0011, std::string("\xff\0\0", 3))) + chunk(0xa200, ""));
     std::string bytes = Octahedron().tds();
-    // The chunks around the faces grow by that of their material.
+    // The chunks around the faces grow by the chunk of their material.
     const std::string faces = bytes.substr(bytes.find(std::string("\x20\x41", 2)));
     const std::string of_faces =
         chunk(0x4130, std::string("red\0", 4) + raw(std::uint16_t{1}) + raw(std::uint16_t{3}));
@@ -207,7 +207,7 @@ TEST_CASE("gzip: damaged, cut off, followed by something else, or too much") {
     check_refused("a.obj.gz", sound.substr(0, sound.size() - 9), {"cut off"});
     check_refused("a.obj.gz", sound.substr(0, 12), {"cut off"});
     std::string damaged = sound;
-    damaged[damaged.size() - 6] = char(damaged[damaged.size() - 6] ^ 1);   // of the checksum
+    damaged[damaged.size() - 6] = char(damaged[damaged.size() - 6] ^ 1);   // a byte of the checksum
     check_refused("a.obj.gz", damaged, {"damaged"});
     check_refused("a.obj.gz", sound + "more", {"damaged"});
     check_refused("a.obj.gz", gz_of(""), {"empty"});

@@ -1,5 +1,5 @@
-// Files of other programs with faults and dialects: a fault in what is drawn is refused; the rest is
-// repaired, and one sentence for each kind says so.
+// Files of other programs with faults and dialects: a fault in something that is drawn is refused. The rest
+// is repaired, with one sentence for each kind.
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -50,7 +50,7 @@ std::string with_returns(std::string text) {
 const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const Corners right{glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}};
 
-/// One flat triangle, from (0 0 0) over (1 0 0) to (0 1 0).
+/// Requires one flat triangle, from (0 0 0) over (1 0 0) to (0 1 0).
 void check_triangle(const Read& read, const Notes& notes) {
     CHECK(corners_of(read.scene) == std::vector<Corners>{right});
     CHECK(read.scene.normals.empty());
@@ -105,7 +105,7 @@ TEST_CASE("obj: corners without their normal are flat, and those beside them sta
     CHECK(normal(2) == glm::dvec3(0, 0, 1));
     CHECK(mixed.notes == Notes{"1 normal with components that are not finite, left out (line 5, 'nan 0 1')",
                                "1 corner with a normal that is not in the file, drawn flat ('9')"});
-    // A normal may stand behind the face that has it.
+    // A normal may come after the face that uses it.
     CHECK(read(folder, "c.obj", v3 + "f 1//1 2//1 3//1\nvn 0 0 1\n").notes.empty());
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("obj: colours of vertices are those of faces, and their mean where the
     check_triangle(odd,
                    {"1 vertex with a colour that is not finite, drawn without it (line 1, 'nan nan nan')"});
     CHECK(odd.colour(0) == glm::dvec3(1));
-    // A weight is no colour, and a material's colour is multiplied.
+    // A weight is not a colour, and a material's colour is multiplied.
     CHECK(read(folder, "c.obj", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n").colour(0).x == Approx(0.8));
     folder.write("m.mtl", "newmtl half\nKd 0.5 0.5 0.5\n");
     CHECK(read(folder, "d.obj", "mtllib m.mtl\n" + red + "usemtl half\nf 1 2 3\n").colour(0) ==
@@ -167,7 +167,7 @@ TEST_CASE("mtl: a surface gives off light of its own colour, and of another one 
     CHECK(lamp.colour == glm::dvec3(1, 0.5, 0));
     CHECK(lamp.ambient == 1);
     CHECK(lamp.diffuse == 0);
-    // What is given off comes on top: 1.1 times the colour without light, and 0.9 of it from light.
+    // Emission is added: 1.1 times the colour without light, and 0.9 of it from light.
     CHECK(both.ambient * both.colour.r == Approx(0.5 + 0.1 * 0.5));
     CHECK(both.ambient * both.colour.g == Approx(0.25 + 0.1 * 0.25));
     CHECK(both.diffuse * both.colour.r == Approx(0.9 * 0.5));
@@ -199,7 +199,7 @@ TEST_CASE("ply: of binary data behind a header whose lines end in a return alone
         const std::size_t end = bytes.find("end_header\n") + 11;
         const std::string head = with_returns(bytes.substr(0, end));
         CHECK(corners_of(read(folder, "a.ply", head + bytes.substr(end)).scene) == Octahedron().corners());
-        // The first byte of the data is that of a line feed: 2^-126 (1 + 10/2^23) as a float, 10 in its last
+        // The first byte of the data equals a line feed: 2^-126 (1 + 10/2^23) as a float, 10 in its last
         // byte.
         if (big) continue;
         const std::string begins = head + '\n' + bytes.substr(end + 1);
@@ -257,7 +257,7 @@ TEST_CASE("ply: what no face uses may be no number") {
     CHECK_THAT(
         complaint(folder.write("d.ply", ply("ascii", "", one_face) + "0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n")),
         Catch::Contains("d.ply: line 11: y is inf, which is not a finite number"));
-    // A face that is a line draws nothing, whatever it names.
+    // A face that is a line draws nothing, whatever it references.
     check_triangle(read(folder, "e.ply",
                         ply("ascii", "", with(one_face, "1", "2")) + "0 0 0\n1 0 0\n0 1 0\n2 0 9\n3 0 1 2\n"),
                    {});

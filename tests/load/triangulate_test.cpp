@@ -1,4 +1,4 @@
-// Polygons: the same cut as the plain algorithm makes, and 10,000 corners in less than a second.
+// Polygons: the cut equals the plain algorithm's, and 10,000 corners take less than a second.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -18,8 +18,7 @@ double turn(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Ear clipping as one writes it down: every corner is tried, and for each every other looked at.
-/// Counter-clockwise in x and y.
+/// Plain ear clipping: tries every corner and checks it against every other. Counter-clockwise in x and y.
 Cut plain(const Polygon& p) {
     std::vector<std::uint32_t> ring(p.size());
     for (std::uint32_t i = 0; i < p.size(); ++i) ring[i] = i;
@@ -88,16 +87,18 @@ TEST_CASE("polygons are cut as the plain algorithm cuts them") {
         for (int i = 0; i < corners; ++i) {
             const double angle = 2 * 3.14159265358979 * i / corners, r = number(0.1, 1);
             if (kind == 0) p.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);   // star-shaped
-            if (kind == 1) p.emplace_back(number(-1, 1), number(-1, 1), 0);               // crossing itself
+            if (kind == 1) p.emplace_back(number(-1, 1), number(-1, 1), 0);               // crosses itself
             if (kind == 2)
                 p.emplace_back(std::floor(number(0, 6)), std::floor(number(0, 6)),
-                               0);   // corners in one place, straight ones
+                               // Coincident corners, and straight ones.
+                               0);
             if (kind == 3)
                 p.emplace_back(i < corners / 2 ? i : corners - i, i < corners / 2 ? 0 : 1 + random() % 3,
-                               0);   // many straight corners
+                               // Many straight corners.
+                               0);
         }
-        if (!(area(p) > 0)) continue;   // runs the other way round, and would be turned over
-        // The plane is found in three dimensions; here it must be that of x and y, moved to the first corner.
+        if (!(area(p) > 0)) continue;   // has the opposite direction, and would be reversed
+        // The plane is found in three dimensions. Here it must be that of x and y, moved to the first corner.
         for (std::size_t i = p.size(); i-- > 0;) p[i] -= p[0];
         INFO("seed " << seed << " round " << round);
         REQUIRE(cut_of(p) == plain(p));
@@ -114,9 +115,11 @@ TEST_CASE("a face of ten thousand corners is cut in less than a second") {
         const double a = 2 * 3.14159265358979 * i / n, along = i < n / 2 ? i : n - 1 - i,
                      radius = 0.01 * along + (i < n / 2 ? 1 : 0.7);
         all[0].emplace_back(radius * std::cos(0.01 * along), radius * std::sin(0.01 * along),
-                            0);   // a spiral
+                            // A spiral.
+                            0);
         all[1].emplace_back(static_cast<double>(random() % 100'000), static_cast<double>(random() % 100'000),
-                            0);   // crossing itself
+                            // Crosses itself.
+                            0);
         all[2].emplace_back((i % 2 ? 1 : 3) * std::cos(a), (i % 2 ? 1 : 3) * std::sin(a), 0);   // a star
         all[3].emplace_back(i, i == n - 1 ? -1e6 : i % 2 ? 0 : 100 + i % 7, 0);                 // a comb
         all[4].emplace_back(i, 0, 0);                                                           // a line
@@ -133,7 +136,7 @@ TEST_CASE("a face of ten thousand corners is cut in less than a second") {
         CHECK(double(end.tv_sec - start.tv_sec) + 1e-9 * double(end.tv_nsec - start.tv_nsec) < 1);
 #endif
     }
-    // What has an inside is covered by it exactly once.
+    // The triangles of polygons with an inside cover it exactly once.
     for (const int simple : {0, 2}) {
         double sum = 0, least = 0;
         for (const auto& [a, b, c] : cut_of(all[static_cast<std::size_t>(simple)])) {

@@ -1,5 +1,5 @@
 #pragma once
-// A glTF file made piece by piece, with what moves in it.
+// A glTF file built piece by piece, with its animations.
 #include <nlohmann/json.hpp>
 
 #include "model/scene/placed.hpp"
@@ -10,7 +10,7 @@ namespace rayclock::test {
 
 using Json = nlohmann::json;
 
-/// One octahedron, and numbers behind its bytes: of each key, or of each vertex.
+/// One octahedron, followed by numbers for each key or each vertex.
 struct Animated {
     Json json = Json::parse(Octahedron().gltf(""));
     std::string bytes = Octahedron().bin();
@@ -27,7 +27,7 @@ struct Animated {
         json["buffers"][0]["byteLength"] = bytes.size();
         return json["accessors"].size() - 1;
     }
-    /// Of bytes, four for each element.
+    /// Adds an accessor of bytes, four for each element.
     std::size_t byte_accessor(const std::string& all) {
         while (bytes.size() % 4) bytes += '\0';
         json["bufferViews"].push_back(

@@ -1,5 +1,5 @@
-// Films of meshes that deform: what the host writes gives every frame's memory, each frame has the hits of
-// its own scene whatever was refitted before it, and model and RTL do the same.
+// Films of deforming meshes: the host's writes give every frame's memory, each frame has the hits of its own
+// scene after any refits, and model and RTL are equal.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
@@ -20,7 +20,7 @@ FramesOptions options(const std::string& uploads, double rebuild, int frames = 6
     return o;
 }
 
-/// One level and two, between frames and double.
+/// One level or two, with uploads between frames or double-buffered.
 struct Way {
     int levels;
     const char* uploads;
@@ -38,7 +38,7 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
     const Folder folder;
     Film film = film_of(sheet_film(folder, 9), config_of(way), small, options(way.uploads, 1e9));
     const Recorded made = recorded(film);
-    // Frames may find anything where their trees will lie: that of the last frame, or nonsense.
+    // Where their trees will be, frames may find any content: the last frame's, or nonsense.
     MemoryImage image = made.job.image;
     if (way.levels == 1) std::fill(image.words.begin(), image.words.end(), 0x5a5a5a5au);
     for (const FrameTrace& trace : made.traces)
@@ -52,7 +52,7 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
         CHECK(upload.rebuilt == (f == 0 ? std::size_t(way.levels) : 0));   // two levels: in two classes
         CHECK(upload.refitted == (f == 0 ? 0 : std::size_t(way.levels)));
         CHECK(upload.resets == (std::string(way.uploads) == "double" ? f > 0 && f % 2 == 0 : f > 0));
-        // In two levels both instances of the sheet have other boxes, also the one that stands still.
+        // In two levels both instances of the sheet have new boxes, even the one that does not move.
         CHECK(upload.instances == 2);
         apply(upload, image);
         CHECK(same(record_trace(image, made.traces[f].frame, made.job.config, 1).hits,
@@ -87,7 +87,7 @@ TEST_CASE("a film has the same hits whether trees are refitted or rebuilt", "[mo
     CHECK(made[1].traces.back().upload.cost > 1.5);
     CHECK(refitted > 0);                                                              // while it waves
     CHECK(rebuilt > 0);                                                               // when it crumples
-    CHECK(made[1].traces.back().trace.visits > made[0].traces.back().trace.visits);   // a spoilt tree
+    CHECK(made[1].traces.back().trace.visits > made[0].traces.back().trace.visits);   // a degraded tree
 }
 
 TEST_CASE("a sheet that is a line at first is drawn when it has opened", "[motion][deform]") {
@@ -142,7 +142,7 @@ TEST_CASE("a mesh that deforms has finished pictures: its surfaces follow it", "
                                    with(named_config("default"), {{"levels", way.levels}}));
     request.finished = true;
     Film film(request, options(way.uploads, 1.5, 4), false, size);
-    MemoryImage memory;   // of the chip: what it was at the beginning, and what the host writes
+    MemoryImage memory;   // of the chip: its initial content and the host's writes
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
         const FrameTrace trace = film.record(1, {});
@@ -181,7 +181,7 @@ TEST_CASE("machines without a tree that can be refitted make all of it anew, and
 
 TEST_CASE("model and RTL draw the same film of a mesh that deforms", "[motion][deform_rtl]") {
     std::vector<Config> all = chips();
-    std::erase_if(all, [](const Config& c) { return c.upper().has_planes(); });   // compiled anew
+    std::erase_if(all, [](const Config& c) { return c.upper().has_planes(); });   // compiled again
     all.push_back(quick_config("default"));
     all.push_back(quick_config("narrow"));
     const Config config = GENERATE_COPY(from_range(all));

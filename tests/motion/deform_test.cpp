@@ -1,4 +1,4 @@
-// Meshes that deform by keyed shapes, against a formula of their own; and what is refused.
+// Meshes that deform by keyed shapes, compared with an independent formula; and refused files.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -68,7 +68,7 @@ TEST_CASE("keyed shapes: normals go from key to key, and facets have their own i
                 glm::normalize(is_last ? glm::dvec3(0.25, 0.75, 0) : glm::dvec3(0, 0.25, 0.75));
             CHECK(glm::length(smooth.meshes[0].normals[v] - right) < 1e-9);
         }
-    // Beside smooth meshes a flat one gets its facets' normals, as they are at each time.
+    // Next to smooth meshes a flat one gets the normals of its facets at each time.
     folder.write("c.obj", square);
     folder.write("d.obj", lifted);
     Json json = Json::parse(shapes_json({{0, "c.obj"}, {1, "d.obj"}}, {{{"mesh", "m"}}, {{"mesh", "n"}}}));

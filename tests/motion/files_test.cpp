@@ -1,4 +1,4 @@
-// Motion in JSON scenes and in glTF: what it means, and what is refused.
+// Motion in JSON scenes and in glTF: its meaning, and refused files.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -62,7 +62,7 @@ TEST_CASE("keyframes move an object, its instances, the camera and a light", "[m
         {{"keyframes", {{{"time", 1}, {"position", {0, 5, 0}}}, {{"time", 2}, {"position", {0, 7, 0}}}}}}};
     PlacedScene scene = placed(json);
     REQUIRE(scene.instances.size() == 2);
-    for (const double t : {0.0, 0.1, 0.5, 0.9, 1.25}) {   // 360 degrees a second: the long way round
+    for (const double t : {0.0, 0.1, 0.5, 0.9, 1.25}) {   // 360 degrees per second: the long way round
         pose(scene, t);
         const double a = 2 * M_PI * t, far = 2 + 2 * std::min(t, 1.0);
         CHECK(glm::length(at(scene, 0, {0, 0, 0}) - glm::dvec3(std::cos(a), std::sin(a), 0)) < 1e-9);
@@ -148,7 +148,7 @@ TEST_CASE("glTF: animations move nodes, and meshes in several places are instanc
     CHECK(scene.own.triangles.empty());
     pose(scene, 1.5);
     CHECK(glm::length(at(scene, 0, {0, 0, 0}) - glm::dvec3(4, 0, 0)) < 1e-6);
-    // Tangents of 1 a second from 0 to 2 in two seconds: a straight line.
+    // Tangents of 1 per second from 0 to 2 in two seconds: a straight line.
     const double a = M_PI / 2 * 0.75;
     CHECK(glm::length(at(scene, 1, {0, 0, 0}) - glm::dvec3(3, 0, 0)) < 1e-6);
     CHECK(glm::length(at(scene, 2, {0, 0, 0}) - 2.0 * glm::dvec3(1.5 - 3 * std::sin(a), 3 * std::cos(a), 0)) <

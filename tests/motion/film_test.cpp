@@ -1,5 +1,5 @@
-// Films: the upper structure is made anew for every frame and nothing else, every frame has the hits of its
-// own scene, and model and RTL do the same with the host's writes in between.
+// Films: every frame rebuilds only the upper structure, and has the hits of its own scene. Model and RTL
+// agree, with the host's writes in between.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -25,14 +25,14 @@ TEST_CASE("the RTL that draws films builds", "[.build]") {
         jobs.push_back({"rc_chip", config.name + ", films", config});
     }
     jobs.push_back({"rc_chip", "small, finished films", finished_request("flight:3").config});
-    for (const char* name : {"default", "narrow"})   // of one level, for meshes that deform
+    for (const char* name : {"default", "narrow"})   // of one level, for deforming meshes
         jobs.push_back({"rc_chip", std::string(name) + ", films of one level", quick_config(name)});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
 TEST_CASE("frames of a film write the scene's tree alone, and the uploads in turn give every frame's memory",
           "[motion][film]") {
-    // Trees of planes have no bound of their lines: there is room for the largest of the film.
+    // Trees of planes have no bound on their lines, so there is room for the largest of the film.
     const Structure structure = GENERATE(Structure::bvh, Structure::spheres, Structure::kd, Structure::bsp);
     for (const char* uploads : {"between", "double"}) {
         INFO(structure_names()[std::size_t(structure)] << ", " << uploads);
@@ -40,7 +40,7 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
                             frames_of(6, 8, uploads));
         const Recorded made = recorded(film);
         const bool is_double = std::string(uploads) == "double";
-        // A memory that holds nonsense where the scene's trees are to lie.
+        // A memory with nonsense where the scene's trees will be.
         MemoryImage image = made.job.image;
         std::uint32_t most = 0;
         for (const FrameTrace& trace : made.traces) most = std::max(most, trace.upload.lines.back());
@@ -54,7 +54,7 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
             CHECK(upload.instances == (f == 0 ? 0 : 45));
             CHECK_FALSE(upload.is_whole);
             CHECK(upload.beside == (is_double && f > 0));
-            // Between frames every tree lies where the last one was read; of two buffers each is read every
+            // Between frames every tree is where the last one was read. With two buffers each is read every
             // second frame, and one reset empties the caches of both.
             CHECK(upload.resets == (is_double ? f > 0 && f % 2 == 0 : f > 0));
             CHECK(made.traces[f].frame.root == (is_double && f % 2 ? made.traces[1].frame.root : 0));
@@ -111,7 +111,7 @@ TEST_CASE("the solids around a mesh's corners hold them, whichever way it is tur
                 loosest = std::max(loosest, said / most);
             }
         }
-        CHECK(loosest < 1.6);   // and hold little else
+        CHECK(loosest < 1.6);   // and contain little else
     }
 }
 
@@ -139,8 +139,8 @@ TEST_CASE("the order of instances changes no hit", "[motion][film]") {
         REQUIRE(a.found == b.found);
         if (!a.found) continue;
         CHECK((a.t == b.t && a.u == b.u && a.v == b.v));
-        const auto number = [](std::uint32_t prim, bool is_turned) {   // 2 triangles of the ground, then 320
-                                                                       // a ball
+        // 2 triangles of the ground, then 320 for each ball.
+        const auto number = [](std::uint32_t prim, bool is_turned) {
             if (prim < 2) return prim;
             const std::uint32_t ball = (prim - 2) / 320;
             return 2 + (is_turned ? 59 - ball : ball) * 320 + (prim - 2) % 320;
@@ -266,7 +266,7 @@ TEST_CASE("a scene of one level that moves is made anew for every frame, shadows
     CHECK(made.traces[1].upload.is_whole);
     CHECK(made.traces[1].upload.resets);
     CHECK(made.traces[0].trace.colours != made.traces[1].trace.colours);
-    // Whatever memory the first frame finds, its upload is the whole image.
+    // The first frame uploads the whole image, for any content of the memory.
     CHECK(made.traces[0].upload.lines.size() == made.traces[0].upload.image_lines);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Films for the tests, and the chips of two levels that draw them.
+// Films for the tests, and the chips of two levels that render them.
 #include "sim/run/film/film.hpp"
 #include "sim/load/load.hpp"
 #include "tests/system/frames.hpp"
@@ -12,7 +12,7 @@ inline Config two(const std::string& name, int interval, const Values& more = {}
     return with(quick_config(name), values);
 }
 
-/// Formats and paths; each its own RTL, and the same as those of two levels elsewhere.
+/// Returns formats and paths, each with its own RTL, equal to those of two levels in other tests.
 inline std::vector<Config> chips() {
     return {two("default", 2),
             two("small", 4),
@@ -22,7 +22,8 @@ inline std::vector<Config> chips() {
             two("small", 2, {{"structure", int(Structure::kd)}, {"mesh_structure", 1}})};   // over boxes
 }
 
-/// Of two levels, finished pictures, and a surf_cache that is larger than the other caches.
+/// Returns a request of two levels with finished pictures, and a surf_cache that is larger than the other
+/// caches.
 inline Request finished_request(const std::string& spec) {
     Request request;
     request.scene = load_scene(spec);

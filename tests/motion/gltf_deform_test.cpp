@@ -1,4 +1,4 @@
-// Meshes of glTF that deform: morph targets and skins, against formulas of their own in double.
+// Deforming meshes of glTF: compares morph targets and skins with independent formulas in double.
 #include <catch2/catch.hpp>
 
 #include "tests/motion/gltf_deforming.hpp"
@@ -9,12 +9,12 @@ using namespace rayclock::test;
 TEST_CASE("glTF: morph targets are added with their weights, which move", "[motion][deform]") {
     Morphed file;
     file.json["meshes"][0]["weights"] = {0.5, 0};
-    CHECK(file.load().motion.empty());   // another shape than the stored one, but always the same
+    CHECK(file.load().motion.empty());   // another shape than the stored one, but constant
     file.check(file.load().meshes.at(0), 0.5, 0);
-    file.json["nodes"][0]["weights"] = {0, 0.25};   // of the node, and they go first
+    file.json["nodes"][0]["weights"] = {0, 0.25};   // the node's weights take precedence
     file.check(file.load().meshes.at(0), 0, 0.25);
     file.json["nodes"][0]["weights"] = {0, 0};
-    CHECK(file.load().meshes.empty());   // nothing of it moves
+    CHECK(file.load().meshes.empty());   // nothing moves
     file.channel(0, "weights", {0, 1, 3}, {0, 1, 0.5f, 0, 1, -1});
     PlacedScene scene = file.load();
     REQUIRE(scene.meshes.size() == 1);
@@ -30,7 +30,7 @@ TEST_CASE("glTF: morph targets are added with their weights, which move", "[moti
     jumps.check(scene.meshes[0], 0.5, 1);
     pose(scene, 1);
     jumps.check(scene.meshes[0], 0, -1);
-    // In tangents, values, out tangents, of both targets each: from 0 to 1 with slopes 2 and 0.
+    // In tangents, values and out tangents for both targets: from 0 to 1 with slopes 2 and 0.
     Morphed curves;
     curves.channel(0, "weights", {0, 2}, {0, 0, 0, 1, 2, 0, 0, 0, 1, 1, 0, 0}, "CUBICSPLINE");
     scene = curves.load();
@@ -97,7 +97,7 @@ TEST_CASE("glTF: joints carry a skin by their places and inverse binds, and its 
             CHECK(glm::length(scene.meshes[0].vertices[v] - file.right(v, t, Octahedron().vertices[v])) <
                   2e-5);
     }
-    // Without matrices the mesh at rest stands at its joints' middle; at rest for ever, nothing moves.
+    // Without matrices the resting mesh is at the middle of its joints. At rest forever, nothing moves.
     Skinned still = file;
     still.json.erase("animations");
     still.json["skins"][0].erase("inverseBindMatrices");
@@ -151,7 +151,7 @@ TEST_CASE("a file with a skin deforms where it is placed, in every place alike",
 TEST_CASE("glTF: sparse morph targets, as exporters write them", "[motion][deform]") {
     Sparse file;
     file.check(file.load().meshes.at(0), 0.5, 0);
-    // The same over what lies in a buffer.
+    // The same on top of data in a buffer.
     file.json["accessors"][file.number]["bufferView"] = 0;
     for (std::size_t v = 0; v < 6; ++v)
         for (int k = 0; v != 1 && v != 5 && k < 3; ++k)

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes of glTF that deform, with what is right about them by formulas of their own in double.
+// Deforming meshes of glTF, and their correct shapes by independent formulas in double.
 #include <array>
 #include <cmath>
 
@@ -11,7 +11,7 @@
 
 namespace rayclock::test {
 
-/// Rows and columns as in books; nothing of GLM.
+/// Rows and columns as in textbooks; uses nothing of GLM.
 using Matrix = std::array<std::array<double, 4>, 4>;
 inline Matrix unit() {
     Matrix m{};
@@ -54,7 +54,7 @@ inline std::vector<float> columns(const std::vector<Matrix>& all) {
     return numbers;
 }
 
-/// The octahedron with two morph targets, and normals that point away from its middle.
+/// The octahedron with two morph targets, and normals that point away from its centre.
 struct Morphed : Animated {
     std::vector<float> to, more, normals, turns;
 
@@ -86,8 +86,8 @@ struct Morphed : Animated {
     }
 };
 
-/// The octahedron on two joints, of which the second hangs at the first and turns; above both stands a node
-/// that stretches them, and the node with the mesh stands somewhere else.
+/// The octahedron on two joints. The second is a child of the first and rotates. A node above both stretches
+/// them, and the node with the mesh is elsewhere.
 struct Skinned : Animated {
     std::vector<Matrix> bind{times(moved(-1, 0.5, 0), scaled(0.5, 1, 2)), moved(0, -2, 1)};
     std::vector<double> share{1, 0, 0.25, 0.5, 0.75, 0.125};   // of the first joint
@@ -102,7 +102,7 @@ struct Skinned : Animated {
         std::string joints;
         std::vector<float> weights;
         for (const double s : share) {
-            joints += std::string("\1\0\0\1", 4);   // the second, the first, nothing, the second again
+            joints += std::string("\1\0\0\1", 4);   // the second, the first, none, the second again
             weights.insert(weights.end(), {float(0.75 * (1 - s)), float(s), 0, float(0.25 * (1 - s))});
         }
         Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
@@ -110,7 +110,7 @@ struct Skinned : Animated {
         attributes["JOINTS_0"] = byte_accessor(joints);
         channel(4, "rotation", {0, 2}, {0, 0, 0, 1, 0, 0, 1, 0});   // half a turn about z
     }
-    /// Of both joints, with their way to the mesh at rest.
+    /// Returns the matrices of both joints, including their inverse binds.
     std::vector<Matrix> joints(double time) const {
         const Matrix first = times(times(moved(0, 0, 5), scaled(1, 2, 1)), moved(1, 2, 3)),
                      second = times(times(first, moved(0, 1, 0)), about_z(M_PI / 2 * time));
@@ -122,13 +122,13 @@ struct Skinned : Animated {
     }
 };
 
-/// The sentence with which a file is refused whose document was changed.
+/// Returns the message with which the changed file is refused.
 template <class File, class Change> std::string says(File file, const Change& change) {
     change(file);
     return file.says();
 }
 
-/// A morph target that moves the second vertex and the last by (1, 2, 3) and (4, 5, 6), and no other.
+/// A morph target that moves only the second vertex by (1, 2, 3) and the last by (4, 5, 6).
 struct Sparse : Morphed {
     Sparse() {
         const std::size_t values = accessor({1, 2, 3, 4, 5, 6}, "VEC3", 3),

@@ -1,4 +1,4 @@
-// Meshes of glTF that deform, and what is refused of them.
+// Deforming meshes of glTF: refused files.
 #include <catch2/catch.hpp>
 
 #include "tests/motion/gltf_deforming.hpp"

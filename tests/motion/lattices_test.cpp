@@ -1,4 +1,4 @@
-// The lattices of a film are chosen once: they must hold every frame.
+// The lattices of a film are chosen once, and must contain every frame.
 #include <catch2/catch.hpp>
 
 #include "model/compile/levels/moving.hpp"
@@ -37,13 +37,13 @@ TEST_CASE("lattices serve the places and the eyes of all frames, and not of the 
                 REQUIRE(holds(maps.lattice, glm::dvec3(times[f][i] * glm::dvec4(v, 1))));
                 REQUIRE(holds(made.lattice, v));
             }
-            for (std::size_t row = 0; row < 3; ++row) {   // whatever the scene's lattice holds, the mesh's
-                                                          // does
+            // The mesh's lattice contains everything that the scene's lattice contains.
+            for (std::size_t row = 0; row < 3; ++row) {
                 double most = std::abs(double(map.b[row]));
                 for (std::size_t k = 0; k < 3; ++k) most += std::abs(double(map.a[3 * row + k])) * end;
                 CHECK(std::ldexp(most, -config.map_frac()) <= end + 0.25);
             }
-            for (std::size_t k = 0; k < 3; ++k) {   // and a node can say the box
+            for (std::size_t k = 0; k < 3; ++k) {   // and a node can represent the box
                 CHECK(map.box.lo[k] >= -end - 1);
                 CHECK(map.box.hi[k] <= end + 1);
             }

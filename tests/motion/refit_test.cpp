@@ -1,5 +1,5 @@
-// Trees that follow their triangles: a refitted tree is sound and gives the hits of one that is built, and
-// the measure says when it is built anew.
+// Trees that follow their triangles: a refitted tree is valid and gives the hits of a rebuilt one, and the
+// measure decides when to rebuild.
 #include <catch2/catch.hpp>
 
 #include "tests/support/check/image_check.hpp"
@@ -18,7 +18,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A scene in a cube that does not change, and its triangles on the lattice of that.
+/// A scene in a fixed cube, and its triangles on the lattice of that cube.
 struct Film {
     Scene scene;
     Lattice lattice;
@@ -34,7 +34,7 @@ struct Film {
             all.push_back(snap_primitive(scene, lattice, i));
         return all;
     }
-    /// Every corner goes anywhere within `far`.
+    /// Moves every corner randomly within `far`.
     void shake(double far, Draw& draw) {
         for (glm::dvec3& v : scene.vertices) v = glm::clamp(v + far * draw.point(), -3.9, 3.9);
     }
@@ -63,7 +63,7 @@ std::size_t count_different(const std::vector<Closest>& a, const std::vector<Clo
     return count;
 }
 
-/// The cost, from the memory alone: boxes of children are made of the triangles below them.
+/// Returns the cost from the memory alone: boxes of children are computed from the triangles below them.
 double cost_of(const MemoryImage& image, const Config& config) {
     double sum = 0;
     const std::function<LatticeBox(std::uint32_t)> walk = [&](std::uint32_t line) {
@@ -107,7 +107,7 @@ TEST_CASE("a tree that follows what has not moved is the tree that was built, by
     Refit tree(config, "soup");
     CHECK(tree.follow(film.prims(), 1e9));
     CHECK(image_of(tree, film).words == built.words);
-    CHECK_FALSE(tree.follow(film.prims(), 1));   // it has not got any worse
+    CHECK_FALSE(tree.follow(film.prims(), 1));   // it has not become worse
     CHECK(image_of(tree, film).words == built.words);
     CHECK(tree.ratio() == 1);
 }
@@ -141,7 +141,7 @@ TEST_CASE("a triangle that has no area in one frame is hit in the next", "[motio
     const int test = GENERATE(range(0, int(primitive_test_names().size())));
     INFO("primitive_test=" << primitive_test_names()[std::size_t(test)]);
     const Config config = with(quick_config("default"), {{"primitive_test", test}});
-    Film film(soup(50, 0, 3), config);   // points, all of them
+    Film film(soup(50, 0, 3), config);   // all triangles are points
     Refit tree(config, "points");
     tree.follow(film.prims(), 1e9);
     const std::vector<Closest> none = hits_of(image_of(tree, film), config);
@@ -176,10 +176,10 @@ TEST_CASE("a tree is built anew above the ratio of costs, and not below it", "[m
         CHECK(other.follow(before, 1e9));
         CHECK(other.follow(film.prims(), factor * ratio) == (factor < 1));
         CHECK(other.ratio() == Approx(factor < 1 ? 1 : ratio).epsilon(1e-6));
-        // What it is compared with is what it cost when it was built, and not a frame ago.
+        // The reference is the cost at the last build, not that of the last frame.
         CHECK_FALSE(other.follow(film.prims(), factor < 1 ? 1 : 1.01 * ratio));
     }
-    // 0 builds every time, also what has not moved.
+    // 0 builds every time, even without motion.
     CHECK(tree.follow(film.prims(), 0));
     CHECK(tree.follow(film.prims(), 0));
 }
@@ -200,7 +200,8 @@ TEST_CASE("no tree takes more lines than there is room for", "[motion][refit]") 
 
 namespace {
 
-/// Compares what a ray may read below a node: in the chip's memory as in the host's. Counts lines of zeros.
+/// Compares everything that a ray may read below a node: the chip's memory with the host's. Counts lines of
+/// zeros.
 void compare_below(std::uint32_t line, const Decoder& host, const MemoryImage& image,
                    const MemoryImage& memory, std::size_t& zeros) {
     REQUIRE(std::equal(image.line(line), image.line(line) + words_per_line, memory.line(line)));

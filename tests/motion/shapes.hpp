@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that deform, as files: a sheet that waves, a crumpled one, and what moves beside them.
+// Deforming meshes as files: a waving sheet, a crumpled one, and moving objects next to them.
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -11,7 +11,7 @@
 
 namespace rayclock::test {
 
-/// A square of n by n squares, as OBJ; a corner lies where `at` moves the point (x, 0, z), -1 <= x, z <= 1.
+/// Returns n by n squares as OBJ. `at` maps the point (x, 0, z), -1 <= x, z <= 1, to its corner.
 inline std::string sheet_obj(int n, const std::function<glm::dvec3(double x, double z)>& at) {
     std::ostringstream out;
     out.precision(9);
@@ -34,15 +34,16 @@ inline std::string waving(int n, double phase) {
     });
 }
 
-/// Rolled up: neighbours of the flat sheet's halves come near each other, and a tree of it gets worse.
+/// Returns a sheet rolled up so that corners from both halves come close to each other, and its tree
+/// degrades.
 inline std::string crumpled(int n) {
     return sheet_obj(n, [&](double x, double z) {
         return glm::dvec3(std::sin(29 * x + 3 * z), std::sin(37 * z + x), std::cos(31 * x - 23 * z));
     });
 }
 
-/// The sheet in three shapes, twice, once turned, small and moving; and a ball at rest. Returns the name of
-/// the scene's file.
+/// Writes a scene with the sheet in three shapes, twice, one of them turned, small and moving, and a resting
+/// ball. Returns the name of the scene's file.
 inline std::string sheet_film(const Folder& folder, int n, bool crumples = false) {
     folder.write("a.obj", waving(n, 0));
     folder.write("b.obj", waving(n, 2));
@@ -65,7 +66,7 @@ inline PlacedScene scene_in(const std::string& path) {
     return load_json_scene(path, loading).scene;
 }
 
-/// A sentence has all these parts.
+/// Requires that a sentence has all these parts.
 inline void check_says(const std::string& said, const std::vector<std::string>& parts) {
     INFO("said: " << said);
     for (const std::string& part : parts) CHECK_THAT(said, Catch::Contains(part));

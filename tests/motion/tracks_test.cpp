@@ -1,4 +1,4 @@
-// Values over time, nodes in nodes, and where things stand: by formulas that share nothing with the tracks.
+// Values over time, nested nodes, and placements, compared with formulas that share nothing with the tracks.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 glm::dquat about_z(double degrees) { return glm::angleAxis(degrees * M_PI / 180, glm::dvec3(0, 0, 1)); }
 
-/// The angle by which a rotation about z turns the x axis, degrees.
+/// Returns the angle in degrees by which a rotation about z turns the x axis.
 double angle_of(const glm::dquat& turn) {
     const glm::dvec3 x = turn * glm::dvec3(1, 0, 0);
     return std::atan2(x.y, x.x) * 180 / M_PI;
@@ -50,7 +50,8 @@ TEST_CASE("rotations are slerped: evenly, on the shorter way, and stay rotations
 }
 
 TEST_CASE("a cubic track is the Hermite spline through its keys with its tangents", "[motion]") {
-    // Of the polynomial p(t) = t^3 - 2 t^2 + 3 t - 1 at t = 1 and 3: a cubic spline is the polynomial.
+    // For the polynomial p(t) = t^3 - 2 t^2 + 3 t - 1 between t = 1 and 3, a cubic spline is the polynomial
+    // itself.
     const auto p = [](double t) { return ((t - 2) * t + 3) * t - 1; };
     const auto slope = [](double t) { return (3 * t - 4) * t + 3; };
     Track<double> track{{1, 3}, {slope(1), p(1), slope(1), slope(3), p(3), slope(3)}, Between::cubic};
@@ -95,7 +96,8 @@ TEST_CASE("nodes move in their parents, and what hangs at them moves with both",
         CHECK(glm::length(scene.own.lights[0].position - world({1, 0, 0})) < 1e-12);
         CHECK(scene.instances[1].place == glm::dmat4(1));
     }
-    // On its way to a mirror image a mesh is flat for an instant. Beyond all lengths it is refused.
+    // On its way to a mirror image a mesh is flat for an instant. A flat mesh is legal; lengths beyond the
+    // limit are refused.
     scene.motion.nodes[1].scales = {{0, 2}, {{1, 1, 1}, {-1, 1, 1}}, Between::linear};
     pose(scene, 1);
     CHECK(glm::length(scene.instances[0].place[0]) == 0);
@@ -130,13 +132,13 @@ TEST_CASE("scenes that move have exactly the triangles that they say, and hundre
 
 TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
     // In the plane, whenever a tooth or a gap is between them. The corners of two flanks touch, as in Haines'
-    // gears, which stand still.
+    // gears, which do not move.
     PlacedScene scene = make_placed("clockwork:2");
     const SharedMesh& gear = scene.meshes[0];
     for (int k = 0; k < 12; ++k) {
         pose(scene, k / 18.0);
         const glm::dmat4 back = glm::inverse(scene.instances[1].place);
-        const auto crosses = [&](const glm::dvec3& p) {   // of a ray along x with the outline
+        const auto crosses = [&](const glm::dvec3& p) {   // crossings of a ray along x with the outline
             bool inside = false;
             for (std::size_t i = 0; i < 144; ++i) {
                 const glm::dvec3 &a = gear.vertices[i], &b = gear.vertices[(i + 1) % 144];
@@ -151,7 +153,7 @@ TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
         CHECK(met <= 2);
     }
     CHECK(gear.vertices.size() == 288);
-    pose(scene, 0.02);   // 90 degrees a second, one this way and its neighbours the other
+    pose(scene, 0.02);   // 90 degrees per second, one in this direction and its neighbours in the other
     const auto degrees = [&](std::size_t i) {
         return std::atan2(scene.instances[i].place[0][1], scene.instances[i].place[0][0]) * 180 / M_PI;
     };

@@ -1,5 +1,5 @@
-// What the host writes goes through the DRAM: every gate of a write is kept, every line is written once,
-// reads keep their answers, and the time follows from the data sheet.
+// The host's writes through the DRAM: every gate of a write is kept, every line is written once, reads keep
+// their answers, and the time follows from the data sheet.
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -16,8 +16,8 @@ constexpr int khz = 66'000;
 
 const std::vector<std::string> part_names{"sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"};
 
-/// The gates of reads and writes on the data bus and of the rows that they open, by the data sheet, pair by
-/// pair.
+/// Checks the gates of reads and writes on the data bus and of the rows that they open, by the data sheet,
+/// pair by pair.
 void check_writes(const DramPart& part, const std::vector<Dram::Issued>& all) {
     const auto clocks = [&](int ps) { return (ps + part.tck - 1) / part.tck; };
     std::map<int, std::uint32_t> open;
@@ -35,7 +35,7 @@ void check_writes(const DramPart& part, const std::vector<Dram::Issued>& all) {
             const bool closes = c.command == DramCommand::precharge_all ||
                                 (c.command == DramCommand::precharge && c.bank == b.bank);
             if (b.command == DramCommand::write) {
-                const std::int64_t end = part.cwl + burst;   // of its data
+                const std::int64_t end = part.cwl + burst;   // the end of its data
                 if (c.command == DramCommand::read) CHECK(between >= end + clocks(part.twtr));
                 if (c.command == DramCommand::write) CHECK(between >= burst);
                 if (closes) CHECK(between >= end + clocks(part.twr));

@@ -1,4 +1,4 @@
-// Built-in scenes with mirrors or glass send rays as deep as they are meant to: counted by depth.
+// Built-in scenes with mirrors or glass send rays to the expected depth, counted by depth.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
@@ -8,7 +8,7 @@ using namespace rayclock;
 
 namespace {
 
-/// Reflected and refracted rays of each depth, from 1 on.
+/// Returns the reflected and refracted rays of each depth, from 1.
 std::vector<std::uint64_t> bounces_by_depth(const Scene& scene, int most) {
     const Reference reference(scene);
     std::vector<std::uint64_t> rays;

@@ -1,5 +1,6 @@
-// The reference tracer finds the closest triangle: against a long-double loop over all triangles, and, to the
-// last bit, against a loop over all triangles with its own triangle test (the hierarchy loses nothing).
+// The reference tracer finds the closest triangle. It is compared with a long-double loop over all triangles.
+// It must also equal, bit by bit, a loop over all triangles with its own triangle test, so the hierarchy
+// loses nothing.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/ray.hpp"
@@ -16,8 +17,8 @@ struct TestRay {
     glm::dvec3 origin, direction;
 };
 
-/// Aimed anywhere, at a vertex or at a point of an edge; from all around, or from close by, where the
-/// relative margins of the box test are smallest.
+/// Draws a ray to a vertex, to a point of an edge or anywhere. It starts far around the scene or close by,
+/// where the relative margins of the box test are smallest.
 TestRay draw_ray(Rng& rng, const Scene& scene, double scale, const glm::dvec3& offset) {
     const auto& vertex = scene.triangles[rng() % scene.triangles.size()].vertex;
     const glm::dvec3 targets[] = {
@@ -30,10 +31,10 @@ TestRay draw_ray(Rng& rng, const Scene& scene, double scale, const glm::dvec3& o
     return {origin, target - origin};
 }
 
-/// Empty if `hit` is right: its triangle is met there, and no triangle that is surely met lies before it.
-/// Weights closer to 0 than 1e-7 are neither surely in nor out: rounding the direction to double moves a ray
-/// by 2^-53 of its length, which is below 1e-7 of a triangle that is not far thinner than 1e-8 of that
-/// length.
+/// Returns an empty string if `hit` is correct: its triangle is met there, and no triangle that is surely met
+/// lies before it. Weights closer to 0 than 1e-7 are neither surely inside nor outside. Rounding the
+/// direction to double moves a ray by 2^-53 of its length. This is below 1e-7 of a triangle unless it is far
+/// thinner than 1e-8 of that length.
 std::string judge(const Scene& scene, const TestRay& ray, const Hit& hit) {
     constexpr long double unsure = 1e-7L;
     long double depth = std::numeric_limits<long double>::infinity();
@@ -58,7 +59,7 @@ Hit loop_over_all(const Scene& scene, const TestRay& ray) {
     const glm::dvec3 scaled = ray.direction / std::max(size.x, std::max(size.y, size.z));
     const RefRay prepared(space(ray.origin), glm::normalize(scaled));
     RefClosest best;
-    // Backwards, so that a tie decided by the order of the visit shows.
+    // In reverse, so that a tie decided by the order of visits becomes visible.
     for (std::size_t i = scene.triangles.size(); i-- > 0;) {
         RefBlock block{};
         for (int lane = 0; lane < ref_block_size; ++lane) {
@@ -114,7 +115,7 @@ TEST_CASE("triangles without area hide nothing", "[reference]") {
         scene.triangles.push_back({{v[0], v[1], v[0]}, 0});   // a segment
     }
     const auto repeated = static_cast<std::uint32_t>(scene.triangles.size());
-    // Collinear in exactly representable coordinates; but their images, rounded, need not be.
+    // Collinear in exactly representable coordinates. Their rounded images need not be collinear.
     for (int i = 0; i < 20; ++i) {
         const glm::dvec3 a(rng() % 8, rng() % 8, rng() % 8), step(rng() % 4, rng() % 4, 1);
         add_triangle(scene, a / 8.0, (a + step) / 8.0, (a + 2.0 * step) / 8.0);

@@ -1,4 +1,4 @@
-// Coincident primitives: the reference holds the one with the lowest number, as the machine does.
+// Coincident primitives: the reference keeps the one with the lowest number, as the machine does.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/distinct.hpp"
@@ -36,7 +36,7 @@ TEST_CASE(
         if (!plain.camera) plain.camera = fit_camera(plain, 4.0 / 3);
         std::vector<std::uint32_t> original;
         const Scene more = tripled(plain, 7, original);
-        // Where triangles of the plain scene coincide, the plain one's number says nothing.
+        // Where triangles of the plain scene coincide, its number is ambiguous.
         if (distinct_triangles(plain).size() != plain.triangles.size()) continue;
         const HitFrame one = Reference(plain).frame(*plain.camera, size),
                        three = Reference(more).frame(*plain.camera, size);

@@ -1,4 +1,5 @@
 #pragma once
+// Scenes in Embree, the second opinion on the reference.
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -17,7 +18,7 @@
 
 namespace rayclock {
 
-/// What a ray of a unit direction meets, with its distance.
+/// Returns what a ray with a unit direction meets, with its distance.
 inline RTCRayHit embree_hit(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction) {
     RTCRayHit query{};
     query.ray.org_x = static_cast<float>(origin.x);
@@ -66,7 +67,7 @@ protected:
         return static_cast<T*>(
             rtcSetNewGeometryBuffer(geometry, type, 0, format, components * sizeof(T), count));
     }
-    /// Returns its number.
+    /// Attaches a geometry and returns its number.
     static unsigned attach(RTCScene scene, RTCGeometry geometry) {
         rtcCommitGeometry(geometry);
         const unsigned number = rtcAttachGeometry(scene, geometry);
@@ -93,12 +94,12 @@ private:
     RTCDevice device_;
 };
 
-/// One geometry, whose primitive numbers are the scene's.
+/// A single geometry, whose primitive numbers are the scene's.
 class EmbreeGeometry : public EmbreeWorld {
 public:
     using EmbreeWorld::EmbreeWorld;
 
-    /// Closest hit; `direction` must be a unit vector, so that depth is the distance.
+    /// Returns the closest hit. `direction` must be a unit vector, so that depth is the distance.
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
         const RTCRayHit query = embree_hit(scene_, origin, direction);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
@@ -131,7 +132,8 @@ public:
     }
 };
 
-/// A scene of triangles and instances, which are Embree's own; a primitive has its number in the flat scene.
+/// A scene of triangles and instances, as Embree's own instances. A primitive has its number in the flat
+/// scene.
 class EmbreeInstances : public EmbreeWorld {
 public:
     explicit EmbreeInstances(const PlacedScene& scene) : EmbreeWorld(RTC_SCENE_FLAG_ROBUST) {
@@ -167,7 +169,7 @@ public:
 
 private:
     std::vector<RTCScene> meshes_;
-    std::map<unsigned, std::uint32_t> firsts_;   ///< primitive of each instance
+    std::map<unsigned, std::uint32_t> firsts_;   ///< the first primitive of each instance
 };
 
 }   // namespace rayclock

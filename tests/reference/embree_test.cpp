@@ -1,5 +1,5 @@
-// Embree 3.13 as a second opinion on the built-in scenes. It computes in single precision, so where it
-// disagrees the disagreement must be explained by its rounding, pixel by pixel; unexplained ones: none.
+// Embree 3.13 as a second opinion on the built-in scenes. It computes in single precision, so its rounding
+// must explain every pixel where it disagrees.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/instances.hpp"
@@ -14,10 +14,10 @@ namespace {
 
 const FrameSize size{256, 192};
 
-/// How far Embree's view of a ray and a triangle may be from the truth, as a length in the scene; d is the
+/// Returns the largest error of Embree's view of a ray and a triangle, as a length in the scene. d is the
 /// distance of the triangle's farthest corner. One rounding is 2^-24 relative. Origin and vertices are
-/// rounded once (o and o + d), the direction once (d); then its Pluecker test translates, subtracts vertices
-/// and sums three products of differences, some 8 roundings of at most d. Twice the sum leaves room.
+/// rounded once (o and o + d), the direction once (d). Then its Pluecker test translates, subtracts vertices
+/// and sums three products of differences: about 8 roundings of at most d. Twice the sum leaves room.
 long double embree_error(const Scene& scene, std::uint32_t primitive, const glm::dvec3& origin) {
     long double d = 0;
     for (const std::uint32_t v : scene.triangles[primitive].vertex)
@@ -38,7 +38,7 @@ struct Judge {
     glm::dvec3 origin, direction;
     PlaneHit plane(std::uint32_t primitive) const { return plane_hit(scene, primitive, origin, direction); }
 
-    /// The ray passes so near to an edge of the triangle that Embree cannot know on which side.
+    /// Returns true if the ray passes so close to an edge of the triangle that Embree cannot decide the side.
     bool at_edge(std::uint32_t primitive) const {
         return distance_to_edges(scene, primitive, origin, direction) <=
                embree_error(scene, primitive, origin);
@@ -48,8 +48,8 @@ struct Judge {
         return embree_error(scene, primitive, origin) / plane(primitive).cosine;
     }
 
-    /// Same depth within rounding, and either triangle is met or nearly so; or the nearer of the two is met
-    /// or missed only by rounding at its edge.
+    /// Returns true if rounding explains the difference. Either the depths are equal within rounding and one
+    /// triangle is met or nearly met. Or the nearer one is met or missed only by rounding at its edge.
     bool explains(std::uint32_t ours, std::uint32_t theirs) const {
         if (ours == no_primitive || theirs == no_primitive)
             return at_edge(ours == no_primitive ? theirs : ours);
@@ -62,7 +62,7 @@ struct Judge {
     }
 };
 
-/// `scene` is flat; `ours` and `theirs` have the numbers of its primitives.
+/// `scene` is flat; `ours` and `theirs` use the numbers of its primitives.
 template <class Ours, class Theirs>
 Counts compare_with_embree(const Scene& scene, const Ours& ours_of, const Theirs& embree) {
     const Camera camera = scene.camera ? *scene.camera : fit_camera(scene, 256.0 / 192.0);
@@ -94,8 +94,7 @@ void check(const std::string& spec, const Counts& counts) {
     CHECK(counts.unexplained == 0);
     CHECK(counts.wrong_depth == 0);
     CHECK(counts.hits > size.width * size.height / 20);
-    // An explanation that fits many pixels would explain nothing: rounding is 1e-6, a pixel 1e-2 of the
-    // picture.
+    // An explanation of many pixels would explain nothing: rounding is 1e-6, a pixel 1e-2 of the picture.
     CHECK(counts.disputed <= size.width * size.height / 500);
 }
 
@@ -108,8 +107,8 @@ TEST_CASE("Embree finds the same primitives, but for its rounding", "[reference]
     check(spec, compare_with_embree(scene, Reference(scene), EmbreeScene(scene, RTC_SCENE_FLAG_ROBUST)));
 }
 
-// Embree moves origin and direction into an instance's space in single precision. The bound above leaves room
-// for these few roundings as well.
+// Embree transforms origin and direction into an instance's space in single precision. The bound above has
+// room for these few roundings.
 TEST_CASE("Embree's instances are hit as ours are, but for its rounding", "[reference][embree][placed]") {
     const auto spec = GENERATE(as<std::string>{}, "gearbox:2", "flake:2", "boughs:4", "clockwork:4",
                                "crowd:3", "flight:20");

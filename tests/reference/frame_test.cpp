@@ -1,5 +1,5 @@
-// Reference::frame(): the same answer from any number of threads, pixel by pixel what trace() finds; and the
-// hierarchy below it.
+// Reference::frame(): the result does not depend on the number of threads, and each pixel equals trace().
+// Also the hierarchy below it.
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -18,7 +18,7 @@ namespace {
 
 const Camera camera{{0.5, -3, 1}, {0, 0, 0}, {0, 0, 1}, 45};
 
-/// Inner nodes on the longest path.
+/// Returns the number of inner nodes on the longest path.
 int depth_below(const RefHierarchy& hierarchy, std::uint32_t at) {
     int depth = 0;
     for (int i = 0; i < 4; ++i)
@@ -60,7 +60,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads that build it"
 
 TEST_CASE("a hierarchy over coinciding and nested boxes holds them all and keeps to its depth",
           "[reference]") {
-    // Each box a tenth smaller than the one before: no cut by area halves these.
+    // Each box is a tenth smaller than the previous one, so no cut by area halves them.
     std::vector<RefBox> boxes;
     for (std::uint32_t i = 0; i < 800; ++i) {
         const float side = std::pow(0.9f, static_cast<float>(i));

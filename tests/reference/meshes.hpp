@@ -9,7 +9,7 @@
 
 namespace rayclock {
 
-// Little meshes and rays for the tests of the reference tracer; nothing shared with the built-in scenes.
+// Small meshes and rays for the tests of the reference tracer. They share nothing with the built-in scenes.
 
 using Rng = std::mt19937_64;
 
@@ -43,7 +43,7 @@ inline Scene empty_scene() {
     return scene;
 }
 
-/// Random triangles of about `size` in -1..1, then scaled and moved.
+/// Returns random triangles of about `size` in -1..1, then scaled and moved.
 inline Scene soup(Rng& rng, int count, double size, double scale = 1,
                   const glm::dvec3& offset = glm::dvec3(0)) {
     Scene scene = empty_scene();
@@ -56,7 +56,8 @@ inline Scene soup(Rng& rng, int count, double size, double scale = 1,
     return scene;
 }
 
-/// Closed sphere: an octahedron with every triangle cut in four `level` times; neighbours share vertices.
+/// Returns a closed sphere: an octahedron with every triangle divided in four `level` times. Neighbours share
+/// vertices.
 inline Scene sphere(int level, double radius = 1, const glm::dvec3& centre = glm::dvec3(0)) {
     Scene scene = empty_scene();
     scene.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -84,7 +85,7 @@ inline Scene sphere(int level, double radius = 1, const glm::dvec3& centre = glm
     return scene;
 }
 
-/// The 12 triangles of an axis-parallel box.
+/// Returns the 12 triangles of an axis-parallel box.
 inline Scene box(const glm::dvec3& lo, const glm::dvec3& hi) {
     Scene scene = empty_scene();
     for (std::uint32_t i = 0; i < 8; ++i)

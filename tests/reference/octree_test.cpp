@@ -1,4 +1,4 @@
-// Octrees by published rules: their counts, and rays against a search of all leaves.
+// Octrees by published rules: their counts, and rays compared with a search of all leaves.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -62,15 +62,15 @@ TEST_CASE("a shadow ray ends at the first test of what is in its way") {
     CHECK(tests({1, 2}) == Two{4, 2});
 }
 
-// V. Havran, "Comparison of Octree Traversal Algorithms", 1999: inner nodes, leaves, empty ones, references.
-// What is off, and why: docs/spd.md.
+// V. Havran, "Comparison of Octree Traversal Algorithms", 1999: inner nodes, leaves, empty leaves,
+// references. docs/spd.md explains the deviations.
 TEST_CASE("octrees of Haines' scenes are those that were published") {
     struct Published {
         const char* scene;
         std::size_t objects;
         int depth;
         OctreeSize size;
-        double off = 0;   ///< of references; what is off of the rest is not more
+        double off = 0;   ///< deviation of references; the deviations of the others are not larger
     };
     const auto p = GENERATE(Published{"balls:4", 7382, 4, {57, 400, 300, 9171}},
                             Published{"balls:4", 7382, 5, {117, 820, 570, 10946}},
@@ -97,7 +97,7 @@ TEST_CASE("octrees of Haines' scenes are those that were published") {
 }
 
 TEST_CASE("what was one polygon is one object of an octree") {
-    Scene scene;   // an L of four triangles, one that lies beside it in its plane, and one that looks down
+    Scene scene;   // an L of four triangles, a neighbour in its plane, and one that faces down
     scene.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0},
                       {0, 2, 0}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}};
     scene.materials.resize(2);

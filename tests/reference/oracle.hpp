@@ -10,11 +10,11 @@
 
 namespace rayclock {
 
-// An independent judge: Moeller, Trumbore 1997 in long double, no hierarchy, no early exit.
+// An independent judge: Moeller, Trumbore 1997 in long double, without hierarchy and early exit.
 
 using Exact3 = glm::vec<3, long double>;
 
-/// A ray against one triangle's plane. `inside` is the smallest barycentric weight: >= 0 means inside.
+/// A ray's crossing of one triangle's plane. `inside` is the smallest barycentric weight: >= 0 means inside.
 struct PlaneHit {
     bool crosses = false;    ///< false for degenerate triangles and rays parallel to the plane
     long double depth = 0;   ///< along the unit direction
@@ -41,10 +41,10 @@ inline PlaneHit plane_hit(const Scene& scene, std::uint32_t primitive, const glm
     return hit;
 }
 
-/// Smallest distance between the ray's line and the segment a-b.
+/// Returns the smallest distance between the ray's line and the segment a-b.
 inline long double distance_to_segment(const Exact3& origin, const Exact3& unit, const Exact3& a,
                                        const Exact3& b) {
-    // Seen along the ray: the line is the point 0, the segment is flat.
+    // Projected along the ray: the line is the point 0, the segment is flat.
     const auto flat = [&](const Exact3& p) { return p - origin - glm::dot(p - origin, unit) * unit; };
     const Exact3 from = flat(a), along = flat(b) - from;
     const long double length2 = glm::dot(along, along);
@@ -52,7 +52,7 @@ inline long double distance_to_segment(const Exact3& origin, const Exact3& unit,
     return glm::length(from + t * along);
 }
 
-/// How far the ray's line passes from the nearest of the triangle's three edges.
+/// Returns the distance of the ray's line from the nearest of the triangle's three edges.
 inline long double distance_to_edges(const Scene& scene, std::uint32_t primitive, const glm::dvec3& origin,
                                      const glm::dvec3& direction) {
     const auto& vertex = scene.triangles[primitive].vertex;

@@ -1,5 +1,5 @@
-// Rays that slab and edge tests get wrong: zero and negative zero components, rays in the faces of boxes,
-// origins on surfaces; and what trace() promises of depth, sides and directions.
+// Rays that slab and edge tests often get wrong: zero and negative zero components, rays in the faces of
+// boxes, origins on surfaces. Also the guarantees of trace() for depth, sides and directions.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
@@ -9,7 +9,8 @@ using namespace rayclock;
 
 namespace {
 
-/// Squares of two triangles each in the plane z = 0, over 0..n in x and y: box faces at every integer.
+/// Returns squares of two triangles each in the plane z = 0, over 0..n in x and y, with box faces at every
+/// integer.
 Scene checkerboard(int n) {
     Scene scene = empty_scene();
     for (int y = 0; y <= n; ++y)
@@ -76,7 +77,7 @@ TEST_CASE("rays along box faces, edges and corners of a grid hit its border", "[
                 const Hit down = reference.trace({x / 2.0, y / 2.0, 3}, {zero, zero, -1});
                 REQUIRE(down.primitive != no_primitive);
                 REQUIRE(down.depth == 3);
-                // Slanted in one plane: that plane holds the faces of many boxes.
+                // Slanted within one plane, which contains the faces of many boxes.
                 const Hit slanted = reference.trace({x / 2.0, y / 2.0 - 3, 3}, {zero, 1, -1});
                 REQUIRE(slanted.primitive != no_primitive);
             }
@@ -113,8 +114,8 @@ TEST_CASE("depth is measured along the unit direction, and only in front of the 
         CHECK(hit.depth == 5);
         CHECK(reference.trace({0, 0, 5}, glm::dvec3(0, 0, length)).primitive == no_primitive);
     }
-    CHECK(reference.trace({0, 0, -5}, {0, 0, 1}).depth == 5);                 // from behind as well
-    CHECK(reference.trace({0, 0, 0}, {0, 0, 1}).primitive == no_primitive);   // depth 0 is no hit
+    CHECK(reference.trace({0, 0, -5}, {0, 0, 1}).depth == 5);                 // also from behind
+    CHECK(reference.trace({0, 0, 0}, {0, 0, 1}).primitive == no_primitive);   // depth 0 is not a hit
     CHECK(reference.trace({0, 0, 1e-12}, {0, 0, -1}).primitive == 0);
 }
 

@@ -1,5 +1,5 @@
-// Spheres and planes of the reference against arithmetic in long double and rules that need no tracer; Embree
-// as a second opinion.
+// Compares the reference's spheres and planes with long double arithmetic and with rules that need no tracer.
+// Embree is a second opinion.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -19,10 +19,10 @@ using Real = long double;
 struct Answer {
     std::uint32_t primitive = no_primitive;
     Real depth = INFINITY;
-    bool is_close = false;   ///< of two hits or a hit and a miss, by less than rounding
+    bool is_close = false;   ///< two hits, or a hit and a miss, differ by less than rounding
 };
 
-/// Every sphere and plane, one by one, in 64 bits of mantissa.
+/// Tests every sphere and plane with a mantissa of 64 bits.
 Answer brute_force(const Scene& scene, const glm::dvec3& o, const glm::dvec3& direction) {
     const glm::dvec3 d = glm::normalize(direction);
     Answer best;
@@ -58,7 +58,7 @@ Answer brute_force(const Scene& scene, const glm::dvec3& o, const glm::dvec3& di
     return best;
 }
 
-/// Balls of all sizes, some of glass, two planes.
+/// Returns balls of all sizes, some of glass, and two planes.
 Scene balls_and_planes(Rng& rng, int count) {
     Scene scene = empty_scene();
     scene.materials.push_back({.name = "glass", .transmit = 0.5, .index = 1.5});
@@ -113,6 +113,7 @@ TEST_CASE("triangles, spheres and planes count through", "[reference][round]") {
     CHECK(reference.trace({0, 0, 4}, {0, 0, -1}).primitive == 0);
     CHECK(reference.trace({5, 0, 4}, {0, 0, -1}).primitive == 1);
     CHECK(reference.trace({5, 0, -4}, {0, 0, 1}).primitive == 1);   // both begin at z = -1: the lower number
+                                                                    // wins
     CHECK(reference.trace({9, 0, 4}, {0, 0, -1}).primitive == 3);
     CHECK(reference.trace({9, 0, 4}, {0, 0, 1}).primitive == no_primitive);
     CHECK(reference.trace({9, 0, 4}, {1, 0, 0}).primitive == no_primitive);
@@ -160,8 +161,8 @@ TEST_CASE("a ray does not meet what it has left, but for the far side of a spher
         for (const double side : {-0x1p-36, 0.0, 0x1p-36})
             CHECK(geometry.closest({on + side * normal, d, 0, false}).primitive == no_primitive);
         if (!is_inward) continue;
-        // A start that is a little inside has a far side, however flat the ray. Its chord is longer by at
-        // most sqrt(2^-35 r).
+        // A start slightly inside has a far side, for any angle of the ray. Its chord is longer by at most
+        // sqrt(2^-35 r).
         const RefClosest hit = geometry.closest({on - 0x1p-36 * normal, d, 0, true});
         REQUIRE(hit.primitive == 0);
         REQUIRE(hit.depth == Approx(-2 * r * glm::dot(d, normal)).margin(5e-6));
@@ -203,7 +204,7 @@ TEST_CASE("Embree finds the same spheres, but for its rounding", "[reference][ro
             hits += ours.primitive != no_primitive;
             others += ours.primitive != theirs.primitive;
             if (ours.primitive != theirs.primitive || ours.primitive == no_primitive) continue;
-            // The depth of a sphere's outline is not known better than the root of the rounding of its place.
+            // The depth at a sphere's outline is known only to the root of its position's rounding error.
             const double grazing = std::sqrt(scene.spheres[ours.primitive].radius * 1e-6 * ours.depth);
             REQUIRE(std::abs(ours.depth - theirs.depth) < 1e-5 * ours.depth + grazing);
         }

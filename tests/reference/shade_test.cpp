@@ -1,4 +1,4 @@
-// shade(): each term against a hand-computed value, sides, smooth normals and their edge cases.
+// shade(): each term against a value computed by hand, with sides, smooth normals and their edge cases.
 #include <catch2/catch.hpp>
 
 #include "model/scene/hit_shading.hpp"
@@ -8,7 +8,7 @@ using namespace rayclock;
 
 namespace {
 
-/// One triangle in the plane z = 0 around the origin, seen from z = 5; the only pixel hits its point (0, 0,
+/// One triangle in the plane z = 0 around the origin, seen from z = 5. The only pixel hits its point (0, 0,
 /// 0).
 struct Bench {
     Scene scene = empty_scene();
@@ -46,7 +46,7 @@ TEST_CASE("the highlight is the mirrored light's cosine to the power of shine, i
     Bench bench;
     bench.scene.materials[0].highlight = 0.4;
     bench.scene.materials[0].shine = 3;
-    bench.scene.lights = {{{3, 0, 4}, {1, 1, 0}}};   // cosine 0.8 to the normal, which points at the eye
+    bench.scene.lights = {{{3, 0, 4}, {1, 1, 0}}};   // cosine 0.8 to the normal, which points to the eye
     const double highlight = 0.4 * 0.8 * 0.8 * 0.8;
     check_colour(bench.colour(), {0.2 + 0.4 + highlight, 0.1 + 0.2 + highlight, 0.05});
 }
@@ -99,7 +99,7 @@ TEST_CASE("a light in the surface, or the eye in it, gives finite colours", "[sh
     CHECK(std::isfinite(bench.colour().r));
     bench.scene.camera->eye = {0, 0, 0};
     CHECK(std::isfinite(bench.colour().r));
-    bench.scene.triangles[0].vertex = {0, 0, 0};   // no normal at all
+    bench.scene.triangles[0].vertex = {0, 0, 0};   // no normal
     CHECK(std::isfinite(bench.colour().r));
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a sphere is shaded by its depth, a plane by its square", "[shade]") {
     bench.scene.spheres = {{{0, 0, -2}, 2, 0}};
     bench.frame.hits[0] = {0, 5, 0, 0};   // the point (0, 0, 0), whose normal is (0, 0, 1)
     check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
-    bench.scene.spheres[0].centre.z = 2;   // seen from inside: the normal is turned
+    bench.scene.spheres[0].centre.z = 2;   // seen from inside: the normal is reversed
     check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
 
     bench.scene.planes = {{{-1, -2, 0}, {2, 0, 0}, {0, -1, 0}, 0}};
@@ -156,6 +156,6 @@ TEST_CASE("a picture with spheres takes the rays of its own pixels", "[shade]") 
     const double b = -glm::dot(rays.eye, d),
                  depth = b - std::sqrt(1 - glm::dot(rays.eye + b * d, rays.eye + b * d));
     frame.hits[8 * 31 + 12] = {0, static_cast<float>(depth), 0, 0};
-    // The light comes along z from far away: the colour is the normal's z.
+    // The light comes along z from far away, so the colour is the normal's z.
     CHECK(shade(scene, frame).pixels[8 * 31 + 12].r == Approx((rays.eye + depth * d).z).epsilon(1e-3));
 }

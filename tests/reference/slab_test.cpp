@@ -1,6 +1,5 @@
-// The box test alone: it never turns away a ray that touches the box, not even one that passes by a few
-// roundings of double precision, since the triangle test may see a vertex there; and it does turn away rays
-// that pass by more.
+// The box test alone. It never rejects a ray that touches the box, or that misses by a few roundings of
+// double precision, because the triangle test may see a vertex there. It rejects rays that miss by more.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/ray.hpp"
@@ -12,8 +11,9 @@ namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
 
-/// A box within -1..1 in lane 2 of a node, flat along an axis now and then, or with a plane next to 0, where
-/// floats are so dense that no rounding to float hides a missing margin; the other lanes are absent children.
+/// A box within -1..1 in lane 2 of a node; the other lanes are absent children. Sometimes it is flat along an
+/// axis, or has a plane next to 0. Floats are so dense there that no rounding to float hides a missing
+/// margin.
 struct OneBox {
     glm::dvec3 lo, hi;
     RefNode node{};
@@ -39,7 +39,8 @@ struct OneBox {
     }
 };
 
-/// A point of the surface: on a face, an edge or a corner; `outward` tells the faces that it lies on.
+/// Draws a point of the surface, on a face, an edge or a corner. Sets `outward` for the faces that contain
+/// it.
 glm::dvec3 surface_point(Rng& rng, const OneBox& box, glm::dvec3& outward) {
     glm::dvec3 p;
     outward = glm::dvec3(0);
@@ -60,7 +61,7 @@ TEST_CASE("rays that touch a box, or pass it by a few roundings, enter it", "[re
         const OneBox box(rng);
         glm::dvec3 outward;
         const glm::dvec3 target = surface_point(rng, box, outward);
-        // Parallel to the faces that the target lies on, so that missing by a little is missing for good.
+        // Parallel to the faces of the target, so that a small miss stays a miss.
         glm::dvec3 direction = random_direction(rng);
         for (int k = 0; k < 3; ++k)
             if (outward[k] != 0 && rng() % 4 != 0) direction[k] = rng() % 2 ? 0.0 : -0.0;
@@ -83,7 +84,7 @@ TEST_CASE("rays that pass a box, point away from it or end before it are turned 
         const glm::dvec3 target = surface_point(rng, box, outward);
         glm::dvec3 along = random_direction(rng);
         const glm::dvec3 off = target + 1e-5 * outward;
-        // Outward or along in every component that matters: off never meets the box again.
+        // Outward or parallel in every relevant component: the ray never meets the box again.
         for (int k = 0; k < 3; ++k)
             if (outward[k] != 0) along[k] = rng() % 2 ? 0.0 : std::abs(along[k]) * outward[k];
         if (glm::length(along) < 1e-3) continue;

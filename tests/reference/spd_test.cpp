@@ -1,6 +1,6 @@
-// Rays of Haines' scenes, counted by his rules and compared with the table that the rules reproduce
-// (spd.md 6.2 and 6.3): 513 x 513 rays through the corners of pixels, eye rays of depth 1 and at most depth
-// 5, which is 4 bounces here.
+// Rays of Haines' scenes, counted by his rules and compared with the table that these rules reproduce (spd.md
+// 6.2 and 6.3). 513 x 513 rays go through the corners of pixels. Eye rays have depth 1 and the deepest has
+// depth 5, which is 4 bounces here.
 #include <cmath>
 #include <numbers>
 
@@ -18,8 +18,8 @@ struct Case {
     RayCounts rays;
 };
 
-/// 512 spacings of pixels span what 511 do in the scene's own angle, and half a pixel more on each side is
-/// the picture's edge.
+/// 512 spacings of pixels span what 511 span in the scene's own angle. The picture's edge is half a pixel
+/// farther on each side.
 Camera corner_rays(Camera camera) {
     const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / 511;
     camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;

@@ -1,5 +1,5 @@
-// A closed surface lets no ray out: rays from inside aimed at vertices, at edges and anywhere, at several
-// scales, and rays from outside at the vertices and edges that face them. Every miss is a leak; none is
+// A closed surface lets no ray out. Rays from inside aim at vertices, at edges and anywhere, at several
+// scales. Rays from outside aim at the vertices and edges that face them. Every miss is a leak, and none is
 // allowed.
 #include <catch2/catch.hpp>
 
@@ -10,8 +10,8 @@ using namespace rayclock;
 
 namespace {
 
-/// Targets on the surface: every vertex, and two points of each triangle's edges (rounded, so beside the
-/// edge).
+/// Returns targets on the surface: every vertex, and two points of each triangle's edges, rounded and so
+/// slightly off the edge.
 std::vector<glm::dvec3> seams(const Scene& scene, Rng& rng) {
     std::vector<glm::dvec3> points = scene.vertices;
     for (const Triangle& t : scene.triangles) {
@@ -62,7 +62,7 @@ TEST_CASE("no ray leaves a closed box with faces on lattice planes", "[reference
     const Scene scene = box({-1, -1, -1}, {1, 1, 1});
     const Reference reference(scene);
     int leaks = 0;
-    // Lattice origins and directions: most rays run along diagonals, edges and corners exactly.
+    // Lattice origins and directions: most rays run exactly along diagonals, edges and corners.
     for (int o = 0; o < 27; ++o)
         for (int d = 0; d < 125; ++d) {
             const glm::dvec3 origin = glm::dvec3(o % 3 - 1, o / 3 % 3 - 1, o / 9 - 1) * 0.5;

@@ -1,4 +1,4 @@
-// The finished picture, case by case against what follows from the rules with pen and paper.
+// The finished picture, case by case, against values computed by hand from the rules.
 #include <cmath>
 #include <numbers>
 
@@ -14,10 +14,10 @@ namespace {
 
 const Material black{"black", {0, 0, 0}, 0, 0, 0, 1, 0, 0, 1};
 
-/// Shines by itself, the same from all sides.
+/// Returns a material that emits the same light in all directions.
 Material glowing(const glm::dvec3& colour) { return {"glow", colour, 1, 0, 0, 1, 0, 0, 1}; }
 
-/// No light, black background: what is seen glows, or reflects what does.
+/// Returns a scene without light on a black background. Visible surfaces glow, or reflect a glow.
 Scene dark() {
     Scene scene;
     scene.background = glm::dvec3(0);
@@ -36,7 +36,7 @@ void add_quad(Scene& scene, std::uint32_t material, const glm::dvec3& middle, co
     scene.triangles[scene.triangles.size() - 2].material = scene.triangles.back().material = material;
 }
 
-/// A picture of one pixel: one ray from `eye` through `at`.
+/// Renders a picture of one pixel: one ray from `eye` through `at`.
 WhittedFrame one_ray(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& at,
                      const Whitted& settings = {}) {
     const glm::dvec3 gaze = at - eye;
@@ -131,7 +131,7 @@ TEST_CASE("index 1 lets everything pass straight on", "[reference][whitted]") {
 }
 
 TEST_CASE("a slab moves a ray aside by Snell's law", "[reference][whitted]") {
-    // t sin(a) (1 - cos(a) / sqrt(n^2 - sin^2(a))) across the ray, for a slab of thickness t.
+    // The shift across the ray for a slab of thickness t: t sin(a) (1 - cos(a) / sqrt(n^2 - sin^2(a))).
     const double index = 1.5, thickness = 2, angle = 40 * std::numbers::pi / 180;
     const double across =
         thickness * std::sin(angle) *
@@ -141,7 +141,7 @@ TEST_CASE("a slab moves a ray aside by Snell's law", "[reference][whitted]") {
     scene.materials = {{"glass", {0, 0, 0}, 0, 0, 0, 1, 0, 1, index}};
     const glm::dvec3 d(std::sin(angle), 0, -std::cos(angle)), side(std::cos(angle), 0, std::sin(angle)),
         eye = glm::dvec3(0, 0, thickness) - 5.0 * d;
-    // Denser, so the ray bends to the normal inside and comes out behind the straight one.
+    // The slab is denser, so the ray bends towards the normal inside and leaves behind the straight line.
     const glm::dvec3 target = eye - across * side + 20.0 * d;
     scene.spheres = {{target, 1e-5, add(scene, glowing({1, 1, 1}))}};
     check_colour(one_ray(scene, eye, eye + d).pixels[0], glm::dvec3(1));
@@ -150,7 +150,7 @@ TEST_CASE("a slab moves a ray aside by Snell's law", "[reference][whitted]") {
 }
 
 TEST_CASE("beyond the critical angle all is reflected, and nothing passes", "[reference][whitted]") {
-    // From inside glass (index 1.5) towards a plane boundary: the critical angle's sine is 2/3.
+    // From inside glass (index 1.5) towards a plane boundary: the sine of the critical angle is 2/3.
     Scene scene = dark();
     const std::uint32_t glass = add(scene, {"glass", {0, 0, 0}, 0, 0, 0, 1, 0.1, 0.8, 1.5});
     scene.planes = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, glass}};   // outside is z > 0
@@ -164,7 +164,7 @@ TEST_CASE("beyond the critical angle all is reflected, and nothing passes", "[re
     check_colour(above.pixels[0], {0.9, 0, 0});
     for (const WhittedFrame* frame : {&below, &above})
         CHECK(frame->rays == RayCounts{.primary = 1, .reflection = 1, .refraction = 1, .primary_hits = 1});
-    // From outside there is no such angle.
+    // From outside there is no critical angle.
     const double sine = 0.999;
     check_colour(one_ray(scene, {0, 0, 3}, {3 * sine / std::sqrt(1 - sine * sine), 0, 0}).pixels[0],
                  {0.8, 0.1, 0});
@@ -180,7 +180,7 @@ TEST_CASE("Schlick's term is R0 straight ahead and grows to 1", "[reference][whi
     check_colour(one_ray(scene, {0, 0, 3}, {0, 0, 0}).pixels[0], {1 - r0, r0, 0});
     const double slant = r0 + (1 - r0) * std::pow(0.5, 5);   // 60 degrees
     check_colour(one_ray(scene, {0, 0, 3}, {3 * std::sqrt(3.0), 0, 0}).pixels[0], {1 - slant, slant, 0});
-    // Whatever the angle, nothing is lost.
+    // At any angle no energy is lost.
     scene.materials[glass].mirror = 0;
     const glm::dvec3 flat = one_ray(scene, {0, 0, 3}, {300, 0, 0}).pixels[0];
     CHECK(flat.r + flat.g == Approx(1));
@@ -198,7 +198,7 @@ TEST_CASE("two mirrors count down the depth", "[reference][whitted]") {
         CHECK(frame.rays ==
               RayCounts{.primary = 1, .reflection = static_cast<std::uint64_t>(depth), .primary_hits = 1});
     }
-    // Weights 1/2, 1/4, 1/8, ...: a ray of just the threshold is still sent.
+    // Weights 1/2, 1/4, 1/8, ...: a ray exactly at the threshold is still sent.
     for (const auto& [threshold, rays] :
          {std::pair(0.5, 1u), {0.500001, 0u}, {0.2, 2u}, {0.125, 3u}, {0.0, 15u}})
         CHECK(one_ray(scene, {0, 0, 5}, {0.5, 0, 0}, {.depth = 15, .threshold = threshold}).rays.reflection ==
@@ -220,7 +220,7 @@ TEST_CASE("smooth normals send no ray through the surface", "[reference][whitted
     add_quad(scene, add(scene, {"mirror", {0, 0, 0}, 0, 0, 0, 1, 1, 0, 1}), {0, 0, 0}, {5, 0, 0}, {0, 5, 0});
     scene.background = glm::dvec3(0.5);
     scene.normals.assign(scene.vertices.size(), glm::normalize(glm::dvec3(1, 0, 1)));
-    // From above, mirrored about 45 degrees: a little above the surface, or a little below it.
+    // From above, mirrored about 45 degrees: slightly above the surface, or slightly below it.
     CHECK(one_ray(scene, {0.01, 0, 5}, {0, 0, 0}).rays.reflection == 1);
     CHECK(one_ray(scene, {-0.01, 0, 5}, {0, 0, 0}).rays.reflection == 0);
 }
@@ -229,7 +229,7 @@ TEST_CASE("a sample is clipped at white before the mean is taken", "[reference][
     Scene scene = dark();
     add_quad(scene, add(scene, {"white", {1, 1, 1}, 1, 1, 0, 1, 0, 0, 1}), {-5, 0, 0}, {5, 0, 0}, {0, 5, 0});
     scene.lights = {{{0, 0, 1000}, {1, 1, 1}}};
-    // The edge x = 0 cuts the pixel in halves; the surface would be twice as bright as white.
+    // The edge x = 0 halves the pixel. The surface would be twice as bright as white.
     const WhittedFrame frame = one_ray(scene, {0, 0, 5}, {0, 0, 0}, {.aa = 4});
     check_colour(frame.pixels[0], glm::dvec3(0.5));
     CHECK(frame.rays.primary == 16);

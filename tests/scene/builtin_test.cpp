@@ -1,4 +1,4 @@
-// `name:size`, and the sentences for specifications that are none.
+// `name:size`, and the messages for invalid specifications.
 #include <set>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The map from pixels to rays, and cameras found for scenes that have none.
+// The map from pixels to rays, and cameras fitted to scenes without one.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -30,8 +30,8 @@ Scene one_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return scene;
 }
 
-/// Pixel coordinates of a point, by Cramer's rule on corner + x right + y down = s (p - eye); written without
-/// looking at how the rays were made. NaN if the point is not in front of the camera.
+/// Returns pixel coordinates of a point, by Cramer's rule on corner + x right + y down = s (p - eye). Written
+/// independently of the code that makes rays. NaN if the point is not in front of the camera.
 glm::dvec2 project(const PixelRays& rays, const glm::dvec3& p) {
     const double size =
         std::max({std::abs(p.x - rays.eye.x), std::abs(p.y - rays.eye.y), std::abs(p.z - rays.eye.z)});
@@ -43,7 +43,8 @@ glm::dvec2 project(const PixelRays& rays, const glm::dvec3& p) {
             glm::dot(in_plane, rays.down) / glm::dot(rays.down, rays.down)};
 }
 
-/// Largest distance of a used vertex from the picture's centre, 1 at the edges; NaN if one is behind the eye.
+/// Returns the largest distance of a used vertex from the picture's centre, 1 at the edges. NaN if one is
+/// behind the eye.
 double reach(const Scene& scene, const Camera& camera, FrameSize size) {
     const PixelRays rays = pixel_rays(camera, size);
     double farthest = 0;
@@ -72,8 +73,8 @@ TEST_CASE("The pixel nearest to the middle looks along the view axis", "[scene][
 }
 
 TEST_CASE("Pixel centres follow the formula, row 0 on top", "[scene][camera]") {
-    // Looking along -z with y up: pixel (x, y) of a W x H picture points at ((2x+1)/W - 1) aspect h, (1 -
-    // (2y+1)/H) h, -1.
+    // Looking along -z with y up: pixel (x, y) of a W x H picture has the direction ((2x+1)/W - 1) aspect h,
+    // (1 - (2y+1)/H) h, -1.
     const PixelRays rays = pixel_rays({{0, 0, 5}, {0, 0, 0}, {0, 3, 1}, 60}, {8, 4});
     const double h = std::tan(30 * degree);
     for (int y = 0; y < 4; ++y)
@@ -95,7 +96,7 @@ TEST_CASE("The edges of the picture span the camera's angle", "[scene][camera]")
     CHECK(vertical == Approx(fov * degree).epsilon(1e-6));
     CHECK(glm::length(rays.right) == Approx(glm::length(rays.down)).epsilon(1e-14));
     CHECK(std::abs(glm::dot(glm::normalize(rays.right), glm::normalize(rays.down))) < 1e-15);
-    // Corner pixels: the centre is half a pixel inside of both edges.
+    // Corner pixels: the centre is half a pixel inside both edges.
     const double h = std::tan(fov * degree / 2), v = h * (1 - 1.0 / size.height),
                  u = h * (size.width - 1.0) / size.height;
     CHECK(angle(rays.direction(0, 0), rays.direction(size.width - 1, size.height - 1)) ==
@@ -169,8 +170,8 @@ TEST_CASE("A fitted camera sees the whole scene and little more", "[scene][camer
     CHECK((from.x > 0 && from.y > 0 && from.z > 0));
     const double r = reach(scene, camera, size);
     CHECK(r < 0.96);
-    // One vertex at least comes as near to the edge as the margin allows, unless another would come too near
-    // to the eye.
+    // At least one vertex comes as close to the edge as the margin allows, unless another would come too
+    // close to the eye.
     CHECK(r > (size.width > 10 * size.height ? 0.9 : 0.95));
 }
 
@@ -180,11 +181,8 @@ TEST_CASE("A fitted camera sees flat, thin, tiny, huge and point-like meshes", "
     const auto scale = GENERATE(1.0, 1e-100, 1e-300, 1e100, 1e300);
     const auto scene = GENERATE_COPY(values<Scene>(
         {one_triangle(o, x, y), one_triangle(o, y, z), one_triangle(o, z, x), one_triangle(x, y, z),
-         one_triangle(o, x, 2.0 * x), one_triangle(o, y, y), one_triangle(-towards, o, towards),   // lines,
-                                                                                                   // one of
-                                                                                                   // them
-                                                                                                   // seen end
-                                                                                                   // on
+         // Lines; one of them is seen end on.
+         one_triangle(o, x, 2.0 * x), one_triangle(o, y, y), one_triangle(-towards, o, towards),
          one_triangle(o, o, o), one_triangle(x, x, x), one_triangle(-0.25 * z, -0.25 * z, -0.25 * z),
          one_triangle(x, x + 1e-15 * y, x + 1e-15 * z),
          one_triangle(1e3 * x, 1e3 * x + 1e-3 * y, 1e3 * x + 1e-3 * z),
@@ -226,7 +224,7 @@ TEST_CASE("The camera of every built-in scene sees something in the middle of it
         const Bounds box = bounds(scene);
         const glm::dvec3& eye = scene.camera->eye;
         const bool in_a_room = b.name == "mirrors";
-        if (in_a_room) {   // whose walls are all around the camera
+        if (in_a_room) {   // the walls are all around the camera
             for (int k = 0; k < 3; ++k) CHECK((box.lo[k] < eye[k] && eye[k] < box.hi[k]));
             continue;
         }

@@ -1,4 +1,4 @@
-// check_scene(): what is refused, and with which sentence.
+// check_scene(): refused scenes and their messages.
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -122,7 +122,7 @@ TEST_CASE("Spheres and planes are scenes of their own", "[scene][check]") {
           }) ==
           "bunny.obj: the scene reaches from (0, -1e+308, -1e+308) to (inf, 1e+308, 1e+308), further than a "
           "double can tell");
-    // Camera and light inside a sphere are somebody's intention.
+    // A camera and a light inside a sphere may be intended.
     CHECK(only([](Scene& s) {
               s.spheres.push_back({});
               s.camera = Camera{{0, 0, 0.5}, {0, 0, 0}, {0, 1, 0}, 45};

@@ -1,4 +1,5 @@
-// Meshes without a border: every directed edge has exactly one opposite, compared by position bit for bit.
+// Meshes without a border: every directed edge has exactly one opposite edge, with positions compared bit by
+// bit.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +15,7 @@ TEST_CASE("The icosphere is closed, shared, round and turned outward", "[scene][
     const Scene scene = make_builtin("icosphere:" + std::to_string(size));
     CHECK(open_edges(scene, whole(scene)) == 0);
     CHECK(2 * scene.vertices.size() == scene.triangles.size() + 4);   // Euler
-    // An inscribed polyhedron: below the ball's volume, and nearer to it the finer it is.
+    // An inscribed polyhedron: its volume is below the ball's, and closer to it the finer it is.
     const double missing = 4 * std::numbers::pi / 3 - volume(scene, whole(scene));
     CHECK(missing > 0);
     CHECK(missing < 2.5 / std::pow(4, size));
@@ -41,7 +42,7 @@ TEST_CASE("Every gear is closed and turned outward", "[scene][closed]") {
         CAPTURE(gear);
         const Range range{2 + 572 * gear, 2 + 572 * (gear + 1)};
         CHECK(open_edges(scene, range) == 0);
-        // Prism over the 144-gon, whose area is a sum over the triangles between its centre and its edges.
+        // A prism over the 144-gon. Its area is a sum over the triangles between its centre and its edges.
         const double rho = 1 / 1.95, outer = 0.995 * rho, inner = 0.9 * rho, tau = std::numbers::pi / 18;
         const double tooth = outer * outer * std::sin(0.38 * tau) + inner * inner * std::sin(0.4 * tau) +
                              2 * outer * inner * std::sin(0.11 * tau);
@@ -51,7 +52,7 @@ TEST_CASE("Every gear is closed and turned outward", "[scene][closed]") {
 
 TEST_CASE("A gear's face is cut along valid and well-shaped diagonals", "[scene][closed]") {
     const Scene scene = make_builtin("gears:1");
-    // Top and bottom: all triangles counter-clockwise, so areas that sum to the outline's do not overlap.
+    // Top and bottom: all triangles are counter-clockwise, so areas that sum to the outline's do not overlap.
     for (const Range range : {Range{2, 2 + 142}, Range{2 + 142 + 288, 2 + 572}}) {
         const double up = range.begin == 2 ? 1 : -1;
         double area = 0;
@@ -91,13 +92,14 @@ TEST_CASE("The teapot's body, bottom and lid are seamless across patches", "[sce
     Scene scene = make_builtin("teapot:" + std::to_string(n));
     const auto board = 2 * cells, patch = 2 * cells;
     CHECK(open_edges(scene, {0, board}) == 4 * c);
-    // Rim, body: open at the rim's top and, without the bottom, at the foot: a circle of four patches each.
+    // Rim and body are open at the rim's top and, without the bottom, at the foot: each a circle of four
+    // patches.
     CHECK(open_edges(scene, {board, board + 12 * patch}) == 2 * 4 * c);
-    // Lid and bottom are open at their outer circle only, not at the cusp.
+    // Lid and bottom are open only at their outer circle, not at the cusp.
     const std::size_t lid = board + 20 * patch, bottom = lid + 8 * patch - 4 * c;
     CHECK(open_edges(scene, {lid, bottom}) == 4 * c);
     CHECK(open_edges(scene, {bottom, scene.triangles.size()}) == 4 * c);
-    // With the bottom the body is open at the rim alone, although the bottom runs the other way round.
+    // With the bottom the body is open only at the rim, although the bottom has the opposite direction.
     scene.triangles.erase(scene.triangles.begin() + static_cast<std::ptrdiff_t>(board + 12 * patch),
                           scene.triangles.begin() + static_cast<std::ptrdiff_t>(bottom));
     CHECK(open_edges(scene, {board, scene.triangles.size()}) == 4 * c);
@@ -105,9 +107,9 @@ TEST_CASE("The teapot's body, bottom and lid are seamless across patches", "[sce
 
 TEST_CASE("The Cornell box is open towards the camera only", "[scene][closed]") {
     const Scene scene = make_builtin("cornell");
-    // Blocks stand on the floor without a bottom: four edges each; the room lacks its front: four edges.
+    // Blocks stand on the floor without a bottom: four edges each. The room lacks its front: four edges.
     CHECK(open_edges(scene, whole(scene)) == 3 * 4);
-    // From inside, every face of the room looks at the middle.
+    // From inside, every face of the room faces the middle.
     const glm::dvec3 middle(278, 274, 280);
     std::size_t facing_away = 0;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {

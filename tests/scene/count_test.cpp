@@ -1,4 +1,4 @@
-// Every built-in scene has exactly the published number of triangles, and is a sound scene at any size.
+// Every built-in scene has exactly the published number of triangles, and is valid at any size.
 #include <cmath>
 #include <algorithm>
 #include <cstdint>
@@ -82,7 +82,7 @@ TEST_CASE("Every vertex is used, no triangle is degenerate, normals are unit and
     for (const Builtin& b : builtins())
         for (const int size : {1, b.default_size}) {
             CAPTURE(b.name, size);
-            if (b.name == "teapot" && size == 1) continue;   // degenerate by its definition
+            if (b.name == "teapot" && size == 1) continue;   // degenerate by definition
             const Scene scene = b.make(size);
             std::vector<bool> used(scene.vertices.size());
             std::size_t degenerate = 0, inside = 0, not_unit = 0;
@@ -112,7 +112,7 @@ TEST_CASE("Brightness stays between black and white", "[scene][builtin]") {
             CAPTURE(b.name, m.name);
             CHECK(m.ambient >= 0.1);
             CHECK(m.diffuse <= 1);
-            CHECK(m.ambient + m.diffuse * lights < 1.45);   // every light straight from the front
+            CHECK(m.ambient + m.diffuse * lights < 1.45);   // all lights straight from the front
             CHECK(m.index >= 1);
             CHECK(m.shine >= 1);
         }

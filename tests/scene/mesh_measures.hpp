@@ -12,8 +12,8 @@
 
 namespace rayclock {
 
-// What the tests of the scenes measure on a mesh. Vertices count as the same if they are equal bit for bit,
-// whether or not they are shared: that is what makes a mesh watertight for a tracer.
+// Measurements of meshes for the tests of scenes. Vertices count as equal if they are equal bit by bit,
+// shared or not. That makes a mesh watertight for a tracer.
 
 struct Range {
     std::size_t begin, end;   ///< of triangles
@@ -22,7 +22,7 @@ struct Range {
 using Point = std::array<double, 3>;
 inline Point point(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }   // -0 becomes 0
 
-/// How many directed edges lack their opposite, or occur more than once.
+/// Returns how many directed edges lack their opposite, or occur more than once.
 inline std::size_t open_edges(const Scene& scene, Range range) {
     std::map<std::pair<Point, Point>, int> edges;
     for (std::size_t i = range.begin; i < range.end; ++i)
@@ -38,7 +38,7 @@ inline std::size_t open_edges(const Scene& scene, Range range) {
     return open;
 }
 
-/// Signed volume by Gauss: positive if triangles are counter-clockwise seen from outside.
+/// Returns the signed volume by Gauss: positive if triangles are counter-clockwise seen from outside.
 inline double volume(const Scene& scene, Range range) {
     double six_volumes = 0;
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -56,7 +56,7 @@ inline glm::dvec3 face_normal(const Scene& scene, std::size_t triangle) {
     return glm::cross(scene.vertices[v[1]] - a, scene.vertices[v[2]] - a);
 }
 
-/// The sentence of the UserError that `call` throws; empty if it throws none.
+/// Returns the message of the UserError that `call` throws; empty if it throws none.
 template <class Call> std::string refusal(const Call& call) {
     try {
         call();

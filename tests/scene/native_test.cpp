@@ -1,5 +1,5 @@
-// Scenes with spheres that are spheres: exact counts, the places of the reference generator (spd.md section
-// 7), and nothing else changed; and the scenes that exist only so.
+// Scenes with true spheres: exact counts, the positions of the reference generator (spd.md section 7), and no
+// other changes. Also the scenes that exist only in this form.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -53,7 +53,7 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
         int size;
         PrimitiveCounts counts;
     };
-    // Floors and fields are one polygon, cut in two; a cone or cylinder has 24 triangles.
+    // Floors and fields are one polygon, cut in two. A cone or cylinder has 24 triangles.
     const auto c = GENERATE(values<Case>({
         {"balls", 1, {2, 10, 0}},
         {"balls", 4, {2, 7381, 0}},
@@ -114,7 +114,7 @@ TEST_CASE("Native spheres are where the reference generator puts them", "[scene]
     for (const Sphere& s : mount.spheres) CHECK(mount.materials[s.material].name == "glass");
 
     // Half of the listed radii are the spheres', the rest those of both ends of the cylinders: 4200 x 3 x r
-    // in all.
+    // in total.
     CHECK(sums_of(native("rings:7")).radii == Approx(933.912 / 3).epsilon(5e-8));
 
     const Scene tree = native("tree:11");
@@ -132,7 +132,7 @@ TEST_CASE("The form changes the spheres only", "[scene][native]") {
         CHECK(cut.triangles.size() ==
               native.triangles.size() + 108 * (native.spheres.size() - cut.spheres.size()));
         CHECK(cut.planes.size() == native.planes.size());
-        // A cut sphere lies inside the true one and touches it.
+        // A tessellated sphere lies inside the true one and touches it.
         const Bounds a = bounds(cut), n = bounds(native);
         CHECK(glm::all(glm::lessThanEqual(n.lo, a.lo + 1e-12)));
         CHECK(glm::all(glm::greaterThanEqual(n.hi, a.hi - 1e-12)));
@@ -148,7 +148,7 @@ TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
         const char* material;
         double mirror, transmit, index;
     };
-    // spd.md 2.4. An index of opaque materials is never used and is 1 here.
+    // spd.md 2.4. The index of opaque materials is never used and is 1 here.
     const auto c = GENERATE(values<Case>({
         {"balls:1", "floor", 0, 0, 1},
         {"balls:1", "balls", 0.5, 0, 1},

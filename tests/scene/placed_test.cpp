@@ -1,4 +1,4 @@
-// Scenes that are made of instances.
+// Scenes made of instances.
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -11,8 +11,8 @@ using namespace rayclock;
 
 namespace {
 
-/// Not placed: the same triangles of the same materials with the same numbers, each corner as near as doubles
-/// are.
+/// Requires that the flattened scene has the same triangles with the same materials and numbers, and corners
+/// equal up to double rounding.
 void check_same(const PlacedScene& placed, const Scene& right, const Scene& flat) {
     CHECK(primitive_count(placed) == right.triangles.size());
     REQUIRE(flat.triangles.size() == right.triangles.size());
@@ -71,8 +71,8 @@ TEST_CASE("Other scenes have no instances, and are themselves when flattened", "
 
 TEST_CASE("Normals stay perpendicular to their facets and on their side, whatever the map",
           "[scene][placed]") {
-    // Each facet has its own corners, and its corner normals are its own. The map scales unequally, shears,
-    // turns, and in half of the cases mirrors.
+    // Each facet has its own corners and corner normals. The map scales unequally, shears, turns, and in half
+    // of the cases mirrors.
     PlacedScene scene;
     scene.own.materials = {Material{}};
     SharedMesh mesh;
@@ -100,7 +100,7 @@ TEST_CASE("Normals stay perpendicular to their facets and on their side, whateve
         const auto& vertex = flat.triangles[i].vertex;
         const glm::dvec3 a = flat.vertices[vertex[0]], b = flat.vertices[vertex[1]],
                          c = flat.vertices[vertex[2]], out = glm::normalize(glm::cross(b - a, c - a));
-        CHECK(glm::dot(out, a - inside) > 0);   // the order of corners says the outside
+        CHECK(glm::dot(out, a - inside) > 0);   // the order of corners defines the outside
         for (const std::uint32_t v : vertex) CHECK(glm::length(flat.normals[v] - out) < 1e-12);
     }
 }

@@ -1,4 +1,4 @@
-// Where a pixel's samples lie: no picture can tell, since all engines share the rule.
+// The positions of a pixel's samples. Pictures cannot show errors, because all engines share the rule.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -10,7 +10,8 @@ using namespace rayclock;
 
 namespace {
 
-/// An offset in 1/256 of a pixel lies in a cell of n on a side, as near as it can be told.
+/// Returns true if an offset in 1/256 of a pixel lies in a cell of n per side, as exactly as it can be
+/// represented.
 bool is_within(int offset, int cell, int n) {
     const int from = (offset + 128) * n;   // in 1/256 of a cell
     return from <= 256 * cell + 255 && from + n > 256 * cell;

@@ -1,5 +1,5 @@
-// Positions, against the single values and sums that the scene description lists for the reference generator
-// (spd.md section 7). Centres and axis ends of tessellated shapes are recovered as means of their vertices.
+// Compares positions with the values and sums that the scene description lists for the reference generator
+// (spd.md section 7). Centres and axis ends of tessellated shapes are the means of their vertices.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,8 @@ struct Sums {
     }
 };
 
-/// Centre and radius of `count` vertices spread evenly on a sphere or circle from vertex `first` on.
+/// Returns centre and radius of `count` vertices from `first` that are evenly distributed on a sphere or
+/// circle.
 std::pair<glm::dvec3, double> round_shape(const Scene& scene, std::size_t first, std::size_t count) {
     glm::dvec3 centre(0);
     for (std::size_t i = 0; i < count; ++i) centre += scene.vertices[first + i] / static_cast<double>(count);
@@ -45,7 +46,7 @@ void add_corners(Sums& sums, const Scene& scene, Range range) {
         for (const std::uint32_t v : scene.triangles[i].vertex) sums.add(scene.vertices[v]);
 }
 
-/// Eight digits, as they are listed; zero stands for rounding errors of a long sum.
+/// Checks eight digits, as listed. Zero stands for the rounding error of a long sum.
 void check_sums(const Sums& sums, std::size_t points, const glm::dvec3& sum, double squares, double radii) {
     CHECK(sums.points == points);
     for (int axis = 0; axis < 3; ++axis)
@@ -54,7 +55,7 @@ void check_sums(const Sums& sums, std::size_t points, const glm::dvec3& sum, dou
     CHECK(sums.radii == Approx(radii).epsilon(5e-8).margin(1e-12));
 }
 
-/// The values have seven decimals.
+/// Checks a point; listed values have seven decimals.
 void check_point(const glm::dvec3& p, const glm::dvec3& expected) {
     CAPTURE(p.x, p.y, p.z, expected.x, expected.y, expected.z);
     CHECK(glm::length(p - expected) < 1.2e-7);
@@ -219,7 +220,7 @@ TEST_CASE("tree:11 is where the reference generator puts it", "[scene][values]")
 }
 
 TEST_CASE("Cones are cut where the description says", "[scene][values]") {
-    // The trunk is parallel to z: angle 0 is towards e_z x e_x = e_y; normals lean up by the taper.
+    // The trunk is parallel to z: angle 0 is towards e_z x e_x = e_y; normals tilt up by the taper.
     const Scene scene = make_builtin("tree:1");
     check_point(scene.vertices[4], {0, 0.15, 0});
     check_point(scene.vertices[4 + 3], {-0.15, 0, 0});
@@ -229,7 +230,8 @@ TEST_CASE("Cones are cut where the description says", "[scene][values]") {
 }
 
 TEST_CASE("Spheres are cut at equal angles", "[scene][values]") {
-    // Middle of a cube side at factor 3: grid lines at -15 and 15 degrees; a corner and an edge point.
+    // The middle of a cube side at factor 3: grid lines at -15 and 15 degrees; also a corner and an edge
+    // point.
     const Scene scene = make_builtin("balls:1");
     const double t = std::tan(3.14159265358979323846 / 12);
     for (const glm::dvec3& wanted :

@@ -1,5 +1,5 @@
-// RTL that tests build runs for less time than it takes to compile, so it is compiled with -O1, unless
-// whoever runs the tests has chosen otherwise. What people run is compiled with -O2.
+// Compiles the RTL of tests with -O1 unless RAYCLOCK_CXXFLAGS is set, because it runs for less time than it
+// takes to compile. Users' RTL is compiled with -O2.
 #include <cstdlib>
 
 namespace {

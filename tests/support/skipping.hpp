@@ -1,11 +1,12 @@
 #pragma once
-// What a memory says of the time until which nothing changes in it, held against what then happens.
+// Checks a memory's prediction of when it next changes against its actual behaviour.
 #include <catch2/catch.hpp>
 
 namespace rayclock::test {
 
-/// Steps one of two memories that are alike to where the other says that something could change, and skips
-/// the other one there; false, and does nothing, if that is now or never. `now`: cycles that both have seen.
+/// Steps one of two equal memories to the time at which the other predicts the next possible change, and
+/// skips the other to it. Returns false and does nothing if that time is now or never. `now` is the number of
+/// cycles that both have run.
 template <class M> bool pass_quiet(M& stepped, M& skipped, std::uint64_t& now) {
     const std::uint64_t until = skipped.quiet_until();
     if (skipped.valid() || until == ~std::uint64_t(0) || until <= now) return false;

@@ -1,4 +1,4 @@
-// What Yosys says of a hierarchy, as counts of a unit and of the cells beneath it.
+// Yosys's output for a hierarchy, converted to counts of a unit and of the cells below it.
 #include <catch2/catch.hpp>
 
 #include "sim/silicon/area/run.hpp"
@@ -10,7 +10,7 @@ using namespace rayclock::synth;
 
 namespace {
 
-/// As `stat -json` of Yosys 0.23 writes it, with the hierarchy that is no JSON.
+/// The output of `stat -json` of Yosys 0.23, with its hierarchy that is not JSON.
 constexpr const char* stat = R"({
    "creator": "Yosys",
    "modules": {
@@ -75,7 +75,7 @@ TEST_CASE("a unit's count has what is beneath it, and each kind of cell once, wh
     CHECK(unit.parts[1].name == "sqrt");
     CHECK(unit.parts[1].count == Count{5, 0, 0, 7, 0, 0});
     CHECK_THROWS_AS(parts_of_stat(stat, "shade"), std::runtime_error);
-    // What the cache keeps.
+    // The cache's format.
     const auto json = part_json(unit);
     CHECK(part_json(part_of(json)) == json);
     CHECK(part_of(json).count == unit.count);

@@ -1,4 +1,4 @@
-// Axes and grids; judged by hand.
+// Axes and grids; expected values are computed by hand.
 #include <algorithm>
 #include <set>
 
@@ -92,14 +92,15 @@ TEST_CASE("timing does not make another trace, every width does") {
                       key == "splits" || key == "references" || key == "levels" || key == "mesh_structure" ||
                       key == "shading" || key == "spheres" || key == "planes" || key == "smooth" ||
                       key == "refraction" || key == "panes" || key == "horizon" || key == "supersampling" ||
-                      key == "lights" || key == "bounces";   // which may be too few
+                      key == "lights" || key == "bounces";   // may be too few
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }
 
 TEST_CASE("parts of a sweep share no point, miss none, and cut few traces") {
     const std::vector<sweep::Point> points =
-        points_of({"clock=33,66,90,120,200", "coord_bits=12,14,16,18"});   // a trace is every fourth point
+        points_of({"clock=33,66,90,120,200", "coord_bits=12,14,16,18"});   // every fourth point shares a
+                                                                           // trace
     for (const int of : {1, 3, 4, 7, 20}) {
         INFO(of << " parts");
         std::vector<int> seen(points.size());
@@ -117,7 +118,7 @@ TEST_CASE("parts of a sweep share no point, miss none, and cut few traces") {
             traces += formats.size();
         }
         CHECK(seen == std::vector<int>(points.size(), 1));
-        CHECK(traces <= 4 + std::size_t(of) - 1);   // each cut divides one trace at most
+        CHECK(traces <= 4 + std::size_t(of) - 1);   // each cut divides at most one trace
     }
     CHECK_THROWS_AS(sweep::points_of({1, 21}, points), UserError);
 }

@@ -1,4 +1,4 @@
-// The search for the fastest machine that fits, on machines whose speed and size are formulas.
+// The search for the fastest machine that fits, on machines with formulas for speed and size.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,7 +14,7 @@ using chip::Use;
 
 namespace {
 
-/// Rays per cycle as the least of what caches, contexts and tri give; an interval of 1 needs contexts to pay.
+/// Rays per cycle, limited by caches, contexts and tri. An interval of 1 pays only with contexts.
 double speed(const Config& c) {
     const double hits = 1 - 8.0 / (c.node_sets + 16) - 4.0 / (c.prim_sets + 16);
     const double flight = c.contexts * c.pipelines / 40.0;
@@ -29,8 +29,8 @@ Use size(const Config& c) {
 }
 
 struct Formulas {
-    std::size_t sizes = 0;   ///< machines whose size was asked for
-    int answers = 1000000;   ///< until it is interrupted
+    std::size_t sizes = 0;   ///< number of machines whose size was requested
+    int answers = 1000000;   ///< answers before the interrupt
     Doors doors() {
         return {[this](std::vector<Machine>& machines) {
                     for (Machine& m : machines) m.fps = speed(m.config);
@@ -43,7 +43,7 @@ struct Formulas {
     }
 };
 
-/// All machines one step away from this one, up (1) or down (-1) in one parameter.
+/// Returns all machines one step away, up (1) or down (-1) in one parameter.
 std::vector<Config> steps(const Config& config, int by) {
     std::vector<Config> all;
     for (const Ladder& ladder : ladders()) {
@@ -57,13 +57,13 @@ std::vector<Config> steps(const Config& config, int by) {
     return all;
 }
 
-/// The same as fits(), said once more.
+/// Repeats fits() independently.
 bool inside(const Use& use, const Use& room) {
     return use.lut <= room.lut && use.ff <= room.ff && use.dsp <= room.dsp && use.bram <= room.bram;
 }
 
-/// Machines that differ in three steps only, node_sets (1), prim_sets (2) and node_mshrs (4): frames per
-/// second by the steps that were taken, and five block RAMs for each.
+/// Machines that differ in only three steps: node_sets (1), prim_sets (2) and node_mshrs (4). `speeds` are
+/// the frames per second for each set of steps. Each step costs five block RAMs.
 Doors three_steps(const std::array<double, 8>& speeds) {
     const auto taken = [](const Config& c) {
         return std::size_t(c.node_sets > 32) + 2 * std::size_t(c.prim_sets > 32) +
@@ -102,7 +102,7 @@ TEST_CASE("what the search finds fits, and no step, pair or exchange that fits i
             for (const Config& pair : steps(up, 1)) CHECK_FALSE(better(pair));
         }
         for (const Config& down : steps(best, -1)) {
-            CHECK(speed(down) < speed(best));   // nothing is there for nothing
+            CHECK(speed(down) < speed(best));   // every step has a gain
             for (const Config& exchange : steps(down, 1)) CHECK_FALSE(better(exchange));
         }
         for (const Machine& next : found->next) {
@@ -118,7 +118,7 @@ TEST_CASE("the path goes from the least machine to the best, and each machine on
     REQUIRE(found);
     Config at = found->first.config;
     for (const Ladder& ladder : ladders()) CHECK(at.*ladder.member == ladder.rungs.front());
-    REQUIRE(found->others.size() == 3);   // eight pipelines do not fit at their least
+    REQUIRE(found->others.size() == 3);   // eight pipelines at their least do not fit
     CHECK_FALSE(fits(*found->others.back().use, rooms[3]));
     for (const Machine& other : found->others) {
         CHECK(other.config.pipelines != at.pipelines);
@@ -136,8 +136,8 @@ TEST_CASE("the path goes from the least machine to the best, and each machine on
         fps = *machine.fps;
     }
     CHECK(found->path.size() >= 5);
-    CHECK(formulas.sizes < found->machines / 2);   // Yosys is asked only about what would be faster
-    // What ladders do not have is the base's.
+    CHECK(formulas.sizes < found->machines / 2);   // Yosys is used only for machines that would be faster
+    // Parameters without a ladder are the base's.
     CHECK(found->best().config.coord_bits == named_config("default").coord_bits);
 }
 
@@ -157,20 +157,20 @@ TEST_CASE("the brute-force best of small devices is met") {
         const std::optional<Found> found = search(named_config("default"), room, formulas.doors());
         REQUIRE(found);
         INFO(text(*found, room));
-        CHECK(*found->best().fps >= 0.98 * most);   // a local best may miss the best of all by a little
+        CHECK(*found->best().fps >= 0.98 * most);   // a local optimum may miss the global one slightly
         CHECK(*found->best().fps <= most);
     }
 }
 
 TEST_CASE("a step is given back for a better one, and when it has become useless") {
-    // The first is best alone; beside the second the third is better, and there is room for two.
+    // The first is best alone. With the second, the third is better, and only two fit.
     const Use two{0, 0, 0, 10};
     const std::optional<Found> exchanged =
         search(named_config("default"), two, three_steps({100, 130, 125, 140, 110, 135, 150, 160}));
     REQUIRE(exchanged);
     CHECK(exchanged->best().config.node_sets == 32);
     CHECK(*exchanged->best().fps == 150);
-    // There is room for all, and with the two others the first brings nothing.
+    // All fit, and with the two others the first has no gain.
     const Use all{0, 0, 0, 15};
     const std::optional<Found> given_back =
         search(named_config("default"), all, three_steps({100, 130, 125, 150, 100, 131, 170, 170}));

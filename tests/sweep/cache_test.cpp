@@ -1,4 +1,4 @@
-// What was worked out is found again, and nothing else is.
+// The cache finds earlier results, and nothing else.
 #include <fstream>
 
 #include "sim/explore/sweep/key.hpp"

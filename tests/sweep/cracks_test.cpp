@@ -1,4 +1,4 @@
-// Cracks: none with the exact test; a test that is made wrong has some, and a hit that was taken away is one.
+// Cracks: the exact test has none, a faulty test has some, and a removed hit is one.
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -50,8 +50,8 @@ TEST_CASE("a hit that is taken away or put behind is a crack, one beside or befo
     hits[at].found = false;
     CHECK(t.cracks(hits) == 1);
     hits[at].found = true;
-    // Those whose plane the ray reaches later, and that do not touch the one met, are cracks. How far a
-    // plane is, in doubles: differences of doubt are left out.
+    // Triangles whose plane the ray reaches later, and that do not touch the one it meets, are cracks.
+    // Distances of planes are computed in doubles, so doubtful differences are skipped.
     const Vec3i o = t.job.frame.eye, d = pixel_direction(std::uint32_t(at % 64), std::uint32_t(at / 64),
                                                          t.job.frame, t.job.config);
     const auto distance = [&](std::uint32_t triangle) {

@@ -1,4 +1,4 @@
-// Fronts and knees of points made by hand.
+// Fronts and knees of hand-made points.
 #include "model/base/error.hpp"
 #include "tests/sweep/support.hpp"
 
@@ -14,7 +14,7 @@ std::vector<Figures> points(std::initializer_list<std::vector<double>> list) {
     return all;
 }
 
-/// A result with these figures; 0 multipliers: none counted.
+/// Returns a result with these figures; 0 multipliers means that none were counted.
 sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers, std::uint64_t bytes = 1000) {
     sweep::Result r;
     r.clock = {{"cycles", 100.0}, {"fps", fps}, {"frames", {nullptr}}};
@@ -32,11 +32,10 @@ TEST_CASE("the front is what no other point beats") {
     CHECK(sweep::front({}).empty());
     CHECK(sweep::front(points({{4, 4}})) == std::vector<bool>{true});
     CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) ==
-          std::vector<bool>{true, true, false});                                              // equal
-                                                                                              // points:
-                                                                                              // both
-    CHECK(sweep::front(points({{}, {4, 4}, {}})) == std::vector<bool>{false, true, false});   // missing
-                                                                                              // figures
+          // Equal points: both are on the front.
+          std::vector<bool>{true, true, false});
+    // Missing figures.
+    CHECK(sweep::front(points({{}, {4, 4}, {}})) == std::vector<bool>{false, true, false});
     CHECK(sweep::front(points({{}, {}})) == std::vector<bool>{false, false});
 }
 
@@ -45,7 +44,7 @@ TEST_CASE("the knee lies farthest below the chord") {
     REQUIRE(knee);
     CHECK(knee->point == 1);   // 1 - 0.1 - 0.2 against 1 - 0.3 - 0.1
     CHECK(knee->distance == Approx(0.7 / std::sqrt(2.0)));
-    // Scaling and shifting either figure changes nothing.
+    // Scaling and shifting a figure changes nothing.
     const auto scaled = sweep::knee_of(points({{7, 1e6}, {7.1, 2e5}, {7.3, 1e5}, {8, 0}, {7.5, 5e5}}));
     REQUIRE(scaled);
     CHECK(scaled->point == 1);
@@ -63,7 +62,7 @@ TEST_CASE("the automatic cost is the first that differs between points, and says
     results[1].multipliers = 90;
     results[1].picture->memory_bytes = 2000;
     CHECK(chosen(results) == "memory_bytes");
-    results[1].point.config.node_sets *= 2;   // a cache costs memory on the chip
+    results[1].point.config.node_sets *= 2;   // a cache costs on-chip memory
     CHECK(chosen(results) == "chip_memory_bits");
     CHECK(chosen({result(5, 50, 0), result(4, 49, 0, 2000)}) == "memory_bytes");
     CHECK(chosen({result(5, 50, 90), result(4, 49, 90)}) == "multipliers");
@@ -88,9 +87,9 @@ TEST_CASE("no knee where there is none") {
     CHECK(!sweep::knee_of({}));
     CHECK(!sweep::knee_of(points({{1, 1}})));
     CHECK(!sweep::knee_of(points({{1, 1}, {1, 1}, {1, 1}})));
-    CHECK(!sweep::knee_of(points({{0, 1}, {1, 0}})));             // the ends only
+    CHECK(!sweep::knee_of(points({{0, 1}, {1, 0}})));             // only the ends
     CHECK(!sweep::knee_of(points({{0, 2}, {1, 1}, {2, 0}})));     // straight
-    CHECK(!sweep::knee_of(points({{0, 10}, {9, 9}, {10, 0}})));   // bulges the other way
+    CHECK(!sweep::knee_of(points({{0, 10}, {9, 9}, {10, 0}})));   // bulges to the other side
     CHECK(!sweep::knee_of(points({{}, {}, {1, 2}})));
 }
 
@@ -99,7 +98,7 @@ TEST_CASE("cost is multipliers, or bytes where nothing has any") {
                                           result(300, 60, 0)};
     const sweep::Front hardware = sweep::front_of(with);
     CHECK(hardware.measures[1].key == "multipliers");
-    CHECK(hardware.pareto == std::vector<bool>{true, true, true, false});   // the last is no hardware
+    CHECK(hardware.pareto == std::vector<bool>{true, true, true, false});   // the last has no hardware
     REQUIRE(hardware.knee);
     CHECK(hardware.knee->point == 1);
     const std::vector<sweep::Result> without{result(100, 50, 0, 3000), result(100, 50, 0, 2000),
@@ -113,10 +112,10 @@ TEST_CASE("cost is multipliers, or bytes where nothing has any") {
 TEST_CASE("cost is what was chosen") {
     std::vector<sweep::Result> results{result(10, 50, 90), result(10, 60, 80), result(10, 70, 70),
                                        result(10, 80, 60)};
-    // In cells of the chip: LUTs fall, multipliers and block RAMs rise with speed; the last was not counted.
+    // In cells of the chip: LUTs fall, multipliers and block RAMs rise with speed. The last was not counted.
     results[0].area = synth::Count{900, 0, 0, 5, 1, 1};
     results[1].area = synth::Count{800, 0, 0, 5, 2, 2};
-    results[2].area = synth::Count{100, 50, 100, 5, 3, 2};   // 800 LUTs as well
+    results[2].area = synth::Count{100, 50, 100, 5, 3, 2};   // also 800 LUTs
     const auto on_front = [&](sweep::Cost cost, const char* key) {
         const sweep::Front front = sweep::front_of(results, cost);
         CHECK(front.measures[1].key == key);
@@ -127,7 +126,7 @@ TEST_CASE("cost is what was chosen") {
     CHECK(on_front(sweep::Cost::dsp, "chip_multipliers") == Flags{true, true, true, false});
     CHECK(on_front(sweep::Cost::bram, "chip_block_rams") == Flags{true, false, true, false});
     CHECK(on_front(sweep::Cost::multipliers, "multipliers") == Flags{false, false, false, true});
-    // In memory, which follows from the configuration: software has none.
+    // In memory, which follows from the configuration; software has none.
     results[0].point.config.node_sets = 16;
     results[1].point.config.contexts = 128;
     results[2].point.config.pipelines = 2;

@@ -1,4 +1,4 @@
-// Plots: well-formed SVG, shapes where they were put, and labels that cover nothing.
+// Plots: well-formed SVG, correct positions of shapes, and labels that cover nothing.
 #include <cmath>
 
 #include "sim/view/plot/axis.hpp"
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Whether every element is closed in turn, attributes are quoted, and text holds no mark-up.
+/// Returns true if elements are closed in order, attributes are quoted, and text has no mark-up.
 bool is_well_formed(const std::string& xml) {
     std::vector<std::string> open;
     std::size_t at = 0, elements = 0;
@@ -45,7 +45,7 @@ struct Box {
     double x0, y0, x1, y1;
     bool meets(const Box& b) const { return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1; }
 };
-/// Where labels lie, which are texts of this size.
+/// Returns the boxes of labels, which are texts of this size.
 std::vector<Box> labels_of(const plot::Drawing& drawing, double size) {
     std::vector<Box> boxes;
     for (const plot::Shape& shape : drawing.shapes)
@@ -187,7 +187,7 @@ TEST_CASE("a plot of a front names the knee and is well formed") {
         plot::svg(sweep::column_plot("s", {40, 25}, axes, {}, {}, "coord_bits", "cycles"));
     CHECK(is_well_formed(columns));
     CHECK(columns.find("cycles against coord_bits") != std::string::npos);
-    for (const std::size_t count : {0, 1}) {   // nothing to see is no reason to fail
+    for (const std::size_t count : {0, 1}) {   // an empty plot is not an error
         const std::vector<sweep::Result> few(results.begin(), results.begin() + std::ptrdiff_t(count));
         CHECK(is_well_formed(
             plot::svg(sweep::front_plot("s", {4, 4}, {{"coord_bits", {}}}, few, sweep::front_of(few)))));

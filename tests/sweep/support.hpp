@@ -1,5 +1,5 @@
 #pragma once
-// What the sweep's tests share: an empty folder, and sweeps of small scenes.
+// Shared by the sweep's tests: an empty folder, and sweeps of small scenes.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace rayclock::test {
 
-/// A folder of its own, removed in the end.
+/// A temporary folder, removed at the end.
 class CacheFolder {
 public:
     CacheFolder() {
@@ -46,7 +46,7 @@ inline std::vector<sweep::Point> points_of(const std::vector<std::string>& texts
     return sweep::make_points(axes_of(texts), base, 66000, megahertz);
 }
 
-/// A sweep without netlists.
+/// Runs a sweep without netlists.
 inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::string>& axes,
                                 const std::filesystem::path& folder, bool fresh = false,
                                 FrameSize size = {48, 36}) {

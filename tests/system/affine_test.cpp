@@ -1,5 +1,5 @@
-// Closed surfaces of the hard cases, seen through affine maps: no ray leaks through one, none hits it twice,
-// and every decision is the exact one about the ray as it was rounded for the instance.
+// Closed surfaces of the hard cases, seen through affine maps: no ray leaks or hits twice, and every decision
+// is exact for the ray as rounded for the instance.
 #include <catch2/catch.hpp>
 
 #include "model/compile/levels/levels.hpp"
@@ -17,7 +17,7 @@ using namespace rayclock;
 
 namespace {
 
-/// How instances are placed: sizes of the three axes, and how far each leans.
+/// The placement of instances: the sizes of the three axes, and their shear.
 struct Maps {
     const char* name;
     double least, most, shear;
@@ -27,7 +27,7 @@ constexpr Maps all_maps[] = {{"turned", 1, 1, 0},
                              {"sheared", 0.3, 2, 3},
                              {"a thousandth to a thousand", 1e-3, 1e3, 0},
                              {"nearly flat", 0.2, 2, 40}};
-/// N from 12 to 20, with directions of few and of many bits.
+/// N from 12 to 20, with few and with many direction bits.
 constexpr std::array<std::pair<int, int>, 6> formats{
     {{12, 12}, {14, 20}, {16, 16}, {18, 20}, {19, 19}, {20, 18}}};
 
@@ -35,7 +35,7 @@ struct Sums {
     std::uint64_t rays = 0, crossings = 0, closed = 0, leaks = 0, doubles = 0, wrong = 0, fractions = 0;
 };
 
-/// A mesh of lattice points becomes one of the scene's, a unit large.
+/// Converts a mesh of lattice points to a mesh of the scene, of unit size.
 SharedMesh shared(const stress::Mesh& mesh, int coord_bits) {
     SharedMesh out{"body", {}, {}, {}};
     for (const oracle::Corners& t : mesh.triangles) {
@@ -47,7 +47,7 @@ SharedMesh shared(const stress::Mesh& mesh, int coord_bits) {
     return out;
 }
 
-/// One body in its place, in the model and for the oracle.
+/// One placed body, for the model and for the oracle.
 class Body {
 public:
     Body(const PlacedScene& scene, const glm::dvec3& eye, const Config& config)
@@ -80,7 +80,7 @@ public:
         back_ = glm::inverse(linear);
     }
 
-    /// A ray towards a corner, an edge or the inside of a triangle, as the scene has it.
+    /// Returns a ray to a corner, an edge or the inside of a triangle, in the scene's space.
     Vec3i aim(Rng& rng) const {
         const oracle::Corners& t = corners_[std::size_t(rng.below(int(corners_.size())))];
         const stress::Weights w = stress::weights(stress::Target(rng.below(4)), rng);
@@ -165,7 +165,7 @@ private:
     std::vector<std::uint32_t> candidates_;
 };
 
-/// Every closed family in `places` random places by these maps.
+/// Runs every closed family in `places` random places with these maps.
 Sums shoot(const Maps& maps, int coord_bits, int dir_bits, int places, int rays) {
     Sums sums;
     Config config = with_two_levels(format(coord_bits, dir_bits), "the test");

@@ -1,5 +1,5 @@
-// Why pixels differ: each cause is provoked alone, the oracle finds no fault in sound answers, and every
-// fault is a bug.
+// Causes of different pixels: each cause is provoked alone, the oracle accepts correct answers, and every
+// fault is reported as a bug.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr FrameSize size{64, 48};
 
-/// A frame of the model and of the reference, to be tampered with.
+/// A frame of the model and of the reference, for modification.
 struct Case {
     Scene scene;
     Job job;
@@ -49,8 +49,8 @@ Case make_case(const std::string& name, const Config& config) {
 
 std::uint64_t count(const Judgement& j, PixelCause cause) { return j.causes[std::size_t(cause)]; }
 
-/// Waves with smooth normals, seen from above. Corners and eye have integer coordinates that fill the range
-/// of `bits` bits on every axis, so that they are lattice points: the pitch is 1.
+/// Waves with smooth normals, seen from above. Corners and eye have integer coordinates over the full range
+/// of `bits` bits on every axis. So they are lattice points: the pitch is 1.
 Scene waves(int bits) {
     constexpr int side = 20;
     const double most = double((1 << (bits - 1)) - 1);
@@ -181,7 +181,7 @@ TEST_CASE("where coplanar triangles are hit at the same t, the oracle wants the 
     for (glm::dvec3& v : scene.vertices) v.z = scene.vertices[0].z;
     const auto last = std::uint32_t(scene.vertices.size() - 1);
     const std::uint32_t side = 20;
-    scene.triangles.push_back({{0, side, last}, 0});   // over all of it
+    scene.triangles.push_back({{0, side, last}, 0});   // covers all of it
     scene.triangles.push_back({{0, last, last - side}, 0});
     const Case made = make_case(scene, formats(16, 20, 16));
     const Judgement j = made.judged();
@@ -225,21 +225,21 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
             changed += i != at && j.pixels[i] != before.pixels[i];
         CHECK(changed == 0);
     }
-    // The context that did the work may be any.
+    // The context that did the work is arbitrary.
     Case renamed = sound;
     renamed.answers[hit].ray ^= 1;
     CHECK(renamed.judged().wrong == 0);
 }
 
 TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "[cause]") {
-    const int test = GENERATE(1, 2, 3, 4, 5);   // all but exact
+    const int test = GENERATE(1, 2, 3, 4, 5);   // all except exact
     const Case made =
         make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
     const Judgement j = made.judged();
     INFO(primitive_test_names()[std::size_t(test)] << ": " << j.wrong << " answers are not the oracle's");
     CHECK(j.wrong > 0);
     CHECK(j.bugs() == 0);
-    // It is never blamed for another primitive where it holds the oracle's.
+    // Another primitive is never blamed on it where it holds the oracle's.
     const Truth truth(made.scene, made.job.image.lattice, made.job.config);
     for (std::size_t i = 0; i < j.pixels.size(); ++i) {
         if (j.pixels[i] != PixelCause::primitive_test || !j.other[i]) continue;
@@ -251,7 +251,7 @@ TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "
 
     Case exact = make_case("gears:1", with(named_config("default"), {{"dir_bits", 22}}));
     CHECK(count(exact.judged(), PixelCause::primitive_test) == 0);
-    // The same answers from a machine that promises exactness are bugs.
+    // The same answers from a machine that guarantees exactness are bugs.
     exact.answers = made.answers;
     exact.shade_again();
     CHECK(exact.judged().bugs() == j.wrong);
@@ -283,7 +283,7 @@ TEST_CASE("the picture of causes has a colour for each", "[cause]") {
     const Picture picture = cause_picture(reference, j);
     for (std::size_t k = 0; k < pixel_causes; ++k)
         CHECK(srgb_bytes(picture.pixels[k]) == cause_info(PixelCause(k)).colour);
-    CHECK(picture.pixels[pixel_causes] == glm::vec3(0.25f));   // none: the reference, dimmed
+    CHECK(picture.pixels[pixel_causes] == glm::vec3(0.25f));   // no cause: the reference, dimmed
     CHECK(picture.pixels[pixel_causes + 1].r == Approx(picture.pixels[0].r / 3));
     for (std::size_t a = 0; a < pixel_causes; ++a)
         for (std::size_t b = 0; b < a; ++b)

@@ -1,5 +1,5 @@
-// Primitives that coincide: model and reference hold the one with the lowest number, so none of them is
-// "another primitive".
+// Coincident primitives: model and reference keep the one with the lowest number, so none counts as "another
+// primitive".
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
@@ -24,7 +24,7 @@ HitFrame model_frame(const Scene& scene, const Whitted& settings) {
     return hits_of(job, record_frame(job, job.frame));
 }
 
-/// Every sphere and every plane twice, the second time in the other order.
+/// Returns the scene with every sphere and plane twice, the second time in reverse order.
 Scene doubled(Scene scene) {
     const std::vector<Sphere> spheres = scene.spheres;
     const std::vector<Plane> planes = scene.planes;

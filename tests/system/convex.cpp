@@ -1,3 +1,4 @@
+// Computes surfaces of convex bodies by clipping each plane's square with all others.
 #include "tests/system/convex.hpp"
 
 #include <glm/geometric.hpp>
@@ -9,7 +10,7 @@ namespace {
 using Corners = std::vector<glm::dvec3>;
 
 constexpr double half_side = 1 << 20;   // of a square that covers any face of a body in the lattice
-constexpr double close = 1e-5;          // in n . x, whose rounding is less
+constexpr double close = 1e-5;          // tolerance for n . x, above its rounding
 
 glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
 

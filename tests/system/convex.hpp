@@ -7,13 +7,13 @@
 
 namespace rayclock::test {
 
-/// A convex body, given by the planes around it: it is where n . x <= at, for each of them.
+/// A convex body, given by the planes around it: all x with n . x <= at for each plane.
 class Convex {
 public:
     void below(const Vec3i& normal, std::int64_t at) { planes_.push_back({normal, at}); }
     void above(const Vec3i& normal, std::int64_t at);
     void within(const Vec3i& lo, const Vec3i& hi);
-    /// Both sides of a body without thickness count. The body must lie in the lattice.
+    /// Returns the surface. Both sides of a body without thickness count. The body must lie in the lattice.
     double surface() const;
 
 private:

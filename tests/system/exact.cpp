@@ -1,3 +1,4 @@
+// Finds hits and directions in 256-bit integers.
 #include "tests/system/exact.hpp"
 
 namespace rayclock::test {
@@ -27,7 +28,7 @@ Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config) {
         if (!fits && shift > 0) continue;
         Vec3i d{};
         for (std::size_t k = 0; k < 3; ++k) {
-            Int whole = (twice[k] + unit / 2) / unit;   // towards zero
+            Int whole = (twice[k] + unit / 2) / unit;   // rounds towards zero
             if (whole * unit > twice[k] + unit / 2) --whole;
             d[k] = std::min<Int>(whole, most - 1).convert_to<std::int32_t>();
         }

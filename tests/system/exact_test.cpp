@@ -1,5 +1,5 @@
-// The model shows the exact truth of the snapped scene: same primitive in every pixel, distance and weights
-// as stated.
+// The model's frame equals the exact result for the snapped scene: the same primitive in every pixel, with
+// distance and weights as stated.
 #include <catch2/catch.hpp>
 
 #include "model/layout/memory_image.hpp"
@@ -11,7 +11,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Every pixel of a frame against brute force.
+/// Compares every pixel of a frame with brute force.
 void check_exact(const Scene& scene, const Job& job) {
     const ExactScene exact(scene, job.image.lattice);
     const FrameTrace frame = record_frame(job, job.frame);
@@ -28,7 +28,7 @@ void check_exact(const Scene& scene, const Job& job) {
             UNSCOPED_INFO("pixel " << x << "," << y << ": " << prim << ", and truly " << truth.primitive);
         if (truth.primitive == no_primitive) continue;
         ++hits;
-        // t rounded up: t - 1 < 2^k num / den <= t, unless saturated.
+        // t is rounded up: t - 1 < 2^k num / den <= t, unless saturated.
         const Int scaled = truth.num << time_bits, t = closest.t;
         wrong_t += !(t == beyond ? (t - 1) * truth.den < scaled
                                  : (t - 1) * truth.den < scaled && scaled <= t * truth.den);
@@ -38,7 +38,7 @@ void check_exact(const Scene& scene, const Job& job) {
     CHECK(hits > job.size.width * std::size_t(job.size.height) / 50);
 }
 
-/// Triangles of all sizes, at random, some sharing corners, some edge-on, some the same twice.
+/// Returns random triangles of all sizes, some with shared corners, some edge-on, some duplicated.
 Scene soup(std::uint64_t seed, int triangles) {
     Rng rng(seed);
     const auto coordinate = [&](int steps) { return (rng.below(2 * steps + 1) - steps) / double(steps); };
@@ -78,7 +78,7 @@ TEST_CASE("every pixel holds the primitive that exact arithmetic finds: random t
 }
 
 TEST_CASE("every pixel holds the primitive that exact arithmetic finds: camera on vertices, edges and axes") {
-    // From a lattice point of the mesh's symmetry planes, pixel centres fall on edges and directions have
+    // From a lattice point of the mesh's symmetry planes, pixel centres lie on edges, and directions have
     // zero components.
     const glm::dvec3 eye = GENERATE(glm::dvec3{0, 0, 3}, glm::dvec3{3, 0, 0}, glm::dvec3{0, -3, 0},
                                     glm::dvec3{0, 0, 0}, glm::dvec3{2, 2, 2});

@@ -1,4 +1,4 @@
-// Finished pictures: the RTL makes the colours that the model makes, in the same cycles.
+// Finished pictures: the RTL computes the model's colours in the same cycles.
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
@@ -20,7 +20,7 @@ struct Finished {
     Whitted settings;
 };
 
-/// All scenes run on the RTL with all units: one build for each configuration.
+/// Returns a configuration with all units, so that all scenes need one build for each configuration.
 Config with_all_units(Config config, const Whitted& settings) {
     Scene everything;
     everything.spheres.resize(1), everything.planes.resize(2), everything.normals.resize(1),
@@ -60,7 +60,7 @@ const std::vector<Finished> pictures{{"spheres", {4}},
 
 }   // namespace
 
-// Not a test of its own, see lockstep_test.cpp.
+// Only builds; see lockstep_test.cpp.
 TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const char* name : {"default", "narrow"}) {
@@ -108,8 +108,7 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     const FrameTrace frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
-    // What leaves a plane's point beyond the lattice and passes by the lattice needs no ray
-    // (docs/shading.md).
+    // A ray from a plane's point beyond the lattice that misses the lattice is not sent (docs/shading.md).
     const double fewer = scene.planes.empty() ? 0.01 : 0.4;
     const auto near = [fewer](std::uint64_t mine, std::uint64_t theirs) {
         const double more = double(mine) - double(theirs);

@@ -1,3 +1,4 @@
+// Prepares scenes, runs lockstep and checks the accounts of frames.
 #include "tests/system/frames.hpp"
 
 #include <catch2/catch.hpp>
@@ -62,14 +63,15 @@ Config quick_config(const std::string& name) {
 
 namespace {
 
-/// The word after a visit and its triangles.
+/// Returns the word after a visit and its triangles.
 const std::uint32_t* after_visit(const std::uint32_t* word) {
     if (*word++ & Trace::tests_flag)
         while (!(*word++ & Trace::last_flag)) {}
     return word;
 }
 
-/// Refracted rays that were counted and not sent: the trace knows how many rays there were.
+/// Counts refracted rays that were totally reflected: counted but not sent. The trace knows the real number
+/// of rays.
 std::uint64_t totally_reflected(const Trace& trace) {
     std::uint64_t rays = 0;
     for (const std::uint32_t* word : trace.rays)
@@ -84,7 +86,8 @@ std::uint64_t totally_reflected(const Trace& trace) {
     return trace.counts.all() - rays;
 }
 
-/// Every cycle of every unit has one cause, and what a unit did is what the rays needed.
+/// Requires that every cycle of every unit has one cause, and that the units' work equals what the rays
+/// needed.
 void check_accounts(const FrameRun& run, const Config& config, const Trace& trace) {
     const std::uint64_t pixels = trace.rays.size();
     const auto code = [&](Unit u, std::size_t c) { return run.accounts.units[index(u)][c]; };
@@ -106,11 +109,11 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     const std::uint64_t entered = code(Unit::xform, 0) / std::uint64_t(config.xform_interval);
     CHECK(code(Unit::xform, 0) % std::uint64_t(config.xform_interval) == 0);
     CHECK((entered > 0) == config.has_instances());
-    const std::uint64_t steps = run.visits - entered;   // a ray that changed goes on without one
+    const std::uint64_t steps = run.visits - entered;   // a transformed ray continues without a step
     CHECK(code(Unit::trav, 0) >= steps);
-    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == steps + trace.turns);   // a turn is work, or
-                                                                               // holds a step up
-    const std::uint64_t nodes = config.is_list() ? 0 : run.visits;             // pages are no nodes
+    // A turn is work, or holds a step up.
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == steps + trace.turns);
+    const std::uint64_t nodes = config.is_list() ? 0 : run.visits;   // pages are not nodes
     CHECK(code(Unit::box, 0) % std::uint64_t(config.box_interval()) == 0);
     CHECK(code(Unit::box, 0) / std::uint64_t(config.box_interval()) + code(Unit::treelet, 0) +
               code(Unit::globe, 0) + code(Unit::slant, 0) ==

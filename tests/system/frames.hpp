@@ -1,6 +1,6 @@
 #pragma once
-// What the system tests share: scenes made ready, the four configurations whose RTL the quick tests build,
-// and the demand that model and RTL agree.
+// Shared by the system tests: prepared scenes, the four configurations whose RTL the quick tests build, and
+// the check that model and RTL agree.
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,21 +17,22 @@ struct Shot {
 };
 Shot make_shot(const std::string& scene, FrameSize size, const Config& config);
 
-/// Like make_shot, with the stack that the scene needs if the configuration's is too small.
+/// Works like make_shot(), and deepens the stack if the scene needs it.
 Shot make_deep_shot(const std::string& scene, FrameSize size, Config config);
 
-/// A configuration with some parameters changed; must be legal.
+/// Returns a configuration with some parameters changed; the result must be legal.
 Config with(const Config& config, const Values& values);
 
-/// default, small, and two that lie far from both: `narrow` (12 bits, binary nodes, queues of two, least
-/// precision everywhere; two pipelines that take pixels row by row and share a cache, long lines, DDR3) and
-/// `broad` (20 bits, most precision everywhere; one ray at a time, caches of one line, ideal memory).
+/// Returns default, small, or one of two extremes. `narrow` has 12 bits, binary nodes, queues of two and
+/// least precision everywhere; two pipelines that process pixels row by row and share a cache, long lines and
+/// DDR3. `broad` has 20 bits and most precision everywhere; one ray at a time, caches of one line and ideal
+/// memory.
 Config quick_config(const std::string& name);
 const std::vector<std::string>& quick_configs();
 
-/// Runs a frame in lockstep and checks that the machines agree in every value, every cycle and every account.
+/// Runs a frame in lockstep. Requires that the machines agree in every value, every cycle and every account.
 LockstepResult check_lockstep(const Job& job, Traffic traffic = {}, int seed = 1);
-/// The same with several frames on one machine; the result is the last one's.
+/// Runs several frames on one machine and returns the last result.
 LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
                               int seed = 1);
 

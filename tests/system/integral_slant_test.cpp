@@ -1,10 +1,11 @@
-// Integral geometry for planes in any direction (integral_test.cpp says what it is). An exit's cell is
-// convex: the slant's box, and on the way to it a side of each plane. So a line meets the cells of all exits,
-// each by itself, as often as their surfaces say, which are found here without anything of what decides about
+// Integral geometry for planes in any direction; integral_test.cpp explains the method. An exit's cell is
+// convex: the slant's box, and one side of each plane on the path to the exit. So the number of lines that
+// meet each cell follows from its surface. The surfaces are computed here without any code that decides about
 // rays.
 //
-// A slant's box sticks out of the cell that it lies in, so a walk does not come to all of them: what it
-// visits is not less than the surfaces of what the cells above leave of each, and not more than all.
+// A slant's box extends beyond the cell that contains it, so a walk does not visit all of them. The number of
+// visits has a lower bound, the surfaces of each cell within the cells above it, and an upper bound, all
+// surfaces.
 #include <bit>
 
 #include "model/trace/decoder.hpp"
@@ -19,8 +20,8 @@ namespace {
 constexpr double ball_surface = 4 * std::numbers::pi * ball_radius * ball_radius;
 
 struct Cells {
-    double alone = 0, nested = 0;   ///< their surfaces, as shares of the ball's
-    int oblique = 0;                ///< planes across no axis
+    double alone = 0, nested = 0;   ///< their surfaces, relative to the ball's
+    int oblique = 0;                ///< planes that are not across an axis
 };
 
 struct Counts {
@@ -32,8 +33,8 @@ public:
     Tree(const std::vector<PrimData>& prims, const Config& config)
         : config_(config), image_(compile_triangles(prims, config, "the case")), decoder_(image_, config) {}
 
-    /// Adds the cells of the exits of a slant and of all below it, leaves as well, since planes across no
-    /// axis lie low in the tree; `above` is its own.
+    /// Adds the cells of the exits of a slant and of everything below it. Includes leaves, since planes that
+    /// are not across an axis lie low in the tree. `above` is the slant's own cell.
     void add(std::uint32_t line, const Convex& above, Cells& cells) const {
         const WideSlant& slant = decoder_.slant(line);
         for (const Vec3i& n : slant.normal) cells.oblique += (n[0] != 0) + (n[1] != 0) + (n[2] != 0) > 1;
@@ -46,7 +47,7 @@ public:
             if (child < inner_of(slant)) add(slant.exits.base + child, nested, cells);
         }
     }
-    /// The exits whose cells a line meets, and those among them that a ray comes to which nothing ends.
+    /// Counts the exits whose cells a line meets, and those among them that an unlimited ray visits.
     void count(std::uint32_t line, const BoxRay& ray, const Vec3i& along, bool visited,
                Counts& counts) const {
         std::array<std::uint32_t, max_width> t_near;
@@ -113,15 +114,15 @@ TEST_CASE("the surface of a convex body is known", "[integral]") {
     body.within({-3, 0, 10}, {1, 5, 12});
     CHECK(body.surface() == Approx(2 * (4 * 5 + 5 * 2 + 2 * 4)));
     body.below({1, 0, 0}, 7);   // beyond it,
-    body.below({5, 0, 0}, 5);   // and one of its own, twice as long
+    body.below({5, 0, 0}, 5);   // and equal to one of its planes, with a normal twice as long
     CHECK(body.surface() == Approx(2 * (4 * 5 + 5 * 2 + 2 * 4)));
     body.above({0, 0, 1}, 12);
     CHECK(body.surface() == Approx(2 * 4 * 5).epsilon(1e-4));   // flat
     body.above({0, 0, 1}, 13);
-    CHECK(body.surface() < 1e-2);   // nothing is left
+    CHECK(body.surface() < 1e-2);   // empty
 
-    Convex corner;   // of a cube, cut off: three right-angled triangles and one with three sides of 10
-                     // sqrt(2)
+    // The corner of a cube, cut off: three right-angled triangles, and one with three sides of 10 sqrt(2).
+    Convex corner;
     corner.within({0, 0, 0}, {40, 40, 40});
     corner.below({1, 1, 1}, 10);
     CHECK(corner.surface() == Approx(150 + 50 * std::sqrt(3.0)));

@@ -1,6 +1,6 @@
-// Integral geometry: of lines that are distributed evenly in place and direction, and that meet a convex
-// body, the share that meets a smaller convex body in it is the ratio of their surfaces (Crofton). So the
-// mean number of visits in a tree is known without a ray: the sum over its nodes' cells.
+// Integral geometry (Crofton): lines are distributed uniformly in place and direction and meet a convex body.
+// The share that meets a smaller convex body inside it is the ratio of their surfaces. So the mean number of
+// visits in a tree follows without rays, as a sum over its nodes' cells.
 #include <catch2/catch.hpp>
 
 #include <bit>
@@ -30,7 +30,7 @@ struct Region {
             part = part.cut(k, double(from[k]), true).cut(k, double(to[k]), false);
         return part;
     }
-    /// Its surface as a share of the ball's.
+    /// Returns its surface relative to the ball's.
     double share() const {
         const double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         if (x < 0 || y < 0 || z < 0) return 0;
@@ -43,7 +43,7 @@ public:
     Tree(const std::vector<PrimData>& prims, const Config& config)
         : config_(config), image_(compile_triangles(prims, config, "the case")), decoder_(image_, config) {}
 
-    /// Visits that a line may expect below a node whose cell is `region`.
+    /// Returns the expected visits of a line below a node whose cell is `region`.
     double expected(std::uint32_t line, const Region& region) const {
         double sum = 0;
         if (config_.has_treelets()) {
@@ -73,7 +73,7 @@ public:
         }
         return sum;
     }
-    /// Visits of a ray that nothing ends.
+    /// Returns the visits of an unlimited ray.
     int visits(std::uint32_t line, const BoxRay& ray) const {
         std::array<std::uint32_t, max_width> t_near;
         const bool planes = config_.has_treelets();
@@ -86,7 +86,8 @@ public:
         return sum;
     }
 
-    /// Of globes, which are not within each other as boxes are, each by itself: their surfaces.
+    /// Returns the sum of the surfaces of globes. Globes are not nested like boxes, so each counts
+    /// separately.
     double globes(std::uint32_t line) const {
         const WideGlobes& node = decoder_.globes(line);
         double sum = 0;
@@ -96,7 +97,7 @@ public:
         }
         return sum;
     }
-    /// How many of them a ray meets.
+    /// Returns how many of them a ray meets.
     int met(std::uint32_t line, const GlobeRay& ray) const {
         std::array<std::uint32_t, max_width> t_near;
         const WideGlobes& node = decoder_.globes(line);

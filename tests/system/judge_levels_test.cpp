@@ -1,5 +1,5 @@
-// The judge in two levels: it finds sound pictures right, judges every ray of them, and notices whatever is
-// tampered with: what the machine gave, what memory holds, where things stand.
+// The judge in two levels: it accepts correct pictures, judges all of their rays, and detects any
+// modification of the machine's output, the memory or the placement of instances.
 #include <functional>
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr FrameSize size{40, 30};
 
-/// A picture of the model, to be tampered with.
+/// A picture of the model, for modification.
 struct Case {
     PlacedScene placed;
     Scene scene;
@@ -50,7 +50,7 @@ struct Case {
         const Picture picture = shade(scene, scaled(job, job.frame, trace.trace.hits));
         return judge(asked(), job.image, {reference, trace.trace.hits, picture});
     }
-    /// Something else stands in the instances' places.
+    /// Replaces the placement of the instances.
     void move(const std::function<void(PlacedScene&)>& change) {
         change(placed);
         scene = flattened(placed);
@@ -74,7 +74,7 @@ struct Case {
     }
 };
 
-/// Balls and cubes anywhere, turned, sheared, mirrored and of any size, with mirrors.
+/// Balls and cubes at random places, turned, sheared, mirrored and of any size, with mirrors.
 PlacedScene anywhere(double least, double most, double shear) {
     PlacedScene scene = solids(10, 7, least, most, shear);
     scene.own.materials = {coloured({0.6, 0.5, 0.4}, 0.4, 0), coloured({0.2, 0.5, 0.8}, 0.7, 0)};
@@ -158,7 +158,7 @@ TEST_CASE("an answer of planes and true spheres beside instances that is off in 
     const auto seen_plane =
         std::find_if(hits.begin(), hits.end(), [&](const Closest& c) { return c.found && c.prim == plane; });
     REQUIRE(seen_plane != hits.end());
-    const auto placed = [&](Closest answer) {   // which a pixel's hit does not tell
+    const auto placed = [&](Closest answer) {   // a pixel's hit does not contain it
         answer.place = world.line(world.place_of(answer.prim));
         return answer;
     };
@@ -238,7 +238,7 @@ TEST_CASE("the judge sees memory that does not hold the scene's instances", "[ju
         INFO(j.faults[0].what);
         CHECK(j.faults[0].what.find(what) != std::string::npos);
     };
-    const std::uint32_t line = made.line_of(2);   // the first ball, behind two triangles of the floor
+    const std::uint32_t line = made.line_of(2);   // the first ball, after two triangles of the floor
     SECTION("another map by a unit") {
         made.change_line(line, [](Placement& p) { p.a[4] -= 2; });
         says("instance 0 has another map in memory than its place");

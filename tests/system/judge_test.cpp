@@ -1,5 +1,4 @@
-// The judge of finished pictures: it finds sound ones right, counts every ray, and notices whatever is
-// tampered with.
+// The judge of finished pictures: it accepts correct ones, counts every ray, and detects any modification.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
@@ -12,7 +11,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A finished picture of the model, to be tampered with.
+/// A finished picture of the model, for modification.
 struct Case {
     Scene scene;
     Whitted settings;

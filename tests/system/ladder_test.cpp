@@ -1,5 +1,5 @@
-// Two sets of rules in one frame: the machine's, which its judge follows, and the reference's. In scenes that
-// are drawn at random they must agree in every pixel.
+// Two sets of rules in one frame: the machine's, which its judge follows, and the reference's. In random
+// scenes they must agree in every pixel.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Judgement judged(const Scene& scene, const Whitted& settings, const Config& want
                           settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));
 }
 
-/// On grey tiles without end, u and v their sides.
+/// Returns a scene on infinite grey tiles with sides u and v.
 Scene tiles(const glm::dvec3& u, const glm::dvec3& v) {
     Scene scene;
     Material tiles;
@@ -41,7 +41,7 @@ Scene tiles(const glm::dvec3& u, const glm::dvec3& v) {
     return scene;
 }
 
-/// Every cause occurs, a seam only in some of thousands.
+/// Requires that every cause occurs. A seam occurs only in some of thousands.
 void check_scenes(std::uint64_t first, std::uint64_t count) {
     PixelCauses causes{};
     for (std::uint64_t seed = first; seed < first + count; ++seed) {

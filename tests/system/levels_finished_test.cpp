@@ -1,4 +1,4 @@
-// Finished pictures of two levels: the RTL makes the colours that the model makes, in the same cycles.
+// Finished pictures of two levels: the RTL computes the model's colours in the same cycles.
 #include <catch2/catch.hpp>
 
 #include "tests/accel/mixed.hpp"
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Some units are there in one and not in another; the paths, intervals and formats differ.
+/// Returns a chip. Units, paths, intervals and formats differ between chips.
 Config chip(const std::string& name, bool is_smooth, const Values& more) {
     Values values{{"levels", 2}, {"stack_depth", 64}};
     values.insert(values.end(), more.begin(), more.end());
@@ -19,7 +19,7 @@ Config chip(const std::string& name, bool is_smooth, const Values& more) {
     return fitted_config(flattened(mixed(is_smooth)), settings, with(quick_config(name), values));
 }
 
-/// With a plane and true spheres beside the instances.
+/// Returns a chip with a plane and true spheres in addition to the instances.
 Config round_chip(const std::string& name, const Values& more) {
     Values values{{"levels", 2}, {"stack_depth", 64}};
     values.insert(values.end(), more.begin(), more.end());
@@ -111,10 +111,10 @@ TEST_CASE("model and RTL draw planes and true spheres beside instances alike", "
     CHECK(result.model.rays.shadow > 100);
     CHECK(result.model.rays.refraction > 5);
     check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
-    // Far away on the plane, from where rays must find the lattice.
+    // Far away on the plane, from where rays must reach the lattice.
     const Scene plane = make_builtin("plane");
     check_lockstep(job_of(plane, {16, 12}, fitted_config(plane, settings, config), settings));
-    // Primitive 0 is a sphere, which camera rays must not take for one that they leave.
+    // Primitive 0 is a sphere. Camera rays must not treat it as the primitive that they leave.
     const Scene spheres = make_builtin("spheres", Primitives::native);
     check_lockstep(job_of(spheres, {16, 12}, fitted_config(spheres, settings, config), settings));
 }

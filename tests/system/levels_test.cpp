@@ -1,5 +1,5 @@
-// Two levels: model and RTL walk instances alike, and what moves rays into them does not change what they
-// hit.
+// Two levels: model and RTL walk instances equally, and the transformation of rays into instances does not
+// change hits.
 #include <catch2/catch.hpp>
 
 #include "tests/support/levels/picture.hpp"
@@ -22,7 +22,7 @@ Config of(const std::string& name, Structure structure, int interval, Values mor
     return two(name, interval, more);
 }
 
-/// Value of mesh_structure.
+/// Returns the value of mesh_structure.
 int mesh(Structure structure) {
     const auto& names = mesh_structure_names();
     return int(std::find(names.begin(), names.end(), structure_names()[std::size_t(structure)]) -
@@ -34,7 +34,7 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
     return of(name, upper, interval, more);
 }
 
-/// Formats, structures, intervals and paths: each its own RTL.
+/// Returns formats, structures, intervals and paths, each with its own RTL.
 const std::vector<Config>& chips() {
     static const std::vector<Config> all{two("default", 2),
                                          two("small", 4),
@@ -48,12 +48,14 @@ const std::vector<Config>& chips() {
     return all;
 }
 
-/// Of two structures.
+/// Returns chips with two structures.
 const std::vector<Config>& two_engines() {
     static const std::vector<Config> all{
-        both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}),         // the upper unit rests,
-        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // and the lower one
-        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // a door that closes
+        both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}),         // the upper unit has a
+                                                                                     // longer interval,
+        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // the lower unit has a
+                                                                                     // longer interval
+        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // the door closes
         both("small", Structure::bsp, Structure::spheres, 4, fast)};
     return all;
 }
@@ -76,7 +78,7 @@ void check_gearboxes(const Config& config) {
     check_lockstep(shot.job);
     const FrameSize small{12, 9};
     check_lockstep(make_deep_shot("gearbox:2", small, config).job, {9, 30, 77}, 77);
-    check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance, the scene itself
+    check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance: the scene itself
 }
 }   // namespace
 

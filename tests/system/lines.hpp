@@ -1,5 +1,5 @@
 #pragma once
-// Lines that are distributed evenly in place and direction, what they meet, and how often that is.
+// Lines that are uniformly distributed in place and direction, and the counts of what they meet.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -12,9 +12,9 @@
 
 namespace rayclock::test {
 
-constexpr double ball_radius = 60000;   // of a ball around all that there is; what meets it is a line
+constexpr double ball_radius = 60000;   // a ball that contains everything; every line meets it
 
-/// Triangles around points of a cube, all in the ball.
+/// Returns triangles around points of a cube, all in the ball.
 inline std::vector<PrimData> triangles(std::uint32_t count, int reach, int size) {
     Draw draw{9};
     std::vector<PrimData> prims;
@@ -28,13 +28,13 @@ inline std::vector<PrimData> triangles(std::uint32_t count, int reach, int size)
     return prims;
 }
 
-/// Lines through the ball: a direction, and a point of the disc at right angles to it.
+/// Lines through the ball: a direction, and a point of the disc perpendicular to it.
 class Lines {
 public:
     explicit Lines(const Config& config) : config_(config) {}
     Ray next() {
         const auto d = unit();
-        auto side = unit();   // made at right angles
+        auto side = unit();   // made perpendicular
         const double along = d[0] * side[0] + d[1] * side[1] + d[2] * side[2];
         double length = 0;
         for (std::size_t k = 0; k < 3; ++k) side[k] -= along * d[k], length += side[k] * side[k];
@@ -58,11 +58,12 @@ private:
     std::uniform_real_distribution<double> even_{0, 1};
 };
 
-/// A mean of what is counted for each line.
+/// The mean of a count over lines.
 class Mean {
 public:
     void add(double n) { sum_ += n, squares_ += n * n, ++lines_; }
-    /// It lies within four standard errors, and above by no more than what conservatism may cost, 2 %.
+    /// Requires that the mean lies within four standard errors of the bounds. It may exceed the upper bound
+    /// by at most 2 %, the cost of conservative tests.
     void check(double least, double most) const {
         const double mean = sum_ / lines_, error = std::sqrt((squares_ / lines_ - mean * mean) / lines_);
         CAPTURE(mean, error, least, most, mean / least, mean / most);

@@ -1,4 +1,4 @@
-// Whole frames: the RTL does in every cycle what the model does.
+// Whole frames: the RTL equals the model in every cycle.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -17,8 +17,8 @@ const std::vector<std::string> scenes{"tetra:4", "mount:4",  "gears:1", "gears:2
 
 }   // namespace
 
-// Not a test of its own: ctest runs it once before those that need the RTL, so that they do not build it side
-// by side.
+// Only builds. ctest runs it once before the tests that need the RTL, so that they do not build it at the
+// same time.
 TEST_CASE("the RTL of the quick configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const std::string& name : quick_configs()) jobs.push_back({"rc_chip", name, quick_config(name)});
@@ -52,7 +52,7 @@ TEST_CASE("model and RTL agree on scenes from files") {
         if (ending != ".obj" && ending != ".json") continue;
         const Scene scene = load_scene(entry.path().string(), {}, Primitives::native);
         if (!scene.spheres.empty() || !scene.planes.empty())
-            continue;   // finished pictures: finished_test.cpp
+            continue;   // see finished_test.cpp for finished pictures
         ++found;
         INFO(entry.path().string());
         for (const std::string& config : quick_configs())
@@ -62,7 +62,7 @@ TEST_CASE("model and RTL agree on scenes from files") {
 }
 
 TEST_CASE("model and RTL agree for every leaf size") {
-    const int leaf = GENERATE(1, 2, 3, 4, 5, 6);   // the image differs, the RTL does not
+    const int leaf = GENERATE(1, 2, 3, 4, 5, 6);   // the image differs, but not the RTL
     for (const std::string& config : quick_configs())
         for (const char* scene : {"teapot:6", "gears:1"})
             check_lockstep(make_shot(scene, {48, 36}, with(quick_config(config), {{"leaf_size", leaf}})).job);
@@ -148,8 +148,8 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     for (auto* frames : {&one, &two, &four}) frames->push_back(record_frame(job, job.frame));
     for (auto* frames : {&two, &four})
         frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image, job.config)));
-    for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})   // what was outside one picture is
-                                                                          // inside the next
+    // Pixels outside one picture are inside the next.
+    for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})
         four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image, job.config)));
     CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
     for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
@@ -159,7 +159,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
                        second = check_lockstep(job, two, traffic).rtl;
         const FrameRun alone = check_lockstep(job, cold, traffic).rtl;
         CHECK(first.hits.hits != second.hits.hits);   // another picture
-        CHECK(second.hits.hits == alone.hits.hits);   // whatever lay in the caches
+        CHECK(second.hits.hits == alone.hits.hits);   // the content of the caches makes no difference
         if (job.config.node_sets <= 2) continue;
         CHECK(second.memory.reads <= alone.memory.reads);
         CHECK(second.memory.reads < first.memory.reads);
@@ -168,7 +168,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     for (int i = 0; i < 2; ++i) same.push_back(record_frame(job, job.frame));
     const LockstepResult again = check_lockstep(job, same);
     if (job.config.node_sets > 2) CHECK(again.rtl.memory.reads < run_model(job).memory.reads);
-    // The RTL alone: its frames are the model's.
+    // The RTL alone renders the model's frames.
     const std::vector<FrameRun> runs = run_rtl(job, job.khz, four);
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, four);
     check_lockstep(job, four, {3, 20, 7});
@@ -198,7 +198,7 @@ TEST_CASE("model and RTL agree on pictures of odd shapes") {
 TEST_CASE("a ray that sees nothing and a picture that sees nothing") {
     for (const std::string& config : quick_configs()) {
         Shot shot = make_shot("tetra:3", {24, 18}, quick_config(config));
-        shot.scene.camera->at = 2.0 * shot.scene.camera->eye - shot.scene.camera->at;   // about face
+        shot.scene.camera->at = 2.0 * shot.scene.camera->eye - shot.scene.camera->at;   // turned around
         const Job job = make_job(shot.scene, *shot.scene.camera, {24, 18}, quick_config(config));
         const LockstepResult result = check_lockstep(job);
         for (const Hit& hit : result.rtl.hits.hits) CHECK(hit == Hit{});

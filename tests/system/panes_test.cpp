@@ -1,5 +1,5 @@
-// Planes that transmit or mirror, with eye and lights on all sides of them, up to the horizon: the model
-// draws what the reference draws by its own rules.
+// Planes that transmit or mirror, with eye and lights on all sides, up to the horizon: the model renders what
+// the reference renders by its own rules.
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 enum Look : std::uint32_t { clay, glass, water, mirror };
 
-/// A plane at a height, or upright (`across` is the axis that it crosses).
+/// A plane at a height, or upright; `across` is the axis that it crosses.
 struct Wall {
     int across;
     double at;
@@ -27,7 +27,7 @@ struct Setting {
     glm::dvec3 eye;
     std::vector<glm::dvec3> lights;
     std::vector<Wall> walls;
-    std::vector<glm::dvec3> balls{{0, 1, 0}};   ///< of radius 0.5
+    std::vector<glm::dvec3> balls{{0, 1, 0}};   ///< radius 0.5
 };
 
 const glm::dvec3 sun{4000, 9000, 3000};   ///< beyond the lattice

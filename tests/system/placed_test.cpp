@@ -1,4 +1,4 @@
-// The oracle of two levels: which instance a ray meets, by brute force in fractions of any size, from the
+// The oracle of two levels: the instance that a ray meets, by brute force in arbitrary fractions, from the
 // stated rule of rounding alone.
 #include <cmath>
 
@@ -22,8 +22,8 @@ struct Format {
     int coord_bits, dir_bits, origin_bits;
 };
 
-/// Meshes, the last of them `small` steps large or so, and instances whose rows sum to 1 at most: some as
-/// large, some tiny, some sheared.
+/// Meshes, the last about `small` steps large, and instances whose rows sum to at most 1: some at full size,
+/// some tiny, some sheared.
 struct World {
     std::vector<std::vector<oracle::Corners>> meshes;
     std::vector<oracle::SolidPlace> places;
@@ -35,7 +35,7 @@ World random_world(Draw& draw, const Format& f, int small = 6) {
     const std::int64_t one = std::int64_t(1) << w.frac;
     for (int m = 0; m < 3; ++m) {
         std::vector<oracle::Corners>& mesh = w.meshes.emplace_back();
-        const Vec3i middle = draw.vector(f.coord_bits - 2);   // of the last, which is small
+        const Vec3i middle = draw.vector(f.coord_bits - 2);   // the centre of the last mesh, which is small
         for (int i = 0; i < 6; ++i) {
             const int reach = m == 2 ? small : 1 << draw.below(f.coord_bits - 1), bits = f.coord_bits - 1;
             oracle::Corners t;
@@ -51,7 +51,7 @@ World random_world(Draw& draw, const Format& f, int small = 6) {
         place.mesh = std::uint32_t(draw.below(3)), place.first = first;
         first += 6;
         for (std::size_t i = 0; i < 3; ++i) {
-            const int size = draw.below(3);   // of what is not on the diagonal
+            const int size = draw.below(3);   // of the entries off the diagonal
             for (std::size_t k = 0; k < 3; ++k)
                 place.a[3 * i + k] = i == k      ? one / (size == 0 ? 1 : 2)
                                      : size == 0 ? 0
@@ -62,7 +62,7 @@ World random_world(Draw& draw, const Format& f, int small = 6) {
         }
         if (draw.below(4) == 0)
             for (std::int64_t& entry : place.a) entry = entry / 29 + draw.below(3);
-        if (p % 4 == 3) {   // in the same place as the one before: what both hold is met at once
+        if (p % 4 == 3) {   // at the same place as the previous one, so that common parts are hit at once
             const std::uint32_t first_here = place.first;
             place = w.places.back(), place.first = first_here;
         }
@@ -81,7 +81,7 @@ oracle::PlacedSolids solids_of(const World& w, const Format& f) {
     return {std::move(meshes), w.places, w.frac, f.coord_bits, f.dir_bits};
 }
 
-/// floor(y + 1/2).
+/// Computes floor(y + 1/2).
 Vec3i rounded(const oracle::SolidPlace& place, const Vec3i& v, const Rational& shift, int frac) {
     Vec3i out{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,7 +97,7 @@ struct Truth {
     Rational t = 0;
 };
 
-/// Asks every triangle of every instance. `end`: hits beyond do not count; 0: none is beyond.
+/// Tests every triangle of every instance. Hits beyond `end` do not count; 0 means no limit.
 Truth truth(const World& w, const PlacedRay& ray, const Rational& end) {
     Truth best;
     for (std::uint32_t p = 0; p < w.places.size(); ++p) {
@@ -146,7 +146,8 @@ Vec3i towards_corner(Draw& draw, const World& w, const Format& f, const oracle::
     return out;
 }
 
-/// Towards a corner, an edge or the inside of a triangle as an instance has it, or anywhere; short at times.
+/// Draws a ray to a corner, an edge or the inside of a triangle in an instance's space, or anywhere;
+/// sometimes a short one.
 PlacedRay random_ray(Draw& draw, const World& w, const Format& f) {
     PlacedRay ray;
     ray.ray.frac = draw.coin() ? f.origin_bits : 0;
@@ -203,7 +204,7 @@ TEST_CASE("a small mesh is found where rounding has brought the ray to it", "[le
     const Format f = GENERATE(values<Format>({{16, 12, 12}, {20, 18, 10}}));
     Draw draw{unsigned(f.coord_bits)};
     int hits = 0;
-    for (int n = 0; n < 60; ++n) {   // smaller than what rounding moves a ray by
+    for (int n = 0; n < 60; ++n) {   // smaller than the shift of a ray by rounding
         World w = random_world(draw, f, 2);
         for (oracle::SolidPlace& place : w.places) place.mesh = 2;
         const oracle::PlacedSolids solids = solids_of(w, f);

@@ -1,5 +1,5 @@
-// Lockstep over configurations that nobody chose, under memory and back-pressure that nobody chose. Every
-// configuration builds its RTL: a few are quick, the others slow.
+// Lockstep over random configurations with random memory and back-pressure. Every configuration builds its
+// own RTL: a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
 #include "tests/support/machine/build_all.hpp"
@@ -31,8 +31,8 @@ void check_config_in_lockstep(const Config& config) {
     }
 }
 
-/// A chip without a tree tests every primitive for every ray, so its scene is small, and so is the picture if
-/// not many rays are under way.
+/// Returns a small scene for a list, which tests every primitive for every ray. The picture is also small if
+/// few rays are in flight.
 Shot random_shot(std::uint64_t seed, const Config& config) {
     const FrameSize size = config.contexts < 16 ? FrameSize{8, 6} : FrameSize{16, 12};
     if (config.is_list()) return make_deep_shot(seed % 2 ? "teapot:1" : "cornell", size, config);
@@ -43,7 +43,7 @@ Shot random_shot(std::uint64_t seed, const Config& config) {
                           {32, 24}, config);
 }
 
-/// Every memory, and draws of latency, interval, clock and traffic.
+/// Runs every memory with random latency, interval, clock and traffic.
 void check_random(const Config& config, std::uint64_t seed) {
     INFO(text_of(config));
     Rng rng(seed * 1000);
@@ -62,13 +62,13 @@ void check_random(const Config& config, std::uint64_t seed) {
     }
 }
 
-// These seeds are quick: one pipeline each.
+// These quick seeds have one pipeline each.
 constexpr std::uint64_t quick_seeds = 4;
 Config quick_random(std::uint64_t seed) { return random_config(seed, true); }
 
 }   // namespace
 
-// Not a test of its own; see lockstep_test.cpp.
+// Only builds; see lockstep_test.cpp.
 TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed)
@@ -89,9 +89,9 @@ TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
 
 TEST_CASE("the RTL of random configurations, and of any units that shade, is clean of warnings", "[slow]") {
     const std::uint64_t seed = GENERATE(range(std::uint64_t(1), std::uint64_t(61)));
-    Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);   // those of three times a number
-                                                                             // shade
-    if (config.shading) {                                                    // needed by no scene here
+    // Seeds that are multiples of three shade.
+    Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);
+    if (config.shading) {   // no scene here needs them
         Rng rng(seed);
         for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,
                                   &Config::spheres, &Config::planes})

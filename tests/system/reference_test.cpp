@@ -1,24 +1,26 @@
-// Model against the double-precision reference: every pixel that differs lies where the lattice may decide
-// otherwise.
+// Model against the double-precision reference: every pixel that differs lies where the lattice may change
+// the decision.
 //
 // Let p be the vector of the three lattice pitches. Snapping moves a vertex by at most p_k / 2 on axis k, so
-// by at most |p| / 2; the eye is a lattice point and stays. Camera registers are rounded, and then the
-// direction: each component of the integer direction D is off by at most 1/2 (the last rounding) plus (1 + x
-// + y) / 2^(guard_bits + 1) < 0.01 (the registers), so a point at distance z along the ray moves sideways by
-// at most z theta, theta = 0.51 |p| / |D p|, where D p multiplies axis by axis.
+// by at most |p| / 2. The eye is a lattice point and does not move. Camera registers are rounded, and then
+// the direction. Each component of the integer direction D is off by at most 1/2 (the last rounding) plus (1
+// + x + y) / 2^(guard_bits + 1) < 0.01 (the registers). So a point at distance z along the ray moves sideways
+// by at most z theta, theta = 0.51 |p| / |D p|, where D p multiplies axis by axis.
 //
-// Move everything continuously from the scene as given to the snapped one. If the ray is inside a triangle
-// before and outside after, then on the way it crossed the triangle's boundary, so at the beginning it passes
-// a point of one of the triangle's edges within eps = |p| / 2 + z theta. If it is inside both triangles
-// before and after and their order along the ray changed, they met on the way: a distance along the ray
-// changes by at most eps (1 + 1 / |cos|), cos the cosine between the ray and the triangle's normal (to first
-// order in eps; the factor of 2 below covers the rest for triangles whose normal turns little), so they were
-// at most the sum of both apart. A pixel whose ray keeps clear of all this must show the same primitive. The
-// count is then bounded by that of pixels near an edge: an edge of l pixels in the picture decides 2 l eps'
-// pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.001, and even where triangles are
-// as small as pixels there are some 6 pixels of edge for every pixel: 1.2 %. A quarter of a percent is
-// demanded of every scene. Ties are counted apart: where surfaces coincide (in rings) no precision decides,
-// and rounding does in the reference.
+// Move everything continuously from the given scene to the snapped one. If the ray is inside a triangle
+// before and outside after, it crossed the triangle's boundary on the way. So at the start it passes a point
+// of one of the triangle's edges within eps = |p| / 2 + z theta. If it is inside two triangles before and
+// after and their order along the ray changed, they met on the way. A distance along the ray changes by at
+// most eps (1 + 1 / |cos|), where cos is the cosine between the ray and the triangle's normal. This holds to
+// first order in eps; the factor of 2 below covers the rest for triangles whose normal turns little. So the
+// two triangles were at most the sum of both changes apart. A pixel whose ray keeps clear of all this must
+// show the same primitive.
+//
+// The count is then bounded by the number of pixels near an edge. An edge of l pixels in the picture decides
+// 2 l eps' pixels on average, with eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.001. Even where
+// triangles are as small as pixels there are about 6 pixels of edge for every pixel: 1.2 %. Every scene must
+// stay below a quarter of a percent. Ties are counted separately. Where surfaces coincide (in rings) no
+// precision decides, and in the reference rounding decides.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -64,8 +66,8 @@ public:
         return std::abs(depth[0] - depth[1]) <= 2 * reach;
     }
 
-    /// How far the depth of a pixel that holds the right primitive may be off; t's last place is added, along
-    /// a direction whose largest component is at least a quarter of the picture's.
+    /// Returns the largest permitted error of depth for a pixel with the right primitive. Adds t's last
+    /// place, along a direction whose largest component is at least a quarter of the picture's.
     double depth_bound(std::uint32_t primitive, int x, int y) const {
         const Ray ray = at(x, y);
         const Plane plane = plane_of(ray, primitive);
@@ -86,7 +88,8 @@ private:
     }
     struct Plane {
         double depth,
-            cosine;   ///< where the ray meets the triangle's plane, and its cosine with the normal, positive
+            /// The ray's meeting with the triangle's plane, and its positive cosine with the normal.
+            cosine;
     };
     Plane plane_of(const Ray& ray, std::uint32_t primitive) const {
         const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0),
@@ -101,8 +104,8 @@ private:
         return scene_.vertices[scene_.triangles[primitive].vertex[k]];
     }
 
-    /// Least distance between the ray's line and the segment a..b: in the plane across the ray, that of a
-    /// point and a segment.
+    /// Returns the least distance between the ray's line and the segment a..b. In the plane across the ray it
+    /// is that of a point and a segment.
     double distance_to_edge(const Ray& ray, const dvec3& a, const dvec3& b) const {
         const auto across = [&](const dvec3& p) {
             return (p - rays_.eye) - glm::dot(p - rays_.eye, ray.unit) * ray.unit;
@@ -133,7 +136,7 @@ TEST_CASE("pixels that differ from the reference lie within rounding of an edge 
     const HitFrame model = run_model(shot.job).hits;
     const Explainer explain(shot);
     std::size_t differ = 0, ties = 0, unexplained = 0;
-    double worst = 0;   // error of a depth, as a share of its bound
+    double worst = 0;   // the largest error of a depth relative to its bound
     for (std::size_t i = 0; i < model.hits.size(); ++i) {
         const std::uint32_t a = reference.hits[i].primitive, b = model.hits[i].primitive;
         const int x = int(i) % size.width, y = int(i) / size.width;
@@ -167,7 +170,7 @@ TEST_CASE("at 18 bits no more than one pixel in a thousand holds another primiti
     const FrameError error =
         frame_error(shot.scene, hits_of(shot.job, record_frame(shot.job, shot.job.frame)), reference);
     INFO(name << ": " << error.pixels_other_primitive << " pixels differ, " << error.psnr_db << " dB");
-    // In rings a diagonal of the wall passes through the centres of some 380 pixels exactly: any rounding
+    // In rings a diagonal of the wall passes exactly through the centres of about 380 pixels, so any rounding
     // decides.
     CHECK(error.pixels_other_primitive <= error.pixels / (name == "rings:3" ? 900 : 1000));
     CHECK(error.psnr_db >= 45);

@@ -1,4 +1,4 @@
-// Seams between instances: found where the lines of two instances differ, and nowhere else.
+// Seams between instances: they appear where the lines of two instances differ, and nowhere else.
 #include <catch2/catch.hpp>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,7 +16,8 @@ namespace {
 
 constexpr FrameSize size{96, 72};
 
-/// A wall of squares that touch, each an instance. `turn`: how the wall stands; each square is turned in it.
+/// Returns a wall of adjacent squares, each an instance. `turn` rotates the wall; each square is rotated
+/// within it.
 PlacedScene wall(const glm::dmat4& turn) {
     constexpr int side = 12;
     PlacedScene scene;
@@ -33,7 +34,7 @@ PlacedScene wall(const glm::dmat4& turn) {
             glm::dmat4 place = glm::translate(turn, glm::dvec3(x - 5.5, y - 5.5, 0));
             place = glm::rotate(place, glm::radians(90.0) * ((3 * x + 5 * y) % 4), glm::dvec3(0, 0, 1));
             place = glm::scale(place, glm::dvec3(0.5));
-            glm::dmat4 leaning(1);   // z is 0: it changes no corner, but every row of the map
+            glm::dmat4 leaning(1);   // z is 0, so it changes no corner, but every row of the map
             leaning[2] = {0.3 * ((7 * x + 3 * y) % 5) - 0.6, 0.3 * ((3 * x + 5 * y) % 7) - 0.9, 1, 0};
             scene.instances.push_back({"square", 0, place * leaning, std::uint32_t((x + y) % 2)});
         }
@@ -92,7 +93,7 @@ TEST_CASE("where no map rounds anything there is no seam", "[cause][levels]") {
     PlacedScene scene = wall(slanted());
     const SharedMesh square = scene.meshes[0];
     scene.meshes.clear();
-    for (Instance& instance : scene.instances) {   // each square where it stands, a mesh of its own
+    for (Instance& instance : scene.instances) {   // each square in its place, as a mesh of its own
         SharedMesh mesh = square;
         for (glm::dvec3& v : mesh.vertices) v = glm::dvec3(instance.place * glm::dvec4(v, 1));
         instance.mesh = std::uint32_t(scene.meshes.size()), instance.place = glm::dmat4(1);

@@ -1,4 +1,4 @@
-// Secondary rays: no surface shadows itself, and no light leaks through a shell, however thin.
+// Secondary rays: no surface shadows itself, and no light leaks through a shell of any thickness.
 #include <catch2/catch.hpp>
 
 #include "model/unit/isect/origin.hpp"
@@ -21,12 +21,12 @@ void check_scheme(std::uint64_t rays, unsigned seed, const OriginScheme& scheme)
             REQUIRE(c.rays == rays);
             REQUIRE(c.false_shadows == 0);
             REQUIRE(c.light_leaks == 0);
-            REQUIRE(c.either * 100 <= rays);   // the judge does judge
+            REQUIRE(c.either * 100 <= rays);   // the judge gives verdicts
         }
     }
 }
 
-/// A prism over an L: closed, with a concave edge and concave corners. It is the union of two boxes.
+/// A prism over an L shape: closed, with a concave edge and concave corners. It is the union of two boxes.
 struct Prism {
     bool within, outside;   ///< strictly
 };
@@ -53,16 +53,14 @@ std::vector<Corners> prism() {
         mesh.push_back({at(i, -1), at(i + 1, 2), at(i, 2)});
     }
     for (const auto& [a, b, c] :
-         {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1}, std::array{3, 1, 2}}) {   // a fan
-                                                                                                   // from the
-                                                                                                   // concave
-                                                                                                   // corner
+         // A fan from the concave corner.
+         {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1}, std::array{3, 1, 2}}) {
         mesh.push_back({at(a, 2), at(b, 2), at(c, 2)});
         mesh.push_back({at(c, -1), at(b, -1), at(a, -1)});
     }
     return mesh;
 }
-/// Around it at one step's distance, and inside at less.
+/// Returns the prism with shells around it: one step away outside, less inside.
 std::vector<Corners> shells() {
     std::vector<Corners> mesh = prism();
     for (const int r : {8, 9})
@@ -119,8 +117,8 @@ TEST_CASE("from every point of a small solid to every light, on either side", "[
                     }
                     CAPTURE(own, u, v, light[0], light[1], light[2]);
                     REQUIRE(sight.answer() != (said ? Sight::Answer::free : Sight::Answer::blocked));
-                    // Normals point outwards: what leaves outwards and ends inside the solid, or the other
-                    // way round, was stopped.
+                    // Normals point outwards. A ray that leaves outwards and ends inside the solid, or the
+                    // reverse, was stopped.
                     const Prism in = in_prism(light);
                     if (facing > 0 ? in.within : in.outside) {
                         REQUIRE(said);
@@ -140,7 +138,7 @@ TEST_CASE("the search around a way skips no triangle that it meets", "[shadows]"
         const oracle::Surface around(scene.make(12), 1);
         const auto& mesh = around.triangles();
         for (std::uint32_t i = 0; i < 200; ++i) {
-            // From a corner of one triangle to that of another: both meet the way, and so do all that it
+            // From a corner of one triangle to a corner of another: both meet the path, and so do all that it
             // crosses.
             const std::uint32_t from = i * 7919u % std::uint32_t(mesh.size()),
                                 to = i * 104729u % std::uint32_t(mesh.size());

@@ -1,5 +1,5 @@
-// Spheres that are opaque, clear and mirrors, in and beside each other, with eyes and lights on both sides:
-// the model draws what the reference draws by its own rules, and the judge finds nothing wrong.
+// Opaque, clear and mirror spheres, nested and adjacent, with eyes and lights on both sides. The model
+// renders what the reference renders by its own rules, and the judge finds no fault.
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
@@ -26,8 +26,8 @@ struct Setting {
     glm::dvec3 eye, at;
     std::vector<glm::dvec3> lights;
     std::vector<Ball> balls;
-    bool has_floor = false;   ///< at height -2, without end
-    bool is_dark = false;     ///< the floor has its ambient light alone
+    bool has_floor = false;   ///< infinite, at height -2
+    bool is_dark = false;     ///< the floor has only its ambient light
 };
 
 const glm::dvec3 above{3, 6, 5};
@@ -146,7 +146,7 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
     const FrameError error =
         frame_error(run.hits, picture_of(size, run.colours), right.hits, picture_of(right));
     CAPTURE(error.pixels_other_primitive, error.psnr_db);
-    // Only pixels at an outline, of one ball or another, may hold what is beside it.
+    // Only pixels at the outline of a ball may show the neighbouring primitive.
     CHECK(error.pixels_other_primitive <= error.pixels / 200);
     CHECK(error.psnr_db >= 38);
     if (setting.is_dark) {

@@ -1,5 +1,5 @@
-// Hard cases: the families are what they say, the exact test stands them all, and faults and cheaper tests do
-// not.
+// Hard cases: the families match their descriptions, the exact test passes all of them, and faults and
+// cheaper tests do not.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -33,7 +33,7 @@ std::vector<Counts> counts_of(const Outcome& outcome) {
     for (const Cell& cell : outcome.cells) counts.push_back(cell.counts);
     return counts;
 }
-/// A file that is gone at the end.
+/// A file that is deleted at the end.
 struct Temporary {
     std::string path =
         (std::filesystem::temp_directory_path() /
@@ -103,7 +103,7 @@ TEST_CASE("the exact test stands every hard case, on every lattice", "[stress]")
     CHECK(sum(outcome.cells, sound).walked > 25'000);
     CHECK(sum(outcome.cells, sound).shadow_rays > 5'000);
     CHECK(sum(outcome.cells, sound).boxes > 5'000);
-    // The surface that does not fit leaks, although every decision about it is exact.
+    // The surface with gaps leaks, although every decision about it is exact.
     const Counts seams = sum(outcome.cells, [](const Cell& cell) { return cell.family == "t_junction"; });
     CHECK(seams.leaks > 0);
     CHECK(seams.oracle_mismatches == 0);

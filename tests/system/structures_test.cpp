@@ -1,5 +1,5 @@
-// Structures: boxes, globes, planes, octants and a mere list hold the same scene, and no ray can tell which.
-// The RTL of each walks as its model does.
+// Structures: boxes, globes, planes, octants and a plain list hold the same scene, and rays hit the same in
+// each. The RTL of each structure walks like its model.
 #include <catch2/catch.hpp>
 
 #include <memory>
@@ -21,7 +21,7 @@ Config structured(Config config, Structure structure) {
     return with(config, {{"structure", int(structure)}});
 }
 
-/// Another structure may need a deeper stack.
+/// Returns a configuration with the deeper stack that some structures need.
 Config deep(const std::string& name, Structure structure) {
     Config config = structured(quick_config(name), structure);
     config.stack_depth = std::max(config.stack_depth, config.node_width == 2 ? 64 : 32);
@@ -29,7 +29,7 @@ Config deep(const std::string& name, Structure structure) {
 }
 Config kd(const std::string& name) { return deep(name, Structure::kd); }
 
-/// Every structure, and every rule by which one of them can be built.
+/// Returns every structure with every build rule.
 std::vector<Config> all_structures(const Config& config) {
     std::vector<Config> all;
     for (const Structure s :
@@ -42,7 +42,7 @@ std::vector<Config> all_structures(const Config& config) {
     return all;
 }
 
-/// All units of a chip that shades, and fast.
+/// Returns a fast chip that shades with all units.
 Config shaded(Config config, Structure structure) {
     config = structured(config, structure);
     for (int Config::*unit : {&Config::shading, &Config::spheres, &Config::planes, &Config::smooth,
@@ -65,7 +65,7 @@ bool same(const Trace& a, const Trace& b) {
                       [](const Closest& x, const Closest& y) { return same(x, y); });
 }
 
-/// One ray after the other through one image.
+/// Walks one ray after the other through one image.
 class Walker {
 public:
     Walker(const std::vector<PrimData>& prims, const Config& config)
@@ -177,7 +177,7 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
     for (std::size_t i = 1; i < traces.size(); ++i) {
         CAPTURE(i);
         CHECK(same(traces[i], traces[0]));
-        // No plane may cut anything: there may be none.
+        // With no cut by planes the counts may be equal.
         const bool stops = all[i].has_slants() && Straddlers(all[i].straddlers) == Straddlers::stop;
         CHECK(traces[i].triangle_tests < traces[0].triangle_tests + stops);
     }
@@ -205,7 +205,7 @@ TEST_CASE("model and RTL agree on a kd-tree", "[structures]") {
     check_lockstep(make_shot(scene, {48, 36}, kd("default")).job);
 }
 
-// The chip is that of boxes.
+// The chip is the one for boxes.
 TEST_CASE("model and RTL agree on boxes with spatial splits", "[structures]") {
     const std::string scene = GENERATE("rings:1", "tree:4");
     INFO(scene);
@@ -224,7 +224,7 @@ TEST_CASE("model and RTL agree on planes in any direction", "[structures]") {
     check_lockstep(make_shot(scene, {48, 36}, deep("default", Structure::bsp)).job);
 }
 
-// The chip is that of a kd-tree.
+// The chip is the one for a kd-tree.
 TEST_CASE("model and RTL agree on an octree", "[structures]") {
     const std::string scene = GENERATE("gears:1", "balls:1", "tetra:4"), rule = GENERATE("leaves", "inner");
     INFO(scene << " " << rule);

@@ -1,5 +1,5 @@
-// The oracle itself: its triangle test against elimination in fractions, its search against brute force in
-// 256 bits.
+// The oracle itself: compares its triangle test with elimination in fractions, and its search with brute
+// force in 256 bits.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Triangles of all sizes around a place, many with corners in common, some without area.
+/// Returns triangles of all sizes around a place, many with shared corners, some without area.
 std::vector<oracle::Corners> random_triangles(Draw& draw, int bits, int count) {
     std::vector<oracle::Corners> triangles;
     for (int i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ struct RandomRay {
     Vec3i o, d;
 };
 
-/// Half of the rays are aimed at a corner, an edge's middle or inside a triangle, by a direction without
+/// Half of the rays aim at a corner, an edge's middle or inside a triangle, with a direction that needs no
 /// rounding.
 RandomRay random_ray(Draw& draw, int bits, int dir_bits, const std::vector<oracle::Corners>& triangles) {
     RandomRay ray{draw.vector(bits), draw.vector(dir_bits)};
@@ -66,7 +66,7 @@ TEST_CASE("the oracle's triangle test is what elimination in fractions finds") {
         ++hits;
         REQUIRE(oracle::Rational(oracle::Int(std::int64_t(hit.num)), oracle::Int(std::int64_t(hit.den))) ==
                 truth->t);
-        // It enters where it leaves the side of the normal.
+        // The ray enters where it leaves the side of the normal.
         const auto a = oracle::triple<Int>(t.a);
         const auto normal =
             oracle::area(oracle::way(a, oracle::triple<Int>(t.b)), oracle::way(a, oracle::triple<Int>(t.c)));
@@ -105,5 +105,5 @@ TEST_CASE("the oracle's search skips no triangle that a ray meets, and finds the
         }
     }
     REQUIRE(hits > 100);
-    REQUIRE(looked < 12 * 100 * 60);   // and it does restrict
+    REQUIRE(looked < 12 * 100 * 60);   // the search skips most triangles
 }

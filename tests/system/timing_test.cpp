@@ -1,4 +1,4 @@
-// What a frame shows does not depend on when things happen; the same run is the same run.
+// A frame's content does not depend on timing, and equal runs give equal results.
 #include <catch2/catch.hpp>
 
 #include <future>
@@ -12,7 +12,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// The same image and frame on a machine that differs in shape only.
+/// Returns the same image and frame on a machine with another shape.
 Job reshaped(Job job, const Values& values) {
     job.config = with(job.config, values);
     return job;
@@ -112,7 +112,7 @@ TEST_CASE("a run repeated has the same digest, on any thread and whatever else r
         }));
     }
     for (auto& run : again) CHECK(run.get() == digest);
-    CHECK(run_model(shot.job, {20, 30, 6}).digest != digest);   // it sees the cycles
+    CHECK(run_model(shot.job, {20, 30, 6}).digest != digest);   // the digest includes cycles
     CHECK(run_model(make_shot("teapot:5", {48, 36}, quick_config("default")).job, traffic).digest != digest);
 }
 

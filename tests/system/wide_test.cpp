@@ -1,6 +1,6 @@
-// Extreme cameras: from 1 to 175 degrees, upright and broad pictures, an eye far away, very near, and in a
-// narrow gap. Every pixel is what exact arithmetic says, no distance saturates, boxes behind a hit are left
-// out, and the cycles are those of the visits.
+// Extreme cameras: from 1 to 175 degrees, tall and wide pictures, and an eye far away, very near, or in a
+// narrow gap. Every pixel is exact, no distance saturates, boxes behind a hit are skipped, and the cycles
+// follow from the visits.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -19,8 +19,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A reciprocal of R bits errs by 2^(1-R) of the distance, so a few boxes more are entered than the ray
-/// meets: at most so large a part of the visits, with R = 16 and an eye near the scene.
+/// A reciprocal of R bits errs by 2^(1-R) of the distance, so the machine enters a few more boxes than the
+/// ray meets. This is the largest share of visits for R = 16 and an eye near the scene.
 constexpr double most_extra = 0.02;
 
 Scene loaded(const std::string& name) {
@@ -29,7 +29,8 @@ Scene loaded(const std::string& name) {
     return scene;
 }
 
-/// Every answer is the only right one, and none lies at the end of what t holds, nor beyond half of it.
+/// Requires that every answer is the only correct one, and that none reaches the end of t's range or exceeds
+/// half of it.
 void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) {
     const Truth truth(scene, job.image.lattice, job.config);
     std::size_t wrong = 0, other_direction = 0, beyond = 0, short_directions = 0;
@@ -49,7 +50,7 @@ void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) 
     CHECK(beyond == 0);
 }
 
-/// Boxes behind a hit are left out, except for so large a part of the visits.
+/// Requires that boxes behind a hit are skipped, except for this share of the visits.
 void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
     const ExtraVisits extra = extra_visits(job.image, job.frame, job.config);
     CHECK(extra.boxes_lost + extra.t_late + extra.other_hits == 0);
@@ -57,7 +58,7 @@ void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
     CHECK(double(extra.machine.visits) <= (1 + extra_part) * double(extra.exact.visits) + 8);
 }
 
-/// With memory that never keeps a unit waiting for long, the machine takes a visit or a test in nearly every
+/// With memory that never keeps a unit waiting for long, the machine does a visit or a test in nearly every
 /// cycle.
 void check_cycles(const Job& job, const FrameTrace& frame) {
     const Config ideal = with(job.config, {{"dram", 0}, {"mem_latency", 4}, {"mem_interval", 1}});
@@ -67,8 +68,8 @@ void check_cycles(const Job& job, const FrameTrace& frame) {
     const double work = double(
         std::max({frame.trace.visits, frame.trace.triangle_tests, std::uint64_t(frame.trace.hits.size())}));
     CAPTURE(cycles, work);
-    CHECK(double(cycles) <= 1.25 * work + 2500);   // the last ray's way through an empty machine, and cold
-                                                   // caches
+    // The last ray's path through an empty machine, and cold caches.
+    CHECK(double(cycles) <= 1.25 * work + 2500);
 }
 
 void check_camera(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
@@ -83,7 +84,7 @@ void check_camera(const Scene& scene, const Camera& camera, FrameSize size, cons
 const std::vector<double> angles{1, 110, 140, 160, 175};
 const std::vector<FrameSize> sizes{{48, 36}, {24, 64}, {120, 10}};
 
-/// Two large sheets of 18 x 18 squares, so far apart, and a box of teeth around them.
+/// Two large sheets of 18 x 18 squares at distance `width`, and a box of teeth around them.
 Scene gap(double width) {
     Scene scene;
     scene.name = "gap";
@@ -182,9 +183,9 @@ TEST_CASE("an eye far away or very near: exact in every pixel, visits explain th
             INFO(name << " from " << times << " times its size, " << bits << " bits");
             const Config config = with(named_config("default"), {{"coord_bits", bits}});
             try {
-                // What a reciprocal errs by is a good part of the scene then, or all of it.
+                // A reciprocal's error is then a large part of the scene, or all of it.
                 check_camera(scene, far, {40, 30}, config, times < 1e5 ? 0.3 : 2);
-                CHECK((times < 1e5 || bits == 20));   // a million is more than a lattice of 18 bits has steps
+                CHECK((times < 1e5 || bits == 20));   // a lattice of 18 bits has fewer than a million steps
             } catch (const UserError& e) {
                 CHECK(times > 1e5);
                 CHECK_THAT(e.what(), Catch::Contains("vanish on a lattice") &&

@@ -1,6 +1,6 @@
-// tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a
-// shadow ray ends, the ends of t, u and v, discriminants that are all but a square, a sphere as far as what
-// was hit before.
+// tri of a shading chip, with operands that random ones do not reach: a sphere touched at the end of a shadow
+// ray, the ends of t, u and v, discriminants that are nearly a square, and a sphere as far as the previous
+// hit.
 #include <cmath>
 
 #include "model/base/rng.hpp"
@@ -50,8 +50,8 @@ TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in i
         for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
             for (int way = 1; way <= 9; ++way)
                 for (int radius = 1; radius <= 9; ++radius)
-                    for (const int more : {-1, 0, 1}) {   // the end lies so many steps of 2^-B behind the
-                                                          // point that is touched
+                    // The end lies this many steps of 2^-B behind the touched point.
+                    for (const int more : {-1, 0, 1}) {
                         TriReq r;
                         r.kind = std::uint32_t(RayKind::shadow);
                         set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius),
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
     const std::uint64_t most = (std::uint64_t(1) << c.t_bits()) - 1;
     std::vector<TriReq> requests;
     std::vector<std::uint64_t> expected;
-    // At distance h along a direction of length d lies t = 2^(M-1+F) h / d, and 2^T where d is h / 2^(N+3-M).
+    // At distance h along a direction of length d, t = 2^(M-1+F) h / d; it is 2^T where d is h / 2^(N+3-M).
     for (const int h : {1, 2, 3, 4, 1000, 4096, 65535, 65536, 100001, 131070})
         for (const int part : {1, 2, 3, 4, 5, 8, 16, 1 << 16})
             for (const int more : {-1, 0, 1}) {
@@ -108,9 +108,10 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
 
 TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri][any][aimed]") {
     const Config c = any_format("wide");
-    // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3,
-    // k of 28 bits, so that the root of what is kept is k exactly, and only what was cut says that it must be
-    // rounded up; and k such that t, of fewer bits, is whole, and one more if the root is rounded up.
+    // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. The test searches q = 4 k^2 +
+    // 1, 2 or 3 with k of 28 bits. Then the root of the kept bits is exactly k, and only the dropped bits
+    // show that it must be rounded up. k is also such that t, which has fewer bits, is whole, and one more if
+    // the root is rounded up.
     const std::int64_t square = std::int64_t(524000) * 524000, all = square << (2 * c.origin_bits);
     const std::int64_t step = std::int64_t(1) << std::max(0, c.origin_bits - c.t_frac_bits - 2);
     std::vector<TriReq> requests;
@@ -138,12 +139,12 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
 TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>,
                    Rtl<TriUnit>) {
     const Config c = any_format("default");
-    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, except for the sign
+    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, excluding the sign
     const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
     std::vector<TriReq> requests;
     std::vector<std::array<std::int64_t, 2>> expected;
-    const std::int32_t fine = 1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is
-                                                  // left
+    // u and v are whole steps, odd and even, without a remainder.
+    const std::int32_t fine = 1 << c.bary_bits;
     for (const std::int32_t side : {1, 2, 3, 5, fine})
         for (const std::int32_t more : {-1, 0, 1})
             for (const std::int32_t sign : {-1, 1})

@@ -1,4 +1,4 @@
-// tri of a chip that shades: its decisions about single rays, worked out beside it.
+// tri of a shading chip: decisions about single rays, computed by other means.
 #include "model/unit/isect/origin.hpp"
 #include "sim/judge/reference/round.hpp"
 #include "tests/support/cases/any_cases.hpp"
@@ -68,26 +68,29 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
     };
     struct Case {
         TriReq req;
-        std::uint32_t closer, t, back, opaque;   // t in lattice steps; `opaque`: closer, if it is opaque
+        std::uint32_t closer, t, back, opaque;   // t in lattice steps; `opaque`: `closer` for an opaque
+                                                 // sphere
     };
     const int rim = 100 * one;
     const Case cases[] = {
         {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0, 1},     // from outside
-        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0, 1},   // a touch
+        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0, 1},   // touches
         {camera({-300, 101, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},
         {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},   // behind
         {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1, 0},   // from inside
         {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1, 0},
-        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0, 0},             // goes nowhere
-        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},    // on it, leaving
-        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0, 0},       // along it
-        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1, 0},     // on it, entering
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0, 1},   // another's ray, a hair off its rim: 1 step
-                                                                // at most
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},   // its own, outside
-        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},   // its own, outside, and rounded inside
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1, 0},   // its own, inside, and rounded
-                                                                        // outside
+        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0, 0},            // no direction
+        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0, 0},   // on it, leaving
+        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0, 0},      // along it
+        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1, 0},    // on it, entering
+        // Another primitive's ray, the least distance off its rim: at most 1 step.
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0, 1},
+        // Its own ray, outside.
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},
+        // Its own ray, outside, and rounded inside.
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0, 0},
+        // Its own ray, inside, and rounded outside.
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1, 0},
         {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 200, 1, 0},
         {bounce({rim + 1, 0, 0}, {full - 1, 0, 0}, 9, 1), 0, 0, 0, 0},
         {away({-300 * one, 0, 0}, {full - 1, 0, 0}), 1, 0, 0, 1},
@@ -96,20 +99,21 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         {away({rim - 1, 0, 0}, {full - 1, 0, 0}, 9), 0, 0, 0, 0},
         {away({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 0, 0, 0},
         {shadow({-300, 0, 0}, scaled({300, 0, 0}, config.origin_bits)), 1, 0, 0, 1},
-        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0, 1},   // a touch
+        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0, 1},   // touches
         {shadow({-300, 101, 0}, scaled({300, 101, 0}, config.origin_bits)), 0, 0, 0, 0},
         {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0, 0},             // up to it
         {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0, 0},         // into it
         {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0, 0},              // to its other side
         {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0, 0},   // to its own point
         {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0, 0},   // to its own point, seen from inside
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0, 0},       // the same, the light inside as well
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0, 0},       // the same with the light inside as
+                                                                      // well
         {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0, 1},             // out of it
         {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0, 0},
         {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0, 0},                             // a light on it: away
-        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0, 1},                            // through
+        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0, 1},                            // through it
         {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0, 0},                                // to a point of it
-        {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0, 0},   // no way at all
+        {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0, 0},   // zero length
     };
     std::vector<TriReq> requests;
     for (const Case& c : cases) requests.push_back(c.req);
@@ -139,8 +143,8 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
 
 namespace {
 
-/// A ray between two small whole points and a sphere of whole radius about a third; nothing touches or begins
-/// on anything, so that doubles decide like integers.
+/// A ray between two small integer points, and a sphere of integer radius at an approximate third. Nothing
+/// touches or starts on anything, so doubles decide like integers.
 struct WholeMeeting {
     Vec3i from{}, to{}, centre{};
     int radius = 1;
@@ -150,7 +154,7 @@ struct WholeMeeting {
         for (Vec3i* point : {&from, &to, &centre})
             for (std::int32_t& x : *point) x = draw.between(-5, 5);
     }
-    /// The square of the distance from the centre less that of the radius.
+    /// Returns the squared distance from the centre minus the squared radius.
     int outside(const Vec3i& point) const {
         int sum = -radius * radius;
         for (std::size_t k = 0; k < 3; ++k) sum += (point[k] - centre[k]) * (point[k] - centre[k]);
@@ -175,7 +179,7 @@ struct WholeMeeting {
         for (std::size_t k = 0; k < 3; ++k) r.d[k] = (to[k] - from[k]) * length;
         return r;
     }
-    /// What the reference finds before `reach`, on the way from one end to the other.
+    /// Returns the reference's hit before `reach` on the way from `start` to `end`.
     RefClosest reference(const Vec3i& start, const Vec3i& end, double reach) const {
         const auto place = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
         RefClosest closest{.depth = reach, .primitive = no_primitive};
@@ -197,7 +201,7 @@ TEST_CASE("a sphere is met by the rays by which the reference meets it", "[any]"
         for (const RayKind kind : {RayKind::camera, RayKind::bounce, RayKind::away, RayKind::shadow}) {
             const TriRsp rsp = tri(m.request(kind, config), config);
             CAPTURE(i, int(kind), m.is_glass, m.outside(m.from), m.outside(m.to));
-            // A shadow ray runs from the light to the point; the reference looks from the point.
+            // A shadow ray runs from the light to the point, but the reference searches from the point.
             const bool is_shadow = kind == RayKind::shadow;
             const RefClosest right =
                 is_shadow ? m.reference(m.to, m.from,
@@ -231,8 +235,8 @@ TEST_CASE("spheres, planes and triangles are ranked by one measure", "[any]") {
         if (!one.closer || !two.closer) continue;
         r.best = {1, two.num, two.det, two.prim};
         other.best = {1, one.num, one.det, one.prim};
-        REQUIRE(tri(r, config).closer + tri(other, config).closer == 1);   // whoever comes first, the same
-                                                                           // one wins
+        // The same one wins in either order.
+        REQUIRE(tri(r, config).closer + tri(other, config).closer == 1);
         turned += tri(r, config).closer != 0;
     }
     REQUIRE(turned > 50);

@@ -1,5 +1,5 @@
-// tri of a chip that shades at widths so small that every operand can be tried: every ray of two fraction
-// bits and every sphere, decided in 64-bit integers by counting where the way meets it.
+// tri of a shading chip at widths so small that every operand can be tested: every ray with two fraction bits
+// and every sphere. 64-bit integers decide each case by counting where the path meets the sphere.
 #include <atomic>
 
 #include <tbb/parallel_for.h>
@@ -23,8 +23,9 @@ Config tiny() {
     return c;
 }
 
-/// The `number`-th request about the sphere: origin, direction, then radius; its centre lies in the middle or
-/// at a corner. Whether it is seen from inside, is the ray's own, and the ray inside: also by `number`.
+/// The `number`-th request about the sphere: origin, direction, then radius. The centre is in the middle or
+/// at a corner. `number` also selects whether the sphere is seen from inside, is the ray's own, and contains
+/// the ray.
 struct Space {
     std::uint32_t kind;
     Vec3i centre;
@@ -66,7 +67,7 @@ struct Space {
     }
 };
 
-/// What is right: where along the way the square of the distance, a polynomial, is below that of the radius.
+/// The correct answer: where along the path the squared distance, a polynomial, is below the squared radius.
 struct Truth {
     bool met, far;
 };
@@ -77,12 +78,12 @@ Truth truth(const TriReq& r, const Config& c) {
         const std::int64_t s = r.o[k] - r.triangle.a[k] * unit;
         b += s * r.d[k], a += std::int64_t(r.d[k]) * r.d[k], start += s * s;
     }
-    // f(x) = a x^2 + 2 b x + start: the square of the distance less that of the radius after x times d, all
-    // times 4^B.
+    // f(x) = a x^2 + 2 b x + start: the squared distance minus the squared radius after x times d, all times
+    // 4^B.
     const auto f = [&](std::int64_t x) { return a * x * x + 2 * b * x + start; };
     const bool own = r.kind != 0 && r.self == r.triangle.prim;
-    const bool dips = a > 0 && b < 0 && a * start <= b * b;   // goes down to 0 or below somewhere ahead
-    if (is_opaque(r)) {   // met from outside only, and a shadow ray's point is where one looks from
+    const bool dips = a > 0 && b < 0 && a * start <= b * b;   // falls to 0 or below somewhere ahead
+    if (is_opaque(r)) {   // met only from outside; a shadow ray is seen from its point
         const bool between = start > 0 ? dips && -b < a : start < 0 || b < 0;
         return {!own && (r.kind == 2 ? f(1) > 0 && between : start > 0 && dips), false};
     }
@@ -96,8 +97,8 @@ Truth truth(const TriReq& r, const Config& c) {
     return {start < 0 ? a > 0 : b < 0, true};
 }
 
-/// t = most only if it saturates; otherwise between the crossing and the bound above it, both asked of f in
-/// 128 bits.
+/// Returns true for a correct distance. t is the largest only if it saturates; otherwise it lies between the
+/// crossing and its upper bound, both computed from f in 128 bits.
 bool right_distance(const TriReq& r, const TriRsp& rsp, bool far, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
     const oracle::Meets which = far ? oracle::Meets::far : oracle::Meets::near;

@@ -1,5 +1,5 @@
-// tri of a chip that shades: every kind of ray against every kind of primitive, exact except for a sphere's
-// t, which has a bound.
+// tri of a shading chip: every kind of ray against every kind of primitive. All answers are exact except a
+// sphere's t, which has a bound.
 #include "model/unit/isect/origin.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
@@ -8,7 +8,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// What was met, by kind of ray (4: a bounce from beyond the lattice) and of primitive.
+/// Counts of hits and misses, by kind of ray (4: a bounce from beyond the lattice) and of primitive.
 struct Tally {
     int met[5][3] = {}, missed[5][3] = {};
     void count(const TriReq& r, const TriRsp& rsp, const Config& c) {
@@ -45,7 +45,7 @@ const char* const names[] = {"default", "small", "narrow", "wide", "fine"};
 const std::pair<const char*, const char*> parts[] = {
     {"default", ""}, {"small", "plane"}, {"narrow", "sphere"}, {"wide", "plane"}, {"fine", "sphere"}};
 
-/// All ten are asked of the model, and of the RTL by the slow tests; quick ones build four.
+/// Tests of the model use all ten. Slow tests of the RTL do too; quick ones build four.
 const std::vector<int> all_parts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, quick_parts{0, 2, 7, 8};
 template <class Dut> const std::vector<int>& parts_of() {
     return std::is_same_v<Dut, Rtl<TriUnit>> ? quick_parts : all_parts;
@@ -55,7 +55,7 @@ Config any_part(int which) {
     return which < 5 ? any_format(names[which]) : any_format(parts[which - 5].first, parts[which - 5].second);
 }
 
-/// The same with paths cut for a fast clock.
+/// The same with the paths of a fast clock.
 Config fast_part(int which) {
     Config config = any_part(which);
     config.timing = int(Timing::fast);
@@ -63,20 +63,21 @@ Config fast_part(int which) {
     return config;
 }
 
-/// The same with a primitive every so many cycles: products share multipliers, a root's steps a stage.
+/// The same with a primitive every `interval` cycles: products share multipliers, and a root's steps share a
+/// stage.
 Config shared(Config config, int interval) {
     config.tri_interval = interval;
     return config;
 }
 
-/// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value
-/// on axis k.
+/// Returns a corner of the lattice or of another range: bit k of `which` selects the largest or smallest
+/// value on axis k.
 Vec3i extreme(int which, int bits) {
     const std::int32_t most = std::int32_t((std::int64_t(1) << (bits - 1)) - 1);
     return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
 }
 
-/// Everything at the ends of its width.
+/// Returns requests with all operands at the ends of their widths.
 std::vector<TriReq> extremes(const Config& c) {
     const int n = c.coord_bits, b = c.origin_bits;
     std::vector<TriReq> all;
@@ -92,7 +93,7 @@ std::vector<TriReq> extremes(const Config& c) {
         r.triangle.prim = 7;
         r.self = c.spheres && i % 7 == 0 ? 7 : 0;
         r.inside = c.spheres && i % 5 < 2;
-        if (r.triangle.kind == 2) {   // radius: none, the largest, half the lattice
+        if (r.triangle.kind == 2) {   // radius: zero, the largest, half the lattice
             const std::uint64_t room = i >> 3 & 1   ? (std::uint64_t(1) << (2 * n)) - 1
                                        : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2)
                                                     : 0;
@@ -193,7 +194,7 @@ TEST_CASE("the root is rounded down, to 28 bits", "[any]") {
     for (int i = 0; i < 20000; ++i) {
         const int bits = draw.below(123);
         Wide square = wide_bits(draw, bits);
-        if (draw.coin()) {   // a square, or one beside it, moved left
+        if (draw.coin()) {   // a square, or a neighbour of one, shifted left
             const Wide side = wide_bits(draw, bits / 2);
             square = side * side + (side > 0 ? draw.between(-1, 1) : 0);
         }
@@ -204,7 +205,7 @@ TEST_CASE("the root is rounded down, to 28 bits", "[any]") {
         REQUIRE(whole * whole <= big(square));
         REQUIRE(next * next > big(square));
         REQUIRE(r.rest == (whole * whole != big(square)));
-        if (r.shift > 0) REQUIRE(r.whole >> (root_bits - 1) == 1);   // no bit of precision wasted
+        if (r.shift > 0) REQUIRE(r.whole >> (root_bits - 1) == 1);   // no bit of precision is lost
     }
 }
 

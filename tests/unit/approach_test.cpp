@@ -1,4 +1,4 @@
-// Rays that begin on a plane beyond the lattice: where they come into it, and which of them are sent.
+// Rays that start on a plane beyond the lattice: where they enter it, and which of them are sent.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// The least k > 0 for which the coordinate p + k step is not ahead of its slab any more; -1: it is for ever.
+/// Returns the least k > 0 for which the coordinate p + k step is no longer ahead of its slab; -1 if it
+/// always is.
 Wide steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
     if (step < 0) p = -p, step = -step;
     if (p >= -end) return 1;
@@ -22,7 +23,7 @@ Wide steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
     return (Wide(-end) - p + step - 1) / step;
 }
 
-/// Where the ray should begin, by division.
+/// Computes the correct start of the ray by division.
 std::optional<Vec3l> entry_of(const Vec3l& p, const Vec3i& d, const Config& c) {
     Wide most = 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -51,7 +52,7 @@ Vec3l far_point(Draw& draw, const Config& c) {
     return p;
 }
 
-/// A point of the inner part of the lattice, where things with an end are.
+/// Draws a point of the inner part of the lattice, where finite primitives are.
 Vec3l inner_point(Draw& draw, const Config& c) {
     const std::int64_t room = lattice_end(c) / 8 * 7 - (4 << c.origin_bits);
     Vec3l q{};
@@ -89,7 +90,7 @@ TEST_CASE("from as far as shade can say every ray to what has an end comes in be
     for (int i = 0; i < 100000; ++i) {
         const Vec3l p = far_point(draw, c), q = inner_point(draw, c);
         const Vec3i d = direction_of(unit_vector({q[0] - p[0], q[1] - p[1], q[2] - p[2]}), c);
-        // The rounded direction's own line: the last point of it that the inner part can hold, by its longest
+        // The line of the rounded direction: its last point that the inner part can contain, by its longest
         // component.
         std::size_t axis = 0;
         for (std::size_t k = 1; k < 3; ++k)
@@ -99,7 +100,7 @@ TEST_CASE("from as far as shade can say every ray to what has an end comes in be
                      room = double(lattice_end(c)) * 7 / 8 - std::ldexp(4, c.origin_bits);
         bool holds = t > 0;
         for (std::size_t k = 0; k < 3; ++k) holds = holds && std::abs(double(p[k]) + t * d[k]) <= room;
-        if (!holds) continue;   // the direction's rounding has led it past
+        if (!holds) continue;   // the direction's rounding leads past the point
         CAPTURE(i, p, q, d);
         const std::optional<Vec3i> at = approach(p, d, c);
         REQUIRE(at);
@@ -133,7 +134,8 @@ TEST_CASE("bounces from beyond the lattice are sent from where they come into it
             REQUIRE((through ? out.pushed.d : out.spawn.d) == ray.d);
             REQUIRE((through ? out.pushed.partial : out.spawn.partial) == !entry);
             if (entry) REQUIRE(Vec3l{o[0], o[1], o[2]} == *entry);
-            // Otherwise the nearest points of the coarse lattice, on the side to which the ray leaves.
+            // Otherwise these are the nearest points of the coarse lattice, on the side on which the ray
+            // leaves.
             for (std::size_t k = 0; k < 3 && !entry; ++k) {
                 const std::int64_t off = (std::int64_t(o[k]) << far_drop) - s.o[k];
                 REQUIRE(std::abs(off) <= 1 << far_drop);

@@ -1,5 +1,5 @@
-// The arbiter of the memory port: who goes next, and that an offer stays. The RTL's is judged in whole
-// frames: tests/system.
+// The arbiter of the memory port: its order, and that an offer stays. tests/system judges the RTL in whole
+// frames.
 #include <catch2/catch.hpp>
 
 #include "model/mem/arbiter.hpp"
@@ -12,12 +12,12 @@ TEST_CASE("the arbiter serves in turn whoever offers", "[arbiter]") {
     const int sources = GENERATE(2, 4, 16);
     Arbiter arbiter{sources};
     const std::uint32_t all = (1u << sources) - 1;
-    for (int i = 1; i <= 3 * sources; ++i) {   // all the time: one after the other; the first to go is 1
+    for (int i = 1; i <= 3 * sources; ++i) {   // all sources, one after the other; source 1 is first
         REQUIRE(arbiter.choose(all) == i % sources);
         arbiter.clock(all, i % sources, true);
     }
     for (int source = 0; source < sources; ++source)
-        for (int i = 0; i < 3; ++i) {   // alone: in every cycle
+        for (int i = 0; i < 3; ++i) {   // a single source is served in every cycle
             REQUIRE(arbiter.choose(1u << source) == source);
             arbiter.clock(1u << source, source, true);
         }
@@ -35,7 +35,7 @@ TEST_CASE(
     const int busy_percent = draw.between(5, 95);
     std::uint32_t valid = 0;
     int held = -1, last = 0;
-    std::vector<int> passed(std::size_t(sources), 0);   // how many went before it since it offered
+    std::vector<int> passed(std::size_t(sources), 0);   // number of grants before it since its offer
     for (int cycle = 0; cycle < 5000; ++cycle) {
         for (int s = 0; s < sources; ++s)
             if (draw.percent(busy_percent)) valid |= 1u << s;

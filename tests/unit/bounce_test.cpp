@@ -1,5 +1,5 @@
-// On which side of a surface a reflected or refracted ray leaves: the sign of an exact product, which may be
-// as small as one.
+// The side of a surface on which a reflected or refracted ray leaves: the sign of an exact product, which can
+// be as small as one.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ TEST_CASE(
                     state.normal = {0, 0, 1 << unit_bits};
                     state.view = {-(1 << unit_bits), 0, z};
                     state.ratio = 1u << index_frac;
-                    // With a cosine of 0 both are the view turned round.
+                    // With a cosine of 0 both are the reversed view.
                     const BounceOut reflected = reflect(c, state), refracted = refract(c, state);
                     REQUIRE(reflected.d == refracted.d);
                     const std::int64_t product = x * std::int64_t(reflected.d[1]) + size * reflected.d[2];
@@ -49,7 +49,7 @@ TEST_CASE("with two levels a refracted ray is sent if a component is a quarter o
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (int step = 1; step <= 250; ++step)
             for (const int side : {-1, 1}) {
-                const double angle = step * 0.003;   // of the view with the triangle
+                const double angle = step * 0.003;   // angle between view and triangle
                 const std::size_t up = (axis + 1) % 3;
                 ShadeState state;
                 state.view[axis] = std::int32_t(std::lround(side * std::cos(angle) * one));

@@ -1,4 +1,4 @@
-// cache: when requests are answered, what memory is asked for, and which lines stay.
+// cache: the timing of answers, the requests to memory, and the lines that stay.
 #include "tests/support/world/cache_rules.hpp"
 
 using namespace rayclock;

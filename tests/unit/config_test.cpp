@@ -1,4 +1,4 @@
-// config: what is legal, what is refused with which words, and that whatever is legal fits.
+// config: legal values, the messages of refused ones, and the guarantee that every legal configuration fits.
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
@@ -87,7 +87,7 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         }
         ++legal;
         REQUIRE(c.t_bits() <= 31);
-        REQUIRE(c.edge_bits() <= (c.shading ? 96 : 64));   // secondary rays take 128-bit integers
+        REQUIRE(c.edge_bits() <= (c.shading ? 96 : 64));   // secondary rays need 128-bit integers
         REQUIRE(c.num_bits() <= (c.shading ? 96 : 64));
         REQUIRE(c.guard_dir_bits() <= 64);
         REQUIRE(c.dir_bits < 1 << exp_bits);
@@ -105,10 +105,10 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE((1 << (c.tile_coord_bits() + c.tile_bits)) == 1 << c.pixel_bits);
         REQUIRE(c.addr_bits >= c.least_addr_bits());
         REQUIRE(c.tile_coord_bits() >= 1);
-        REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
+        REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves are full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }
-    REQUIRE(legal > 900);   // of the 50,000
+    REQUIRE(legal > 900);   // of 50,000
 }
 
 TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {

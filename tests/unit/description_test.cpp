@@ -1,4 +1,4 @@
-// What is said about units and links in more than one place is the same everywhere.
+// Descriptions of units and links are equal in all places.
 #include <fstream>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// dispatch: which tile goes to which pipeline, and when.
+// dispatch: the assignment of tiles to pipelines, and its timing.
 #include "tests/support/world/sched_world.hpp"
 
 using namespace rayclock;
@@ -21,8 +21,8 @@ Frame frame_of(std::uint32_t width, std::uint32_t height) {
     return frame;
 }
 
-/// The plain rule: tiles row by row, one in every cycle in which somebody wants one, to the first who does
-/// from the one after whoever was served last. Whoever was served does not want for a while.
+/// The plain rule: tiles row by row, one in every cycle with a request. The grant goes to the first requester
+/// after the last one served. A served pipeline pauses its requests for a while.
 class DispatchWorld {
 public:
     DispatchWorld(const Config& config, unsigned seed, int want_percent)
@@ -61,7 +61,7 @@ private:
 constexpr std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1, 1},  {8, 8},   {9, 8},  {64, 1},
                                                              {1, 65}, {61, 47}, {64, 48}};
 
-/// Frames of all sizes, one after the other.
+/// Runs frames of all sizes, one after the other.
 template <class Dut> void give_tiles(const Config& config, unsigned seed, int want_percent) {
     Dut dut{config, int(seed)};
     DispatchWorld world{config, seed, want_percent};
@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle from the first, and pas
     dut.eval();
     REQUIRE(dut.fires == 0);
     dut.commit();
-    dut.start(frame_of(8, 24));   // another frame: whose turn it was is kept
+    dut.start(frame_of(8, 24));   // another frame keeps the round-robin position
     for (std::uint32_t i = 0; i < 3; ++i) {
         dut.eval();
         REQUIRE(dut.fires == 1u << (2 + i));

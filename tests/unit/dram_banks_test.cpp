@@ -1,4 +1,4 @@
-// dram: the parts' figures, and every gate of the banks on both sides.
+// dram: the parameters of the parts, and every gate of the banks on both sides.
 #include <catch2/catch.hpp>
 
 #include "model/core/config.hpp"
@@ -43,8 +43,8 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
     struct Gate {
         const char* name;
         int DramPart::*time;
-        std::vector<Step> before;   // each given as early as it can
-        std::size_t from;           // the one the gate counts from
+        std::vector<Step> before;   // each issued as early as possible
+        std::size_t from;           // the command from which the gate counts
         Step held;
     };
     const auto act = DramCommand::activate, rd = DramCommand::read, pre = DramCommand::precharge;
@@ -78,8 +78,7 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
         dram_part(GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"));
     for (const Gate& gate : gates)
         for (const int extra : {0, 1}) {   // a whole number of clocks, and one picosecond more
-            // Long enough that no other gate binds: the sheet's own figures are judged with the traffic of
-            // dram_test.cpp.
+            // Long enough that no other gate binds. dram_test.cpp judges the data sheet's own values.
             DramPart part = sheet;
             part.banks = std::max(part.banks, 8);
             part.*gate.time = (part.*gate.time / part.tck + 60) * part.tck + extra;
@@ -100,7 +99,7 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
     banks.issue(act, 0, 7, 0);
     REQUIRE(banks.earliest(rd, 0) == 1);   // one command per clock
     banks.issue(rd, 0, 7, 1);
-    REQUIRE(banks.earliest(rd, 0) == 1 + part.burst_length / part.transfers);   // data do not meet
+    REQUIRE(banks.earliest(rd, 0) == 1 + part.burst_length / part.transfers);   // data do not overlap
     REQUIRE(banks.is_open(0));
     REQUIRE(banks.row(0) == 7);
 }

@@ -1,4 +1,4 @@
-// DRAMs side by side: each channel is a DRAM of its own, answers come one a cycle, bandwidth adds up.
+// Several DRAM channels: each behaves as a separate DRAM, answers come one per cycle, and bandwidths add up.
 #include "model/mem/dram_channels.hpp"
 #include "tests/support/world/dram_world.hpp"
 
@@ -12,7 +12,8 @@ struct Asked {
     Dram::Answer what;
 };
 
-/// Random requests on `channels`, `each` told of every cycle; returns what was asked and when.
+/// Sends random requests to `channels` and calls `each` in every cycle. Returns the requests with their
+/// cycles.
 template <class Each> std::vector<Asked> drive(DramChannels& channels, int turns, int ids, Each&& each) {
     Rng rng{std::uint64_t(turns)};
     std::vector<char> under_way(std::size_t(ids), 0);
@@ -57,7 +58,7 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
     REQUIRE(asked.size() > 50);
     CAPTURE(name, n, khz);
 
-    // The same requests, each to a DRAM that knows of no other channel.
+    // The same requests, each to a separate DRAM.
     std::vector<Given> due;
     for (int c = 0; c < n; ++c) {
         Dram dram(part, khz, ids);
@@ -76,7 +77,7 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
         }
     }
     REQUIRE(commands == alone);
-    // One answer a cycle; of those that come together, the lowest channel's first.
+    // One answer per cycle. Of answers in the same cycle, the lowest channel's comes first.
     std::stable_sort(due.begin(), due.end(),
                      [](const Given& a, const Given& b) { return a.cycle < b.cycle; });
     std::uint64_t free = 0;

@@ -1,5 +1,5 @@
-// dram: commands by the data sheet, latency and bandwidth by formula, refresh, order, accounts; skipping is
-// the same as clocking.
+// dram: commands follow the data sheet, latency and bandwidth follow formulas. Also refresh, order, accounts,
+// and skipping of quiet cycles.
 #include "tests/support/world/dram_world.hpp"
 
 using namespace rayclock;
@@ -25,7 +25,7 @@ TEST_CASE("all commands under mixed traffic keep the data sheet, and give each r
     REQUIRE(s.bus_ps == 3000 * std::uint64_t(part.bursts() * part.burst_clocks() * part.tck));
     CHECK(s.row_hits > 50);
     CHECK(s.row_conflicts > 50);
-    REQUIRE(run(part, 100'000, mixed(3000, most), most, pause) == log);   // again the same
+    REQUIRE(run(part, 100'000, mixed(3000, most), most, pause) == log);   // a second run is equal
 }
 
 TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[dram]") {
@@ -41,7 +41,7 @@ TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[d
         const std::uint64_t arrival = begin_of(log.accepted[i] + 1, khz) + std::uint64_t(part.request_ps);
         std::int64_t clock =
             std::int64_t((arrival + std::uint64_t(part.tck) - 1) / std::uint64_t(part.tck)) + waits[i];
-        // A row just opened may have to stay open for tRAS, and a bank to wait for tRC.
+        // A newly opened row may have to stay open for tRAS, and the bank to wait for tRC.
         if (i == 2) {
             const std::int64_t opened = log.commands[0].clock,
                                last = log.commands[2 * std::size_t(part.bursts())].clock;
@@ -60,12 +60,12 @@ TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[d
 TEST_CASE("reads in sequence reach the peak bandwidth less refresh, and never more", "[dram]") {
     const DramPart part = dram_part(any_part());
     const int slow = GENERATE(66'000, 200'000);
-    const int khz = 64e3 * slow > double(peak_bytes_per_second(part)) ? slow : 10 * slow;   // the port is no
-                                                                                            // limit
+    // Fast enough that the port is no limit.
+    const int khz = 64e3 * slow > double(peak_bytes_per_second(part)) ? slow : 10 * slow;
     const Log log = run(part, khz, sequence(20'000), 64);
     check_commands(part, log.commands);
     const double peak = double(peak_bytes_per_second(part)), reached = bytes_per_second(log, khz);
-    // Around a refresh: last read, precharge, refresh, activate, first read.
+    // A refresh costs: last read, precharge, refresh, activate, first read.
     const std::int64_t closing = clocks(part, part.trtp) + clocks(part, part.trp);
     const std::int64_t around = closing + clocks(part, part.trfc) + clocks(part, part.trcd);
     const double lost = double(around * part.tck);
@@ -105,7 +105,7 @@ TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing ha
     Dram dram{part, 100'000, 4};
     std::vector<Issued> log;
     dram.record(&log);
-    const std::uint64_t idle = 100'000;   // a millisecond
+    const std::uint64_t idle = 100'000;   // in cycles; one millisecond
     if (skips) {
         REQUIRE(dram.quiet_until() > idle);
         dram.skip(idle);
@@ -119,7 +119,7 @@ TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing ha
         REQUIRE(log[k] == Issued{std::int64_t(k + 1) * every, Command::refresh, 0, 0});
     REQUIRE(dram.statistics().refreshes == log.size());
 
-    // A request that arrives just when a refresh begins waits for its end.
+    // A request that arrives when a refresh begins waits for its end.
     const std::int64_t due = std::int64_t(log.size() + 1) * every;
     const auto arrival = [&](std::uint64_t cycle) {
         return begin_of(cycle + 1, 100'000) + std::uint64_t(part.request_ps);
@@ -141,7 +141,7 @@ TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing ha
         blocked += begin_of(cycle + 1, 100'000) > from;
     REQUIRE(dram.cycles(DramCause::refresh) == blocked);
 
-    // Under load each refresh comes within the longest request and row time after it is due.
+    // Under load each refresh comes at most the longest request and row time after it is due.
     const Log load = run(part, 100'000, mixed(5000, 3), 64);
     std::int64_t k = 0;
     for (const Issued& c : load.commands)
@@ -175,9 +175,9 @@ TEST_CASE(
     "[dram]") {
     DramPart part = dram_part(slow_part());
     part.age_cap = GENERATE(1, 3, 16, 40);
-    part.trefi = 1'000'000'000;                   // a refresh would end the run of hits
-    std::vector<std::uint32_t> addresses(1500);   // now and then another row of the bank that all the others
-                                                  // hit
+    part.trefi = 1'000'000'000;   // a refresh would end the run of hits
+    // Some requests go to another row of the bank that all the others hit.
+    std::vector<std::uint32_t> addresses(1500);
     for (std::size_t i = 0; i < addresses.size(); ++i)
         addresses[i] = address(part, i % 60 == 20 ? 1 : 0, 0, std::uint32_t(i) % row_words(part));
     const auto most_overtaken = [](const Log& log) {
@@ -250,7 +250,7 @@ TEST_CASE("the causes of a DRAM's cycles are a full account, and busy are those 
         if (c.command == Command::read) {
             const auto from = std::uint64_t((c.clock + part.cl) * part.tck);
             const auto until = from + std::uint64_t(part.burst_clocks() * part.tck);
-            std::uint64_t cycle = cycle_from(from + 1, khz) - 1;   // the one it begins in
+            std::uint64_t cycle = cycle_from(from + 1, khz) - 1;   // the cycle in which it begins
             for (cycle = std::max(cycle, next); begin_of(cycle, khz) < until; ++cycle) {
                 ++busy;
                 next = cycle + 1;
@@ -288,7 +288,7 @@ TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram
         ++answered;
     };
     for (int turn = 0; turn < 6000; ++turn) {
-        // In bursts, with gaps of any length between.
+        // Requests come in bursts, with gaps of any length between them.
         const int gap = turn % 20 ? rng.below(3) : rng.below(rng.below(2) ? 60 : 6000);
         const std::uint64_t target = clocked.now() + std::uint64_t(gap);
         while (clocked.now() < target) {

@@ -1,5 +1,5 @@
-// The search of fit: what it finds keeps the bound, nothing in it can be one step smaller, and no pair of N
-// and M is cheaper.
+// The search of fit: its result keeps the bound, no parameter can be one step smaller, and no pair of N and M
+// is cheaper.
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
@@ -24,12 +24,12 @@ Scene ready(const std::string& name, FrameSize size) {
     return scene;
 }
 
-/// A configuration's frame, measured without anything of fit.
+/// A configuration's frame, measured without any code of fit.
 struct Plain {
     bool possible = false;
     FrameError error;
     double work = 0;
-    bool deep = false;   ///< t is rounded by less than a lattice step in every corner
+    bool deep = false;   ///< in every corner t is rounded by less than a lattice step
 };
 Plain plain(const Scene& scene, FrameSize size, const HitFrame& reference, const Config& config) {
     Plain p;
@@ -60,7 +60,7 @@ Config wide_fields(Config c) {
     return c;
 }
 
-/// The goal, in the words of docs/report.md.
+/// The goal as stated in docs/report.md.
 bool keeps(const Scene& scene, FrameSize size, const HitFrame& reference, const Config& config,
            const Goal& goal) {
     const Plain now = plain(scene, size, reference, config);
@@ -104,7 +104,7 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
         CHECK(!keeps(scene, size, reference, lower, c.goal));
         CHECK(!f.below.empty());
     }
-    // The shape stays as it was given.
+    // The shape must not change.
     Config shape = named_config(c.base);
     for (const fit::Fitted& f : found->parameters) shape.*f.parameter->member = f.value;
     for (const Parameter& p : parameters()) {
@@ -152,7 +152,7 @@ TEST_CASE("fit is the same for any number of threads", "[fit]") {
 }
 
 TEST_CASE("the cost counts every multiplier and every memory", "[fit]") {
-    // By hand, for the default: see rtl/README.md and the modules.
+    // Computed by hand for the default; see rtl/README.md and the modules.
     const Config c;
     const fit::Cost cost = fit::cost_of(c);
     CHECK(cost.multiplier_adders == 3 * 2 * 34 * 14 + 3 * (2 * 19 * 17 + 16 * 8 * 17) + 12 * 20 * 19 +
@@ -185,7 +185,7 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
         scene.triangles.push_back({{first, first + 1, first + 2}, material});
     };
     for (int i = 0; i < 10; ++i) add(1 + 0.01 * i, 0);
-    CHECK(!fit::dominant_part(scene));   // even: nothing to be named
+    CHECK(!fit::dominant_part(scene));   // even distribution: no part stands out
     add(3000, 1);
     add(2000, 1);
     auto part = fit::dominant_part(scene);
@@ -195,7 +195,9 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
     CHECK(part->without.triangles.size() == 10);
     CHECK(part->ratio == Approx(1000));
 
-    for (Triangle& t : scene.triangles) t.material = 0;   // one material for all: then by triangles
+    for (Triangle& t : scene.triangles)
+        t.material = 0;   // one material for all, so the parts are found by
+                          // triangles
     part = fit::dominant_part(scene);
     REQUIRE(part);
     CHECK(part->what == "the 2 largest triangles (10 first)");
@@ -204,7 +206,8 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
     REQUIRE(fit::dominant_part(scene));
     CHECK(fit::dominant_part(scene)->what == "triangle 10");
 
-    scene.triangles.erase(scene.triangles.begin(), scene.triangles.begin() + 10);   // nothing would be left
+    scene.triangles.erase(scene.triangles.begin(), scene.triangles.begin() + 10);   // otherwise nothing would
+                                                                                    // be left
     for (Triangle& t : scene.triangles) t.material = 1;
     CHECK(!fit::dominant_part(scene));
 }

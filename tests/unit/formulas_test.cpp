@@ -1,5 +1,5 @@
-// Shading's formulas: reflection, refraction, Fresnel's term and a light's share as the model works them out
-// in whole numbers, judged by the formulas in double precision.
+// Compares the shading formulas of the model in whole numbers with double precision: reflection, refraction,
+// Fresnel's term and a light's share.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ using Vector = std::array<double, 3>;
 Vector real(const Vec3i& v, double one) { return {v[0] / one, v[1] / one, v[2] / one}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// A surface seen under any angle, the cosine being that of its unit vectors.
+/// Draws a surface seen at any angle. The cosine is that of its unit vectors.
 ShadeState seen_surface(Draw& draw, const Config& c) {
     Frame frame;
     frame.shade.lights = 1;
@@ -36,7 +36,7 @@ ShadeState seen_surface(Draw& draw, const Config& c) {
     return s;
 }
 
-/// No component of a direction of M bits is further from `way` than `bound`.
+/// Requires that no component of a direction of M bits is further from `way` than `bound`.
 void judge(const Vec3i& d, const Vector& way, double bound, const Config& c) {
     const double one = std::ldexp(1.0, c.dir_bits - 2);
     for (std::size_t k = 0; k < 3; ++k)
@@ -90,7 +90,8 @@ TEST_CASE("refracted rays go where Snell's law says, or nowhere", "[formulas]") 
         Vector way{};
         for (std::size_t k = 0; k < 3; ++k) way[k] = std::clamp(along * n[k] - ratio * v[k], -1.0, 1.0);
         judge(out.d, way, 2.1 / unit,
-              c);   // the root is rounded down, after 2^-32 was added: 1; two products: 0.5 each
+              // The root is rounded down after 2^-32 was added: 1. Two products: 0.5 each.
+              c);
         if (root > 0.01) REQUIRE(out.goes);
         const double weight = s.transmit / unit * (s.schlick ? 1 - schlick(s) : 1);
         REQUIRE(std::abs(out.weight / unit - s.weight / unit * weight) < 4 / unit);
@@ -124,8 +125,8 @@ TEST_CASE("a light's share is Lambert's and Phong's", "[formulas]") {
         ++counted;
         const double phong = std::pow(mirrored, s.shine / 16.0);
         for (std::size_t k = 0; k < 3; ++k) {
-            // A cosine errs by less than 6 * 2^-16, the mirrored one by three times that; matte and gloss are
-            // rounded.
+            // A cosine errs by less than 6 * 2^-16, the mirrored one by three times as much. Matte and gloss
+            // are rounded.
             const double strength = frame.shade.colour[at + k] / share * s.weight / unit;
             const double matte = s.diffuse / share * s.albedo[k] / share, gloss = s.highlight / share;
             const double most =
@@ -133,7 +134,7 @@ TEST_CASE("a light's share is Lambert's and Phong's", "[formulas]") {
             const double truth = std::min(1.0, strength * (matte * lambert + gloss * phong));
             CAPTURE(lambert, mirrored, phong, s.shine, strength, truth, most);
             if (s.shine >= 16)
-                REQUIRE(std::abs(s.share[k] / unit - truth) <= most);   // below 1 a power is steep at 0
+                REQUIRE(std::abs(s.share[k] / unit - truth) <= most);   // a power below 1 is steep at 0
         }
     }
     REQUIRE(counted > 2000);

@@ -1,5 +1,5 @@
-// The fractions that the oracle counts with, judged by their definition in whole numbers: a library's special
-// cases must not change a verdict.
+// The fractions of the oracle, judged by their definition in whole numbers, because a special case in the
+// library could change a verdict.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/oracle/exact.hpp"
@@ -9,14 +9,15 @@ using rayclock::oracle::Rational;
 
 namespace {
 
-/// Whether q is above / below, in lowest terms and with a denominator above 0.
+/// Returns true if q equals above / below, in lowest terms and with a denominator above 0.
 bool is_fraction(const Rational& q, const Int& above, const Int& below) {
     const Int n = numerator(q), d = denominator(q), size = abs(n);
     return d > 0 && Int(gcd(size, d)) == 1 && Int(n * below) == Int(above * d) &&
            (q < 0) == (Int(above * below) < 0) && (q > 0) == (Int(above * below) > 0);
 }
 
-/// All operators on n / d and a whole number of type Whole, in both orders, with and without assignment.
+/// Checks all operators on n / d and a whole number of type Whole, in both orders, with and without
+/// assignment.
 template <class Whole> void check_operators(int n, int d, int w) {
     const Rational q(n, d);
     const Whole whole(w);

@@ -1,4 +1,5 @@
-// The picture's load on the memory: what a screen reads and finished pixels write, beside the chip's reads.
+// The picture's load on the memory: the reads of a screen and the writes of finished pixels, together with
+// the chip's reads.
 #include <catch2/catch.hpp>
 
 #include "model/base/rng.hpp"
@@ -33,7 +34,7 @@ TEST_CASE("a screen of 640x480 is read 60 times a second at any clock", "[mempor
         CHECK(stats.reads == stats.scanned);
         CHECK(stats.writes == 0);
         CHECK(stats.backlog >= 1);
-        CHECK(stats.backlog <= 3);   // a refresh holds it up
+        CHECK(stats.backlog <= 3);   // a refresh delays it
     }
 }
 
@@ -75,7 +76,7 @@ TEST_CASE(
 
 TEST_CASE("a memory too slow for the screen goes on serving the chip", "[memport][picture]") {
     Config config = with_picture("ideal", 1, 0);
-    config.mem_interval = 100;   // 660,000 words a second, of 1,152,000
+    config.mem_interval = 100;   // 660,000 words per second; the screen needs 1,152,000
     Memory memory{config, khz, {}};
     std::uint64_t asked = 0;
     for (int cycle = 0; cycle < 10 * khz; ++cycle) {
@@ -102,7 +103,7 @@ TEST_CASE("sixteen finished pixels are a word, written when the chip asks for no
     CHECK(memory.stats().pixel_writes == 1);
     CHECK(memory.stats().writes == 1);
     int refused = 0;
-    for (std::uint32_t i = 0; i < 200; ++i) {   // two pixels a cycle, and the chip asks in every cycle
+    for (std::uint32_t i = 0; i < 200; ++i) {   // two pixels per cycle, and the chip requests in every cycle
         const Memory::Answer request{i % 8, i};
         const bool asks = memory.ready();
         refused += !asks;

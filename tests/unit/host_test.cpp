@@ -1,5 +1,5 @@
-// The registers of the chip's face, alone: which of them can be read and written and when, what they say, and
-// when a frame begins and ends.
+// The registers of the chip's host interface alone: which can be read and written and when, their values, and
+// the begin and end of a frame.
 #include <bit>
 #include <cstring>
 #include <map>
@@ -17,14 +17,15 @@ using namespace rayclock::test;
 
 namespace {
 
-/// What came of an access.
+/// The result of an access.
 struct Answer {
     bool good = false;
     std::uint32_t value = 0;
-    int cycles = 0;   ///< until it came
+    int cycles = 0;   ///< until the answer
 };
 
-/// rc_host with a test on all sides. Its counters say their own number, and only every other is there.
+/// rc_host with a test on all sides. Each counter's value is its own number, and only every other counter
+/// exists.
 class Face {
 public:
     explicit Face(const Config& config) : config_(config), rtl_(config, "rc_host") {
@@ -59,7 +60,7 @@ public:
     static std::uint64_t counter(std::uint64_t which) {
         return (which * 0x9e3779b97f4a7c15u) & ((std::uint64_t(1) << tally_bits) - 1);
     }
-    /// So many pixels come out in each cycle from now on.
+    /// From now on these pixels are delivered in each cycle.
     void deliver(unsigned mask) { set("hit_fires", hits = mask); }
 
     Answer access(bool writes, std::uint32_t address, std::uint32_t value = 0) {
@@ -173,7 +174,7 @@ TEST_CASE("a frame's words become its fields, every bit in its place", "[host]")
         face.write_frame(unpack<Frame>(words.data(), config));
         REQUIRE(face.frame() == words);
     }
-    // What lies above a word's bits is not looked at.
+    // Bits above a word's width are ignored.
     const Words before = face.frame();
     const std::vector<FrameWord> words = frame_words(config);
     const std::vector<std::uint32_t> values = frame_values(unpack<Frame>(before.data(), config), config);
@@ -203,7 +204,7 @@ TEST_CASE("a frame begins after its preparation, ends with its last pixel, and i
         REQUIRE((face.read("Status") & 3) == 1);
         int prepared = 0;
         for (; !face.get("start") && !face.get("done"); ++prepared) {
-            REQUIRE(prepared < 20);   // sixteen cycles, some of which have gone by on the bus
+            REQUIRE(prepared < 20);   // sixteen cycles, some of which were spent on the bus
             REQUIRE_FALSE(face.get("running"));
             face.clock();
         }
@@ -217,7 +218,7 @@ TEST_CASE("a frame begins after its preparation, ends with its last pixel, and i
         REQUIRE((face.starts == 1 && face.get("running")));
         const Words kept = face.frame();
         const int busy_accesses = width * height > 20 ? 1 : 0;
-        for (int i = 0; i < busy_accesses; ++i) {   // what a running frame refuses, and allows
+        for (int i = 0; i < busy_accesses; ++i) {   // the accesses that a running frame refuses and allows
             REQUIRE_FALSE(face.access(true, frame_base, 3).good);
             REQUIRE_FALSE(face.access(true, register_address("Start"), 1).good);
             REQUIRE_FALSE(face.access(false, counter_base + 2).good);

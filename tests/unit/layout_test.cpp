@@ -1,4 +1,4 @@
-// Payloads as bits: nothing is lost, nothing overlaps, and the order is the one SystemVerilog sees.
+// Payloads as bits: nothing is lost, nothing overlaps, and the order is that of SystemVerilog.
 #include <tuple>
 
 #include "model/unit/trav/children.hpp"
@@ -14,7 +14,7 @@ using Payloads =
     std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq, BoxRsp, Children,
                Leaves, Start, Best, TriReq, TriRsp, Tested, Done, Closest, HitOut>;
 
-/// Lists a payload's values, so that two of them can be compared without packing.
+/// Lists a payload's values, to compare two payloads without packing.
 class ListVisitor {
 public:
     std::vector<std::int64_t> values;
@@ -32,7 +32,7 @@ template <class P> std::vector<std::int64_t> values_of(P payload, const Config& 
     return list.values;
 }
 
-/// The bits of a payload one by one from the top, by the rule in layout.hpp alone.
+/// Lists the bits of a payload from the top, by the rule in layout.hpp alone.
 class BitVisitor {
 public:
     std::vector<bool> bits;
@@ -47,7 +47,7 @@ public:
 private:
     void add(std::uint64_t value, int width) {
         for (int i = width - 1; i >= 0; --i)
-            bits.push_back(value >> std::min(i, 63) & 1);   // beyond 64 the sign
+            bits.push_back(value >> std::min(i, 63) & 1);   // beyond 64 bits, the sign
     }
 };
 

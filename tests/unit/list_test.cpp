@@ -1,4 +1,4 @@
-// list: which triangles of a node are tested, in which order, and when.
+// list: the triangles of a node that are tested, their order and their timing.
 #include "tests/support/world/list_world.hpp"
 
 using namespace rayclock;
@@ -6,7 +6,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Returns how many rays were stopped by what blocks a light.
+/// Returns the number of rays stopped by a blocked light.
 template <class Dut> int serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
     INFO(config.name << ", " << flow.name << ", seed " << seed);
     Dut dut{config, int(seed)};
@@ -51,7 +51,7 @@ void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles)
     REQUIRE(world.triangles() > cycles / 20);
 }
 
-/// One leaf of `triangles`.
+/// Returns one leaf of `triangles` triangles.
 Leaves leaf_of(std::uint32_t ray, std::uint32_t triangles) {
     Leaves leaves;
     leaves.ray = ray;

@@ -1,5 +1,5 @@
-// The machine as a whole: the order in which units see the clock does not matter, nor whether idle cycles are
-// passed over; every unit's cycles add up.
+// The whole machine: neither the order in which units see the clock nor skipped idle cycles change it, and
+// every unit's cycles add up.
 #include <algorithm>
 #include <numeric>
 
@@ -15,7 +15,7 @@ namespace {
 
 rayclock::Traffic disturbed(std::uint64_t seed) { return {5, 30, seed}; }
 
-/// All that a machine shows of a cycle that was observed.
+/// Compares everything that a machine shows of an observed cycle.
 void require_same(const Machine& a, const Machine& b) {
     REQUIRE(a.cycle() == b.cycle());
     for (int p = 0; p < a.config().pipelines; ++p) {
@@ -26,7 +26,7 @@ void require_same(const Machine& a, const Machine& b) {
     REQUIRE(a.shared_fire() == b.shared_fire());
 }
 
-/// With or without a chip that shades.
+/// Returns a job for a chip with or without shading.
 Job job_of(const char* scene, const Values& values, bool shading) {
     if (!shading) return small_job(scene, {20, 12}, shaped(format("small"), values));
     const Whitted settings{3};
@@ -107,7 +107,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
         for (std::size_t c = 0; c < cause_count; ++c)
             if (unit_infos[u].causes[c].kind == Kind::none) REQUIRE(accounts.units[u][c] == 0);
     }
-    // What goes into a loop comes out of it, and a unit works whenever its link moves.
+    // Everything that enters a loop leaves it, and a unit works whenever its link moves.
     const auto count = [&](Link c) { return moved[index(c)]; };
     const auto code = [&](Unit u, std::size_t c) { return accounts.units[index(u)][c]; };
     for (const Link c : {Link::slot, Link::ray, Link::hit}) REQUIRE(count(c) == 20 * 12);
@@ -125,12 +125,8 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     REQUIRE(count(asked) == count(Link::node_miss) + count(Link::prim_miss));
     REQUIRE(code(Unit::sched, 0) == count(Link::slot));
     REQUIRE(code(Unit::raygen, 0) == job.config.raygen_interval * count(Link::ray));
-    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);   // a turn
-                                                                                                    // is
-                                                                                                    // work,
-                                                                                                    // or
-                                                                                                    // holds a
-                                                                                                    // step up
+    // A turn is work, or holds a step up.
+    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);
     REQUIRE(frame.trace.turns > 0);
     REQUIRE(code(Unit::box, 0) == job.config.box_interval() * count(Link::box_req));
     REQUIRE(code(Unit::tri, 0) == job.config.tri_interval * count(Link::tri_req));
@@ -140,10 +136,10 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
          {std::tuple{Unit::node_cache, Link::node_req, Link::node_miss, job.config.node_line},
           std::tuple{Unit::prim_cache, Link::prim_req, Link::prim_miss, job.config.prim_line}}) {
         INFO(unit_infos[index(cache)].name);
-        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));   // hit, miss, merge:
-                                                                                       // every look-up is one
+        // Every look-up is a hit, a miss or a merge.
+        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));
         REQUIRE(code(cache, 1) * std::uint64_t(line / line_bytes) == count(miss));
-        REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));   // whoever waited was answered
+        REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));   // every waiting request was answered
     }
 }
 
@@ -183,7 +179,8 @@ TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") 
     const Job job = small_job(scene, {16, 12}, format(name));
     const FrameTrace frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :
-         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // the last: both caches wait
+         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // in the last case both caches
+                                                                               // wait
         Machine model{job.config, job.khz, traffic};
         RtlMachine rtl{job.image, job.config, job.khz, traffic};
         for (int i = 0; i < 2; ++i) {

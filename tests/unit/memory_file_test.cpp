@@ -1,4 +1,4 @@
-// Memories as data: what a file says is what the machine gets, and what makes no sense is named with its
+// Memories as files: a machine gets exactly the values of the file, and a wrong value is reported with its
 // line.
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ using Catch::Contains;
 
 namespace {
 
-/// The file of a memory with one value changed.
+/// Returns the file of a memory with one value changed.
 std::string file_with(const char* key, const nlohmann::ordered_json& value) {
     nlohmann::ordered_json json = memory_file_json(dram_part("ddr4"));
     json[key] = value;

@@ -1,5 +1,5 @@
-// memory: the ideal one's latency and bandwidth as stated; jitter and stalls, as seeded, over every kind of
-// memory.
+// memory: the ideal one has the stated latency and bandwidth; jitter and stalls are seeded and work with
+// every kind of memory.
 #include <algorithm>
 #include <optional>
 
@@ -22,14 +22,15 @@ Config memory(int latency, int interval) {
     return config;
 }
 
-/// What a memory did: when each request was accepted, when answers came and which.
+/// The history of a memory: the cycle in which each request was accepted, and the cycles and the order of the
+/// answers.
 struct Log {
     std::vector<int> accepted, came, order;
     friend bool operator==(const Log&, const Log&) = default;
 };
 
-/// Sends n requests as soon as each is accepted, ids in turn, each only after its last answer. The address is
-/// the number of the request.
+/// Sends n requests as soon as each is accepted. Ids rotate, and each is used again only after its last
+/// answer. The address is the number of the request.
 template <class Port> Log run(Port& port, int n, int ids) {
     Log log;
     std::vector<char> seen(std::size_t(n), 0), busy(std::size_t(ids), 0);
@@ -40,7 +41,7 @@ template <class Port> Log run(Port& port, int n, int ids) {
         if (port.valid()) {
             const Memport::Answer answer = port.answer();
             REQUIRE(answer.id == answer.addr % std::uint32_t(ids));
-            REQUIRE(seen[answer.addr]++ == 0);   // nothing twice
+            REQUIRE(seen[answer.addr]++ == 0);   // no answer comes twice
             log.came.push_back(cycle);
             log.order.push_back(int(answer.addr));
             answered = int(answer.id);
@@ -56,7 +57,7 @@ template <class Port> Log run(Port& port, int n, int ids) {
         if (answered >= 0) busy[std::size_t(answered)] = 0;
         port.clock(sends ? &request : nullptr);
     }
-    REQUIRE(std::count(seen.begin(), seen.end(), 1) == n);   // nothing lost
+    REQUIRE(std::count(seen.begin(), seen.end(), 1) == n);   // no answer is lost
     return log;
 }
 Log run_ideal(const Config& config, int n) {
@@ -122,8 +123,8 @@ TEST_CASE("without traffic a memory is as its kind says, and counts what it does
         const Memport::Answer request{0, 7};
         again.clock(cycle == 5 ? &request : nullptr);
     }
-    REQUIRE(again.deeds() == std::array<std::uint64_t, 8>{1, 7, 0, 22});   // the answer; between it and the
-                                                                           // request; the rest
+    // The answer; the cycles between it and the request; the rest.
+    REQUIRE(again.deeds() == std::array<std::uint64_t, 8>{1, 7, 0, 22});
 }
 
 TEST_CASE("jitter lets answers overtake each other within its bound and loses nothing", "[memport]") {
@@ -142,7 +143,7 @@ TEST_CASE("jitter lets answers overtake each other within its bound and loses no
     int late = 0;
     for (std::size_t i = 0; i < 500; ++i) {
         const int waited = log.came[i] - log.accepted[std::size_t(log.order[i])];
-        REQUIRE(waited > 8);   // through the traffic it takes a cycle
+        REQUIRE(waited > 8);   // the traffic adds a cycle
         late += waited > 9;
     }
     REQUIRE(late > 250);

@@ -1,4 +1,4 @@
-// RAYCLOCK_TEST_NETLISTS=1: what these tests say of the RTL they say of the netlists that Yosys makes of it.
+// RAYCLOCK_TEST_NETLISTS=1: these tests check Yosys's netlists instead of the RTL.
 #include <cstdlib>
 
 #include "sim/run/rtl/builder.hpp"

@@ -1,4 +1,4 @@
-// origin: points of a surface, and rays from and to them, exact to the last decision.
+// origin: points of a surface, and rays from and to them. All decisions are exact.
 #include <catch2/catch.hpp>
 
 #include "model/unit/isect/origin.hpp"
@@ -28,8 +28,8 @@ SurfacePoint random_point(Draw& draw, const PrimData& t, int frac_bits) {
                         v = std::uint32_t(draw.below(one + 1 - int(u)));
     return surface_point(t, inner_weights(u, v, frac_bits, frac_bits), frac_bits);
 }
-/// A triangle near the ray's way from p, so that it is often met; sometimes in an edge or a corner, or around
-/// p itself.
+/// Draws a triangle near the ray's path from p, so that it is often met. Sometimes the path meets an edge or
+/// a corner, or the triangle contains p.
 PrimData ahead(Draw& draw, const SurfacePoint& p, const Vec3l& way, int bits) {
     PrimData t = random_triangle(draw, bits);
     if (draw.percent(30)) return t;
@@ -59,8 +59,7 @@ Int wide(Wide x) {
     return r + Int(std::uint64_t(x));
 }
 
-/// Weights (in units of 2^-B) of three corners after, less those before: what goes from one corner to
-/// another.
+/// Returns how much weight (in units of 2^-B) moves from one corner to another between `before` and `after`.
 Rational moved(const std::array<Rational, 3>& before, const std::array<Rational, 3>& after) {
     Rational sum = 0;
     for (std::size_t k = 0; k < 3; ++k) sum += abs(after[k] - before[k]);
@@ -79,8 +78,8 @@ TEST_CASE("weights of a surface point are inside, and near those of the hit", "[
                 REQUIRE(w.u >= 1);
                 REQUIRE(w.v >= 1);
                 REQUIRE(w.u + w.v < 1u << bits);
-                // The hit's true u and v are those given, or up to one unit of 2^-bary more, as far as their
-                // sum allows.
+                // The hit's true u and v are the given ones, or up to one unit of 2^-bary more, as far as
+                // their sum allows.
                 const Rational unit = oracle::power_of_two(bits - bary), one = oracle::power_of_two(bits);
                 const std::array<Rational, 3> after{Rational(w.u), Rational(w.v), Rational(one - w.u - w.v)};
                 for (const int more : {0, 1, 2, 3}) {
@@ -88,7 +87,7 @@ TEST_CASE("weights of a surface point are inside, and near those of the hit", "[
                     const std::array<Rational, 3> before{Rational(tu * unit), Rational(tv * unit),
                                                          Rational(one - (tu + tv) * unit)};
                     if (before[2] >= 0) REQUIRE(moved(before, after) <= 2);
-                    // Away from the border it is a matter of rounding alone.
+                    // Away from the border only rounding remains.
                     if (bits < bary && more == 0 && w.u > 1 && w.v > 1 && w.u + w.v + 1 < 1u << bits) {
                         REQUIRE(abs(after[0] - before[0]) <= Rational(1, 2));
                         REQUIRE(abs(after[1] - before[1]) <= Rational(1, 2));
@@ -116,8 +115,8 @@ TEST_CASE("a surface point lies exactly in its triangle, strictly inside, near t
         ++hits;
         const SurfacePoint p =
             surface_point(t, inner_weights(rsp.u, rsp.v, config.bary_bits, frac_bits), frac_bits);
-        // Seen from p the triangle's corners span three triangles whose areas have the signs and the sum of
-        // the whole's.
+        // Seen from p, the triangle's corners span three triangles. Their areas have the sign and the sum of
+        // the whole area.
         const oracle::Point e1 = between(t.a, t.b), e2 = between(t.a, t.c), n = cross(e1, e2);
         oracle::Point from_a = scaled(t.a, frac_bits);
         for (std::size_t k = 0; k < 3; ++k) from_a[k] = p.at[k] - from_a[k];
@@ -244,7 +243,7 @@ TEST_CASE("every value of a secondary ray's tests fits the widths stated", "[ori
         for (std::size_t k = 0; k < 3; ++k) way[k] = (Int(o[k]) << frac_bits) - way[k];
         check(oracle::point(light), way, shadow_widths(bits, frac_bits), 0);
     }
-    REQUIRE(fullest > 0);   // no bit too many
+    REQUIRE(fullest > 0);   // no bit is unused
 }
 
 TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
@@ -267,8 +266,8 @@ TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
         CAPTURE(bits, i, dir_bits);
         REQUIRE(sign(dot(n, oracle::point(d))) == facing);
         REQUIRE(side_of_direction(t, d) == facing);
-        // Some power of two makes it the way except for less than one unit, and the largest component has all
-        // bits but one, or is whole.
+        // A power of two makes it the path up to less than one unit. The largest component has all bits but
+        // one, or is whole.
         const std::int64_t most = (std::int64_t(1) << (dir_bits - 1)) - 1;
         bool found = false;
         for (int shift = 0; shift < bits + 18 && !found; ++shift) {
@@ -306,11 +305,10 @@ TEST_CASE("the box test's origins lie outward of a surface point", "[origin]") {
                         oracle::interval({Int(at), Int(0), Int(0)}, {Int(d), Int(0), Int(0)}, scaled_slab, 1);
                     CAPTURE(at, d, lo, hi);
                     if (d != 0)
-                        REQUIRE((from.near[0] == -from.near[1] && from.far[0] == -from.far[1]));   // the
-                                                                                                   // mirrored
-                                                                                                   // ray
+                        // The mirrored ray.
+                        REQUIRE((from.near[0] == -from.near[1] && from.far[0] == -from.far[1]));
                     if (!truth) continue;
-                    if (d == 0) {   // any point that is not left out by either
+                    if (d == 0) {   // any point that neither excludes
                         REQUIRE(lo <= from.near[0]);
                         REQUIRE(hi >= from.far[0]);
                         continue;

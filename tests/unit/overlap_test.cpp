@@ -1,5 +1,5 @@
-// The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box
-// test adds to it.
+// Compares the exact ray-box overlap in wide integers with the fractions of exact.hpp, and measures what the
+// machine's box test adds to it.
 #include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/judge/oracle/overlap.hpp"
 #include "model/scene/builtin.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 oracle::LatticeVec wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 
-/// Returns whether the ray meets the box.
+/// Requires that both agree, and returns whether the ray meets the box.
 bool agree(const Vec3i& o, const Vec3i& d, const Vec3i& lo, const Vec3i& hi) {
     const auto said = oracle::overlap(wide(o), wide(d), wide(lo), wide(hi));
     const auto exact =
@@ -27,7 +27,7 @@ bool agree(const Vec3i& o, const Vec3i& d, const Vec3i& lo, const Vec3i& hi) {
     return said.has_value();
 }
 
-/// Digit `k` of `number` in base `base`, moved to begin at `from`.
+/// Returns digit `k` of `number` in base `base`, plus `from`.
 std::int32_t digit(int number, int k, int base, int from) {
     for (; k > 0; --k) number /= base;
     return number % base + from;
@@ -53,8 +53,8 @@ ExtraVisits measure(const char* spec, const Config& config, FrameSize size, int 
 }   // namespace
 
 TEST_CASE("the overlap is exact for every small ray and box", "[overlap]") {
-    // The corner at the origin, as only differences count: all boxes up to 1 x 1 x 1, origins -1 .. 2,
-    // directions -2 .. 2.
+    // The corner is at the origin, because only differences count. All boxes up to 1 x 1 x 1, origins -1 ..
+    // 2, directions -2 .. 2.
     int met = 0;
     for (int box = 0; box < 8; ++box)
         for (int from = 0; from < 64; ++from)

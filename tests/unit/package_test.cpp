@@ -1,4 +1,4 @@
-// The generated SystemVerilog package: current, and complete for every configuration.
+// The generated SystemVerilog package is current, and complete for every configuration.
 #include <fstream>
 #include <sstream>
 

@@ -1,4 +1,4 @@
-// pass: what the unit shade does with a context, its RTL against the model.
+// pass: the work of the unit shade on a context; compares its RTL with the model.
 #include <deque>
 #include <map>
 #include <optional>
@@ -28,7 +28,7 @@ void put_vector(RtlModule& rtl, const char* name, const Vec3i& v, int bits) {
     copy_words(rtl.port(name), words);
 }
 
-/// The fields of units that the chip does not have are nobody's business.
+/// Clears the fields of units that the chip does not have.
 ShadeState seen(ShadeState s, const Config& c) {
     if (!c.supersampling) s.sample = 0, s.sum = s.least = s.most = {};
     return s;
@@ -53,10 +53,10 @@ void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     copy_words(rtl.port("place"), words);
 }
 
-/// What rc_contexts writes of the state when a pass ends, as the port `changes` names it.
+/// The groups of the state that rc_contexts writes when a pass ends, as bits of the port `changes`.
 enum Group { share_group = 1, face_group = 2, inner_group = 4, point_group = 8 };
 
-/// A group that has not changed is not written, and nobody's business. The material was written when the pass
+/// Ignores groups that have not changed, because they are not written. The material was written when the pass
 /// began (judge_look).
 ShadeState written(ShadeState s, std::uint32_t changes, const ShadeState& kept, const ShadeState& wanted) {
     if (!(changes & point_group))
@@ -97,22 +97,22 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
 }
 
-/// The material of a surface that was hit is told when the pass begins, and only then.
+/// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
     const bool looks = in && in->state.event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
     REQUIRE(got(rtl, "look_valid")[0] == std::uint32_t(looks));
     if (!looks) return;
     REQUIRE(got(rtl, "look_ray")[0] == in->ray);
     const Words wanted = pack(pass(*in, frame, c).state, c), told = got(rtl, "look");
-    const int bits = ShadeState::look_bits(c);   // they lie lowest
+    const int bits = ShadeState::look_bits(c);   // the lowest bits
     for (int at = 0; at < bits; ++at) {
         const auto bit = [&](const Words& words) { return words[std::size_t(at / 32)] >> (at % 32) & 1; };
         if (bit(told) != bit(wanted)) FAIL("bit " << at << " of the material is not the model's");
     }
 }
 
-/// Passes at random, with idle cycles between them if `idle`; every answer in exactly its cycle. Counts what
-/// came of them.
+/// Runs random passes, with idle cycles in between if `idle`, and checks every answer in its exact cycle.
+/// Counts the outcomes.
 void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int>& seen_leaves, int& pushes) {
     Draw draw{seed};
     const Frame frame = random_shade_frame(draw, c);
@@ -128,7 +128,7 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
         under_way.push_back(valid ? std::optional(random_pass(draw, frame, c)) : std::nullopt);
         put(rtl, "valid", valid);
         if (valid) drive(rtl, *under_way.back(), c);
-        // Where a pass stays for more than a cycle its waiting ray comes in the next one, and not before.
+        // If a pass stays for several cycles, its waiting ray comes exactly one cycle later.
         const std::optional<PassIn>& asks = under_way[under_way.size() - (c.shade_interval == 1 ? 1 : 2)];
         set_data(rtl.port("top"), asks ? asks->top : Waiting{}, c);
         rtl.settle();
@@ -182,7 +182,7 @@ TEST_CASE("the rtl's pass is the model's without units that are not needed, and 
 
 TEST_CASE("the rtl's pass is the model's if it stays in each stage for several cycles",
           "[pass][lockstep][interval]") {
-    check("every8:fast:all", 1, 4, 400);   // the most registers there are
+    check("every8:fast:all", 1, 4, 400);   // the configuration with the most registers
 }
 
 TEST_CASE("the rtl's pass is the model's with instances", "[pass][lockstep][levels]") {

@@ -1,4 +1,4 @@
-// power: Phong's highlight, judged by long double; and its RTL against it.
+// power: Phong's highlight, judged by long double, and its RTL against the model.
 #include <cmath>
 
 #include "model/core/config.hpp"

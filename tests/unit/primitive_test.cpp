@@ -1,5 +1,5 @@
-// The selectable ray-triangle tests: how one is chosen, and the baselines, which are what their papers say
-// and lose what they are known to lose. The sheared test: sheared_test.cpp.
+// The selectable ray-triangle tests: the choice of a test, and the baselines, which follow their papers and
+// have their known leaks. The sheared test is in sheared_test.cpp.
 #include "model/base/error.hpp"
 #include "model/unit/isect/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
@@ -53,7 +53,7 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
         REQUIRE(here.v / one == Approx(there.v / one).margin(0.02));
         REQUIRE(here.num < std::int64_t(1) << (config.num_bits() - 1));
         REQUIRE(here.det < std::int64_t(1) << (config.edge_bits() - 1));
-        // A hit beats what is farther, not what is nearer; of equals the lower number wins.
+        // A hit beats a farther one and not a nearer one. Of equal hits the lower number wins.
         const Best same{1, here.num, here.det, t.prim}, nearer{1, here.num - here.num / 8, here.det, t.prim},
             farther{1, here.num + here.num / 8, here.det, 0};
         REQUIRE(ask(config, o, d, t, same).closer == 1);
@@ -79,7 +79,7 @@ TEST_CASE("no test takes what lies behind, and none a direction of zero", "[prim
 
 TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by nothing exact",
           "[primitive]") {
-    // The quad (-5, -5, 0) .. (5, 5, 0), 10 below the eye, and rays to its diagonal as (0.30458447,
+    // The quad (-5, -5, 0) .. (5, 5, 0), 10 below the eye, and rays to its diagonal such as (0.30458447,
     // 0.30458447, -0.9024725). The diagonal lies opposite to both triangles' first corner: u + v is rounded,
     // and compared with 1.
     const std::int32_t k = 5 * 2003;

@@ -1,5 +1,5 @@
-// The proof of ranges: nothing that a ray meets lies outside, intervals are as tight as they can be, and the
-// widths in the table are the RTL's.
+// The proof of ranges: no value of a ray lies outside, intervals are as tight as possible, and the widths in
+// the table are the RTL's.
 #include <catch2/catch.hpp>
 
 #include <fstream>
@@ -198,7 +198,7 @@ TEST_CASE("box's intervals are exactly what all rays and planes of a small world
             INFO(round << ": " << name << ": seen " << shown(range) << ", proven " << shown(proven.at(name)));
             REQUIRE(proven.at(name).holds(range.lo));
             REQUIRE(proven.at(name).holds(range.hi));
-            // One bit length and sign: nothing is lost by looking at operands one by one.
+            // One bit length and sign: looking at operands separately loses nothing.
             if (fit::recip_classes(e.direction[k], config).size() == 1 &&
                 name.find("s3_") == std::string::npos)
                 CHECK(proven.at(name) == range);

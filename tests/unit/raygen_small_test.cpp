@@ -1,6 +1,6 @@
-// raygen for every direction component that its width allows, and at a small width for every sum that is
-// rounded to one. Judged by plain integers: d = floor((2^s sum + half) / 2^guard_bits) with the largest s
-// that fits, r m <= 2^(M+R-1) < (r + 1) m.
+// raygen for every direction component of its width, and at a small width for every sum that is rounded to
+// one. Judged by plain integers: d = floor((2^s sum + half) / 2^guard_bits) with the largest s that fits, and
+// r m <= 2^(M+R-1) < (r + 1) m.
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/small.hpp"
 
@@ -20,8 +20,8 @@ bool right_component(std::int32_t d, std::uint32_t recip, std::uint32_t len, con
     return recip * m <= power && power < (std::int64_t(recip) + 1) * m;
 }
 
-/// One component per pixel: x has every number of M bits going up, y going down by halves, which are rounded
-/// up. z fills its width, so that nothing is moved.
+/// One component per pixel. x takes every number of M bits in rising order. y falls by halves, which are
+/// rounded up. z fills its width, so that nothing is shifted.
 Frame every_direction(const Config& config) {
     Frame frame;
     const std::int64_t one = std::int64_t(1) << guard_bits, row = std::int64_t(1) << row_bits,
@@ -31,7 +31,7 @@ Frame every_direction(const Config& config) {
     frame.down = config.dir_bits > row_bits ? Vec3l{one * row, -one * row, 0} : Vec3l{};
     return frame;
 }
-/// One unit of the sum per pixel, from the least on; on the second axis down from the greatest.
+/// One unit of the sum per pixel, from the least upwards; on the second axis from the greatest downwards.
 Frame every_sum(const Config& config) {
     Frame frame;
     const std::int64_t half = std::int64_t(1) << (config.guard_dir_bits() - 1), row = std::int64_t(1)

@@ -1,4 +1,4 @@
-// raygen: camera rays and reciprocal directions, against exact fractions.
+// raygen: compares camera rays and reciprocal directions with exact fractions.
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -7,7 +7,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Cameras whose directions all fit: random ones, and ones that reach the corners of the format.
+/// Returns a camera whose directions all fit: random ones, and ones at the corners of the format.
 Frame camera(unsigned number, const Config& config) {
     Draw draw{number};
     const int g = config.guard_dir_bits();
@@ -16,7 +16,7 @@ Frame camera(unsigned number, const Config& config) {
     const std::int64_t one = std::int64_t(1) << guard_bits, half = one / 2;
     for (std::size_t k = 0; k < 3; ++k) {
         switch ((number + unsigned(k)) % 5) {
-            case 0:   // anything
+            case 0:   // any value
                 frame.corner[k] = draw.number(g - 1);
                 frame.right[k] = draw.number(g - 2 - max_pixel_bits);
                 frame.down[k] = draw.number(g - 2 - max_pixel_bits);
@@ -25,7 +25,7 @@ Frame camera(unsigned number, const Config& config) {
                 frame.corner[k] = -100 * one;
                 frame.right[k] = config.dir_bits > 15 ? one : 0;
                 break;
-            case 2:   // halves, which go up
+            case 2:   // halves, which are rounded up
                 frame.corner[k] = -50 * one + half;
                 frame.right[k] = half / 8;
                 frame.down[k] = config.dir_bits > 13 ? -half / 2 : 0;
@@ -41,8 +41,8 @@ Frame camera(unsigned number, const Config& config) {
     return frame;
 }
 
-/// Sums of g - 1 - `free` bits at most on every axis: near the longest of them, to both sides, on one axis,
-/// so that rounding may want one bit more, and anything on the others.
+/// Returns a camera with sums of at most g - 1 - `free` bits on every axis. One axis is near the longest of
+/// them, on both sides, so that rounding may need one more bit. The others are arbitrary.
 Frame short_camera(int free, unsigned seed, const Config& config) {
     Draw draw{seed};
     const int bits = config.guard_dir_bits() - 1 - free;
@@ -74,7 +74,7 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
     }
     const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, most_shift);
     for (std::size_t k = 0; k < 3; ++k) {
-        // With two levels the least number, which has no opposite, is one more.
+        // With two levels the least number, which has no opposite, becomes one more.
         const oracle::Int least = config.has_instances() - (oracle::Int(1) << (config.dir_bits - 1)),
                           d = std::max(direction[k], least);
         CAPTURE(k, d);

@@ -1,4 +1,4 @@
-// Queues, merges and pipes of the model, each against its plain description.
+// Compares the model's queues, merges and pipes with plain descriptions.
 #include <algorithm>
 
 #include "tests/support/world/traffic.hpp"
@@ -32,10 +32,10 @@ TEST_CASE("a ring is a queue of its capacity", "[fifo]") {
 TEST_CASE("a merge prefers its first source but does not change an offer", "[fifo]") {
     Merge merge;
     Draw draw{4};
-    std::optional<bool> held;   // second on offer and refused
+    std::optional<bool> held;   // the second source was offered and refused
     bool first = false, second = false;
     for (int i = 0; i < 5000; ++i) {
-        first |= draw.percent(40);   // a source that has something keeps it until it is taken
+        first |= draw.percent(40);   // a source keeps its offer until it is accepted
         second |= draw.percent(40);
         const bool valid = first || second, chosen = merge.second(first);
         if (valid) REQUIRE(chosen == held.value_or(!first));
@@ -49,7 +49,7 @@ TEST_CASE("a merge prefers its first source but does not change an offer", "[fif
 TEST_CASE("a pipe answers after latency + 1 cycles, in order, and holds as many as its queue", "[fifo]") {
     const auto [latency, depth] = GENERATE(table<int, int>({{1, 2}, {3, 2}, {6, 16}, {20, 32}}));
     Pipe<int> pipe{latency, depth};
-    std::deque<std::pair<int, int>> plain;   // number, cycle admitted
+    std::deque<std::pair<int, int>> plain;   // number, and cycle of admission
     Draw draw{unsigned(latency)};
     for (int cycle = 0; cycle < 5000; ++cycle) {
         const bool valid = !plain.empty() && cycle >= plain.front().second + latency + 1;
@@ -69,16 +69,16 @@ TEST_CASE("a pipe answers after latency + 1 cycles, in order, and holds as many 
 TEST_CASE("a delay answers in the cycle after its latency, whatever was skipped before", "[fifo]") {
     const auto [latency, depth] = GENERATE(table<int, int>({{1, 2}, {3, 2}, {6, 16}, {20, 32}, {63, 70}}));
     Delay delay{latency, depth};
-    std::deque<std::pair<std::uint32_t, std::uint64_t>> plain;   // ray, cycle of its answer
+    std::deque<std::pair<std::uint32_t, std::uint64_t>> plain;   // ray, and cycle of its answer
     Draw draw{unsigned(latency)};
     for (std::uint64_t cycle = 0; cycle < 5000; ++cycle) {
-        if (draw.percent(5)) cycle = std::min(delay.due(cycle), cycle + 100);   // idle times are passed over
+        if (draw.percent(5)) cycle = std::min(delay.due(cycle), cycle + 100);   // skips idle time
         const bool due = !plain.empty() && plain.front().second == cycle;
         REQUIRE(delay.ready() == (int(plain.size()) < depth));
         REQUIRE(delay.due(cycle) == (plain.empty() ? ~std::uint64_t(0) : plain.front().second));
         const OnLink answer = delay.answer(cycle);
         REQUIRE(answer.there == due);
-        REQUIRE(answer.ray < 1024);   // of a context, if nothing is there as well
+        REQUIRE(answer.ray < 1024);   // a valid context number even without an answer
         if (due) REQUIRE(answer.ray == plain.front().first);
         const OnLink in{delay.ready() && draw.percent(cycle / 1000 % 2 ? 90 : 30),
                         std::uint32_t(draw.below(1024))};

@@ -1,4 +1,4 @@
-// Builds the RTL that the unit tests load, two at a time, before any of them runs.
+// Builds the RTL that the unit tests load, two modules at a time, before any of them runs.
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/dut/cache_dut.hpp"
 #include "tests/support/cases/host_cases.hpp"

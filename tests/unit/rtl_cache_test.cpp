@@ -1,4 +1,4 @@
-// Built RTL that is damaged, or lies in a folder with an odd name, with real libraries.
+// Cached RTL that is damaged or lies in a folder with an unusual name, with real libraries.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A variable of the environment with another value for a while.
+/// Sets an environment variable temporarily.
 class Variable {
 public:
     Variable(const char* name, const std::string& value) : name_(name) {
@@ -31,7 +31,7 @@ private:
     std::optional<std::string> old_;
 };
 
-/// An empty folder with a name that no makefile likes.
+/// An empty folder whose name is difficult for makefiles.
 struct OddFolder {
     fs::path path = fs::temp_directory_path() / ("rayclock's \"odd\" $x " + std::to_string(getpid()));
     OddFolder() { fs::create_directory(path); }
@@ -45,7 +45,7 @@ void script(const fs::path& file, const std::string& text) {
     fs::permissions(file, fs::perms::owner_all);
 }
 
-/// 1 / |(3, 4, 0)| by rc_unit, or whatever its registers hold: that it runs is enough.
+/// Computes 1 / |(3, 4, 0)| with rc_unit. It is enough that it runs.
 void run(const Config& config) {
     RtlModule module(config, "rc_unit");
     module.reset();
@@ -59,7 +59,7 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
     const Config config = test::format("default");
     const RtlBuild real = build_rtl(config, "rc_unit");
     const OddFolder folder;
-    // The tools that are there now only bring the library that the real ones have made.
+    // The tools found now only copy the library that the real ones built.
     script(folder.path / "bin/verilator", "/bin/mkdir obj; echo > obj/Vrc.cpp");
     script(folder.path / "bin/c++",
            "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done; /bin/cp '" +
@@ -67,8 +67,8 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
     const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), path("PATH", folder.path / "bin");
     const fs::path library = build_rtl(config, "rc_unit").library;
     REQUIRE(library != real.library);
-    // This first: what has been loaded from a place may stay mapped, and is what the loader then gives for
-    // that place.
+    // This comes first: a library that was loaded from a path may stay mapped, and the loader then returns it
+    // for that path.
     const fs::path other = folder.path / "other";
     std::ofstream(other) << "no library, but sealed as if it were one";
     fs::rename(other, library);
@@ -76,7 +76,8 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
     CHECK(build_rtl(config, "rc_unit").was_cached);
     run(config);
     CHECK(fs::file_size(library) == fs::file_size(real.library));
-    // To load half of it would end in SIGBUS. Another file takes its place, for the same reason.
+    // Loading half of the library would end in SIGBUS. The truncated file replaces it by a rename for the
+    // same reason.
     fs::copy_file(library, other);
     fs::resize_file(other, fs::file_size(other) / 2);
     fs::rename(other, library);

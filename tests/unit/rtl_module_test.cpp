@@ -1,4 +1,4 @@
-// Loaded RTL: modules live side by side, and each hears of its own assertions only.
+// Loaded RTL: several modules at once, each with its own assertions.
 #include <memory>
 #include <thread>
 
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Frees contexts that were never given, until the queue of free contexts complains.
+/// Frees contexts that were never assigned, until the queue of free contexts asserts.
 bool misuse(SchedRtl& dut, int times) {
     dut.slot.ready = false;
     dut.hit.ready = true;

@@ -1,4 +1,4 @@
-// sched: which pixel goes to which context, and which pixel a hit belongs to.
+// sched: the assignment of pixels to contexts, and of hits to pixels.
 #include "tests/support/world/sched_world.hpp"
 
 using namespace rayclock;
@@ -67,8 +67,7 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
     }
 }
 
-/// Tiles as they are wanted, row by row, and every ray ends in the next cycle: the order in which pixels are
-/// given.
+/// Returns the order of pixels if tiles come on request, row by row, and every ray ends in the next cycle.
 template <class Dut> std::vector<Place> order_of(const Config& config, const Frame& frame) {
     Dut dut{frame, config};
     std::deque<Tile> tiles = tiles_of(frame, config.tile_bits);
@@ -122,7 +121,7 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     REQUIRE(dut.tile.fires());
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
-    dut.tile.offer = Tile{3, 1};   // the next waits beside the one at hand, the third outside
+    dut.tile.offer = Tile{3, 1};   // the second tile waits inside, the third outside
     const std::uint32_t x[] = {16, 17, 16, 17, 18, 19, 18, 19, 16, 17, 16, 17},
                         y[] = {8, 8, 9, 9, 8, 8, 9, 9, 10, 10, 11, 11};
     for (std::uint32_t i = 0; i < 64; ++i) {
@@ -135,15 +134,15 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     }
     dut.tile.offer.reset();
     dut.eval();
-    REQUIRE_FALSE(dut.slot.offer);   // a pixel, and no context
+    REQUIRE_FALSE(dut.slot.offer);   // a pixel, but no context
     REQUIRE(dut.tile.ready);
     dut.pixel.offer = Pixel{};
     dut.pixel.offer->first.ray = 17;
     dut.hit.ready = true;
     dut.eval();
     REQUIRE(dut.hit.fires());
-    REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));   // the 17th pixel: first row of the second
-                                                                  // quarter
+    // The 17th pixel: first row of the second quarter.
+    REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
     dut.pixel.offer.reset();
@@ -200,8 +199,8 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
         const std::optional<Slot> first = cycle(Tile{1, 1});
         REQUIRE((first && first->x == 8 && first->y == 8));
         for (int i = 0; i < passed; ++i) REQUIRE_FALSE(cycle({}));
-        dut.start(frame_of(100, 100));   // those pixels would lie inside this one; none is given in this
-                                         // cycle either
+        // Those pixels would lie inside this frame. None is assigned in this cycle either.
+        dut.start(frame_of(100, 100));
         for (int i = 0; i < 3; ++i) REQUIRE_FALSE(cycle({}));
         cycle(Tile{5, 0});
         for (std::uint32_t i = 0; i < 4; ++i) {

@@ -1,4 +1,4 @@
-// shade: contexts from their ray's answer to their next ray or pixel.
+// shade: contexts between the answer to their ray and their next ray or pixel.
 #include <deque>
 
 #include <catch2/catch.hpp>
@@ -107,7 +107,7 @@ TEST_CASE("model and rtl of shade make the same moves in every cycle, for long",
     check(format, 1, 2, 40000);
 }
 
-// A camera ray that hits nothing passes twice: for its background, and for the sample's end.
+// A camera ray that hits nothing has two passes: for its background, and for the end of the sample.
 TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeModel, ShadeRtl) {
     const Config c = shape(GENERATE("plain", "every4:plain"), 64, 64);
     Frame frame;
@@ -150,7 +150,8 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle, or every few", "[shade]", 
         dut.ray->ray = i;
         step(dut);
     }
-    int first = -1, idle = -1, busy = 0, pixels = 0;   // first cycle with a pass; first one after it without
+    int first = -1, idle = -1, busy = 0, pixels = 0;   // first cycle with a pass; first later cycle without
+                                                       // one
     for (int i = 0; i < 400 * every; ++i) {
         if (i < 64) dut.closest.offer = Closest{std::uint32_t(i), 0, 0, 0, 0, 0, 0};
         dut.eval();
@@ -166,7 +167,6 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle, or every few", "[shade]", 
     }
     REQUIRE(pixels == 64);
     REQUIRE(busy == 128 * every);
-    // Then the last few wait for their first pass to end: four of those of a cycle, six of those of four
-    // cycles.
+    // Then the last few wait for the end of their first pass: four with one cycle per pass, six with four.
     REQUIRE((first == 1 && idle == (every == 1 ? 125 : 1 + 122 * 4)));
 }

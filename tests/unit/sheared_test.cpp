@@ -1,4 +1,5 @@
-// The sheared test: watertight, by itself and through the tree, and near the exact one by a derived bound.
+// The sheared test: it is watertight by itself and through the tree, and differs from the exact one by a
+// derived bound.
 #include "tests/support/check/image_check.hpp"
 #include "model/unit/isect/sheared.hpp"
 #include "model/unit/raygen/raygen.hpp"
@@ -19,9 +20,9 @@ Seen seen(const Vec3i& p, const Vec3i& o, const Vec3i& d, std::size_t kz) {
     const long double z = p[kz] - o[kz];
     return {p[kx] - o[kx] - z * d[kx] / d[kz], p[ky] - o[ky] - z * d[ky] / d[kz], z};
 }
-/// Distance of (0, 0) from a segment, the larger of x and y.
+/// Returns the distance of (0, 0) from a segment, the larger of x and y.
 long double distance_of(const Seen& p, const Seen& q) {
-    // Convex along the segment: halving finds the least.
+    // The distance is convex along the segment, so halving finds the least.
     const auto at = [&](long double s) {
         return std::max(std::abs(p.x + s * (q.x - p.x)), std::abs(p.y + s * (q.y - p.y)));
     };
@@ -77,8 +78,8 @@ TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "
     for (int i = 0; i < 1200; ++i) {
         config.dir_bits = draw.coin() ? bits + 2 : std::min(24, 62 - 2 * bits);
         const PrimData& t = all[std::size_t(draw.below(int(all.size())))];
-        const double along = draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere
-                                                     // inside
+        // Corners, an edge's middle and quarters; then anywhere inside.
+        const double along = draw.below(5) * 0.25;
         const auto target = draw.percent(80)
                                 ? inside(t, along, draw.coin() ? 0 : 1 - along)
                                 : inside(t, draw.below(1000) / 2000.0, draw.below(1000) / 2000.0);
@@ -96,7 +97,7 @@ TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "
                               std::hypot(d[0], d[1], d[2]);
         CAPTURE(bits, i, o[0], o[1], o[2], d[0], d[1], d[2]);
         const int count = crossings(config, all, o, d);
-        REQUIRE(count % 2 == 0);   // in as often as out, also where the surface is seen edge-on
+        REQUIRE(count % 2 == 0);   // as many entries as exits, even where the surface is seen edge-on
         if (std::abs(cosine) > 0.4)
             REQUIRE(count == 2);
         else
@@ -118,7 +119,9 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz),
                    c = seen(req.triangle.c, req.o, req.d, kz);
         const long double sign = shear.neg ? -1 : 1;
-        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;   // all of it ahead
+        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0)
+            continue;   // the whole triangle must be
+                        // ahead
         const TriRsp there = ask(exact, req.o, req.d, req.triangle),
                      here = ask(config, req.o, req.d, req.triangle);
         CAPTURE(bits, i);
@@ -128,7 +131,7 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         }
         if (!there.closer || !here.closer) continue;
         ++hits;
-        // The plane's z over the ray, and how much it rises in a step of x and of y.
+        // The plane's z at the ray, and its slope in x and in y.
         const long double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
         const long double rise_x = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
         const long double rise_y = ((b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z)) / area;
@@ -193,7 +196,7 @@ TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows
     config.dir_bits = bits + 2;   // the largest errors
     config.leaf_size = GENERATE(1, 4);
     Scene scene = make_builtin("icosphere:4");
-    // Near, so that most of the frame is covered and triangles are seen under all angles.
+    // Near, so that most of the frame is covered and triangles are seen at all angles.
     const Camera camera{{0.9, 0.8, 0.7}, {0.3, 0.2, 0.1}, {0, 1, 0}, 100};
     const MemoryImage image = compile_scene(scene, camera.eye, config);
     REQUIRE(check_image(image, config, &scene).empty());
@@ -229,7 +232,7 @@ TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows
 }
 
 TEST_CASE("a triangle without area keeps a seam of the sheared test shut", "[primitive]") {
-    // A seam from p to q with a triangle on one side, two on the other, and a flat one between them: no
+    // A seam from p to q with one triangle on one side, two on the other, and a flat one between them: no
     // T-junction.
     const Config config = with_test("sheared");
     Draw draw{12};
@@ -250,9 +253,9 @@ TEST_CASE("a triangle without area keeps a seam of the sheared test shut", "[pri
         REQUIRE(crossings(config, all, o, d) % 2 == 1);
         open += crossings(config, {all.begin(), all.end() - 1}, o, d) % 2 == 0;
     }
-    REQUIRE(open > 0);   // else the flat one would not matter
+    REQUIRE(open > 0);   // otherwise the flat triangle would not matter
 
-    // So the compiler keeps it, and drops it for the exact test, which has no use for it.
+    // So the compiler keeps it for this test, and drops it for the exact test, which does not need it.
     Scene scene;
     scene.name = "seam";
     scene.materials.emplace_back();

@@ -1,4 +1,4 @@
-// raygen of a chip that shades: rays of every kind, samples of a pixel, and which request goes first.
+// raygen of a shading chip: rays of every kind, samples of a pixel, and the priority of requests.
 #include "model/layout/memory_image.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "model/scene/whitted.hpp"
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Cameras of every angle, lattices of every pitch; n x n samples.
+/// Returns a frame with cameras of every angle, lattices of every pitch, and n x n samples.
 Frame frame_of(unsigned seed, const Config& config, int n, bool jitter) {
     Draw draw{seed};
     Camera camera{{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, std::array{1.0, 45.0, 120.0, 179.0}[seed % 4]};
@@ -39,7 +39,7 @@ Spawn random_spawn(Draw& draw, const Frame& frame, const Config& config) {
     return spawn;
 }
 
-/// The hash in 64 bits, cut after every step.
+/// The hash in 64 bits, truncated after every step.
 std::uint64_t jenkins(std::uint64_t seed, std::initializer_list<std::uint64_t> words) {
     constexpr std::uint64_t word = 0xffffffff;
     std::uint64_t h = seed;
@@ -53,7 +53,7 @@ std::uint64_t jenkins(std::uint64_t seed, std::initializer_list<std::uint64_t> w
     return (h * 32769) & word;
 }
 
-/// The point of the picture, in pixels: cell and place in it, told with fractions.
+/// Returns the point of the picture in pixels, from cell and place in it, as fractions.
 std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame, const Config& config) {
     const ShadeFrame& s = frame.shade;
     std::array<oracle::Rational, 2> at{oracle::Rational(spawn.x), oracle::Rational(spawn.y)};
@@ -64,8 +64,8 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
     for (std::size_t k = 0; k < 2; ++k) {
         const std::uint64_t place = s.jitter ? random >> 8 * k & 255 : 128;
         const oracle::Rational exact =
-            (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) / s.side;   // in the pixel, from its
-                                                                                    // corner
+            // Position in the pixel, from its corner.
+            (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) / s.side;
         at[k] += oracle::Rational(oracle::floor(exact * 256), 256) - oracle::Rational(1, 2);
     }
     return at;
@@ -100,7 +100,7 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
             REQUIRE((ray.recip[k] == 1 && ray.len[k] == 0));
             continue;
         }
-        // As long as a shadow ray's: 2^(N + B) stands for what 2^(M - 1) is to the others.
+        // As long as a shadow ray's: 2^(N + B) replaces the 2^(M - 1) of the others.
         REQUIRE(int(ray.len[k]) ==
                 oracle::digits(d) +
                     (shadow ? 0 : config.coord_bits + config.origin_bits + 1 - config.dir_bits));
@@ -109,7 +109,7 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
     }
 }
 
-/// Rays of shade and new pixels, each in order; a new pixel is the first sample's camera ray.
+/// Sends rays of shade and new pixels, each in order. A new pixel is the first sample's camera ray.
 template <class Dut>
 void make_rays(const Config& config, const Frame& frame, unsigned seed, const Flow& flow, int count) {
     INFO(config.name << ", " << flow.name << ", seed " << seed << ", " << frame.shade.side
@@ -240,7 +240,7 @@ TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in ever
         dut.commit();
     }
     REQUIRE(first == config.raygen_latency() + 1);
-    // A pixel on offer that was not taken stays on offer, whatever shade asks for.
+    // A pixel that was offered and not accepted stays offered, whatever shade requests.
     dut.spawn.offer.reset();
     dut.ray.ready = false;
     for (int cycle = 0; cycle < 2 * config.raygen_queue; ++cycle) dut.eval(), dut.commit();

@@ -1,4 +1,4 @@
-// A machine that stands still: the watchdog sees it, and says where every ray is.
+// A machine that stands still: the watchdog detects it and reports where every ray is.
 #include <map>
 
 #include "model/machine/machine.hpp"
@@ -13,9 +13,9 @@ using Catch::Contains;
 
 namespace {
 
-constexpr rayclock::Traffic shut{0, 100, 1};   // memory takes no request and the sink no hit
+constexpr rayclock::Traffic shut{0, 100, 1};   // memory accepts no request and the sink no hit
 
-/// One pipeline whose memory is the test: a word asked for comes in the next cycle, or never.
+/// One pipeline whose memory is the test. A requested word comes in the next cycle, or never.
 struct Alone {
     Job job;
     FrameTrace frame;
@@ -32,7 +32,7 @@ struct Alone {
         dispatch.start(frame.frame);
     }
     void run(int cycles, bool nodes, bool prims) {
-        std::optional<std::uint32_t> node, prim;   // asked for
+        std::optional<std::uint32_t> node, prim;   // requested
         for (int i = 0; i < cycles; ++i) {
             SharedMoves shared;
             const int granted = dispatch.grant(pipeline.tile_ready());
@@ -50,7 +50,7 @@ struct Alone {
             ++now;
         }
     }
-    /// How many rays are where.
+    /// Returns the number of rays at each place.
     std::map<std::string, int> places() const {
         std::map<std::string, int> counts;
         for (std::uint32_t ray = 0; ray < std::uint32_t(job.config.contexts); ++ray)
@@ -69,7 +69,7 @@ int lines_with(const std::string& text, const std::string& part) {
 
 TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
     Alone alone({{"contexts", 16}});
-    REQUIRE(alone.places() == std::map<std::string, int>{{"", 16}});   // no ray is under way
+    REQUIRE(alone.places() == std::map<std::string, int>{{"", 16}});   // no ray is in flight
     alone.run(5000, true, true);
     INFO(alone.places().begin()->first);
     REQUIRE(alone.places() == std::map<std::string, int>{{"trav: done, waits for its hit to be taken", 16}});
@@ -158,11 +158,11 @@ TEST_CASE("a memory that takes tens of thousands of cycles to answer is no stand
     const std::string memory = GENERATE("sdr", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
     Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
     set_parameter(job.config, "dram", memory, "test");
-    job.khz = 100'000'000;   // 100 GHz, the fastest clock that may be asked for
+    job.khz = 100'000'000;   // 100 GHz, the fastest legal clock
     const DramPart& part = dram_part(memory);
     const std::uint64_t pause = std::uint64_t(longest_pause_ps(part)) / 10;   // a cycle is 10 ps
     REQUIRE(patience(job.config, job.khz, {}) >= 10 * pause);
-    // Colder than a frame: every answer alone, with the refreshes between them.
+    // Colder than any frame: each answer alone, with the refreshes between them.
     Dram dram(part, job.khz, 1);
     std::uint64_t longest = 0;
     for (std::uint32_t i = 0; i < 400; ++i) {
@@ -175,10 +175,10 @@ TEST_CASE("a memory that takes tens of thousands of cycles to answer is no stand
         longest = std::max(longest, dram.now() - asked);
     }
     CHECK(longest <= pause);
-    CHECK(longest > pause / 3);   // the bound is no fancy
+    CHECK(longest > pause / 3);   // the bound is realistic
     const FrameRun model = run_model(job);
     CHECK(model.cycles > 15000);
-    if (memory != "sdr") return;   // 30,000 cycles for any answer
+    if (memory != "sdr") return;   // 30,000 cycles for each answer
     const LockstepResult both = run_lockstep(job);
     CHECK(both.agrees());
     CHECK(both.model.cycles == model.cycles);

@@ -1,5 +1,5 @@
-// "A ray of less weight than the threshold is not traced", for weights and thresholds as they were written:
-// decimal numbers whose products are compared in whole hundredths and ten thousandths, which the chip rounds
+// "A ray of less weight than the threshold is not traced", for weights and thresholds as written. These are
+// decimal numbers whose products are compared in whole hundredths and ten thousandths. The chip rounds them
 // to binary fractions.
 #include <cmath>
 
@@ -16,8 +16,7 @@ namespace {
 
 enum class Way { reflected, refracted, total };
 
-/// A scene of one triangle whose material has these weights, in hundredths; as much of it as a pass must
-/// know.
+/// A scene of one triangle whose material has these weights in hundredths, with everything that a pass needs.
 struct Chip {
     Scene scene;
     Config config;
@@ -43,8 +42,8 @@ struct Chip {
     }
 };
 
-/// A ray of that weight has met a surface under a right angle; its `way` weighs `weight`, and is traced if
-/// `sent`.
+/// The result for a ray of some weight that meets a surface at a right angle: `weight` is the weight of the
+/// next ray, and `sent` says whether it is traced.
 struct Bounced {
     std::uint32_t weight = 0;
     bool sent = false;
@@ -65,7 +64,7 @@ Bounced bounced(const Chip& chip, const Frame& frame, const Surface& s, std::uin
 }
 
 Surface surface_for(Chip& chip, int weight, Way way) {
-    // A total reflection's weight is written in two parts.
+    // The weight of a total reflection is written in two parts.
     if (way == Way::total) return chip.surface(weight / 3, weight - weight / 3);
     return way == Way::reflected ? chip.surface(weight, 0) : chip.surface((100 - weight) / 2, weight);
 }
@@ -100,7 +99,7 @@ TEST_CASE("products of two weights are compared with the threshold as written", 
             const std::uint32_t weight =
                 bounced(chip, frames[0], surface_for(chip, a, first), one, 0, first).weight;
             const Surface surface = surface_for(chip, b, second);
-            // Thresholds around the product, of which that of the hundredth below and at it are the ties.
+            // Thresholds around the product. The hundredths below it and at it are the ties.
             for (int threshold = std::max(0, a * b / 100 - 1); threshold <= std::min(100, a * b / 100 + 2);
                  ++threshold) {
                 CAPTURE(int(first), int(second), threshold, a, b);

@@ -1,5 +1,5 @@
-// Traces are made by lean forms of the units, for speed: each must say exactly what the unit's public form
-// says, and the recorder as a whole what the walk says.
+// Traces come from lean forms of the units, for speed. Each must equal the unit's public form, and the
+// recorder as a whole must equal the walk.
 #include "model/unit/isect/facet.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/record.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// The default with one or more parameters at their ends.
+/// Returns the default with some parameters changed.
 Config with(std::initializer_list<std::pair<const char*, int>> values) {
     Config config = named_config("default");
     for (const Parameter& p : parameters())
@@ -43,7 +43,7 @@ std::vector<Config> corner_configs() {
             with({{"node_width", 4}, {"stack_depth", 64}, {"leaf_size", 3}})};
 }
 
-/// The same, and each primitive test.
+/// Returns the corner configurations and one for each primitive test.
 std::vector<Config> configs_of_traces() {
     std::vector<Config> all = corner_configs();
     for (int test = 1; test < int(primitive_test_names().size()); ++test)
@@ -76,8 +76,8 @@ TEST_CASE("a node read straight from its line is the node unpacked", "[trace]") 
             if (draw.coin())
                 for (auto& e : node.exp) e = std::uint32_t(draw.natural(exp_bits));
             Words line = pack(node, config);
-            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits; ++k)   // what lies above
-                                                                                           // does not matter
+            // Bits above the node are arbitrary.
+            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits; ++k)
                 if (line.size() <= k / 32) line.push_back(std::uint32_t(draw.bits(32)));
             REQUIRE(
                 same_node(read(line.data()), widen(unpack<Node>(line.data(), config), config.node_width)));
@@ -120,7 +120,7 @@ TEST_CASE("a quotient made with doubles is the whole number below", "[trace]") {
         const int shift = draw.between(4, 31);
         const auto det = std::int64_t(std::max<std::uint64_t>(1, draw.natural(draw.between(1, 63))));
         auto num = std::int64_t(draw.natural(draw.between(1, 62)));
-        // Half of the quotients are whole numbers, or a hair off.
+        // Half of the quotients are whole numbers, or differ from one by the least amount.
         if (draw.coin()) {
             const Wide product = (Wide(det) * Wide(draw.natural(33))) >> shift;
             num = std::int64_t(std::clamp<Wide>(product + draw.between(-1, 1), 0, (Wide(1) << 62) - 1));

@@ -1,5 +1,4 @@
-// Traces of a chip that shades are made by a lean form of the walk: it must say what Walk and Shader say, ray
-// by ray.
+// Traces of a shading chip come from a lean form of the walk, which must equal Walk and Shader ray by ray.
 #include <catch2/catch.hpp>
 
 #include "model/unit/raygen/raygen.hpp"
@@ -16,7 +15,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A ray's words and its answer.
+/// Appends a ray's words, and returns its answer.
 Closest walked(Walk& walk, const Ray& ray, std::vector<std::uint32_t>& words) {
     walk.start_at(ray);
     append_walk(walk, words);
@@ -45,7 +44,7 @@ Picture picture_of(const char* scene_name, const Whitted& settings,
     return p;
 }
 
-/// All pixels by Walk and Shader, and every ray by `record` as well.
+/// Compares all pixels with Walk and Shader, and every ray also with `record`.
 void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, const Trace& trace) {
     const Decoder decoder(p.image, p.config);
     Walk walk(p.frame, p.config, decoder);

@@ -1,5 +1,4 @@
-// Traces: what rays do is recorded the same by any number of threads, and holds for every machine of the
-// format.
+// Traces: the number of threads does not change a recording, and it holds for every machine of the format.
 #include <catch2/catch.hpp>
 
 #include "model/layout/memory_image.hpp"
@@ -11,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A ray's words, read as the trace's description says.
+/// A ray's words, read as the trace's description defines them.
 struct RayTrace {
     std::vector<std::uint32_t> words;
     std::uint64_t visits = 0, tests = 0, turns = 0;
@@ -79,7 +78,7 @@ TEST_CASE("a trace's sums are those of its rays, and every ray begins at the roo
     REQUIRE((turns > 0 && tests > 0));
     std::size_t words = 0;
     for (const auto& chunk : trace.chunks) words += chunk.size();
-    REQUIRE(words == visits + tests);   // nothing else is in it
+    REQUIRE(words == visits + tests);   // the trace has nothing else
 }
 
 TEST_CASE("a trace holds for machines of other shapes", "[trace]") {

@@ -1,4 +1,4 @@
-// trav: which nodes a ray visits, in which order, and when.
+// trav: the nodes that a ray visits, their order and their timing.
 #include "tests/support/world/trav_world.hpp"
 
 using namespace rayclock;
@@ -13,7 +13,7 @@ Frame frame_at(std::uint32_t root) {
     return frame;
 }
 
-/// Returns how many rays were stopped.
+/// Returns the number of stopped rays.
 template <class Dut> int walk_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
     INFO(config.name << ", " << flow.name << ", seed " << seed);
     const Frame frame = frame_at(1234 + seed);
@@ -63,13 +63,13 @@ void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles)
     REQUIRE(world.nodes() > cycles / 20);
 }
 
-/// A node's inner children, and what list says once its leaf is tested.
+/// A node's inner children, and list's answer after it tested the leaf.
 struct Visit {
     BoxRsp boxes;
     Tested tested;
 };
 
-/// One cycle with everything ready; returns what was on offer.
+/// Runs one cycle with everything ready; returns the offers.
 template <class Dut> struct Hand {
     Dut dut;
     explicit Hand(const Config& config) : dut{frame_at(9), config} {
@@ -91,12 +91,12 @@ template <class Dut> struct Hand {
         dut.start.reset();
         dut.ray.offer.reset();
     }
-    /// The node's answer, which must have a leaf to be tested, and then that it is.
+    /// Sends the node's answer, which must have a leaf to test, and then the test's result.
     TravLinks visit(const Visit& visit) {
         REQUIRE(cycle(visit.boxes).leaves);
         return cycle({}, visit.tested);
     }
-    /// Cycles until a node or an end is on offer, after the cycle that brings `tested`.
+    /// Returns the cycles until a node or an end is offered, after the cycle that brings `tested`.
     int wait(const Visit& v, TravLinks& seen) {
         REQUIRE(visit(v).tested.fires());
         return wait(seen);
@@ -110,7 +110,7 @@ template <class Dut> struct Hand {
     }
 };
 
-/// Inner children at `nears`, and a leaf that always matters.
+/// Returns inner children at `nears`, and a leaf that always matters.
 Visit visit_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std::uint32_t> nears,
                std::uint32_t base = 100) {
     Visit visit{{}, {ray, 0, t_best}};
@@ -127,7 +127,7 @@ Visit visit_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<st
     return visit;
 }
 
-/// A leaf of that distance alone.
+/// Returns a single leaf at that distance.
 BoxRsp leaf_at(std::uint32_t ray, std::uint32_t near) {
     BoxRsp boxes;
     boxes.ray = ray;
@@ -153,17 +153,17 @@ TEMPLATE_TEST_CASE("trav's decisions take two cycles, and two more for each grou
                    TravModel, TravRtl) {
     Hand<TestType> hand{format("default")};
     hand.start(3);
-    TravLinks seen = hand.cycle();   // a new ray asks for the root in the next cycle
+    TravLinks seen = hand.cycle();   // a new ray requests the root in the next cycle
     REQUIRE(seen.node_req.offer);
     REQUIRE((seen.node_req.offer->ray == 3 && seen.node_req.offer->addr == 9));
 
-    REQUIRE(hand.wait(visit_of(3, 1000, {10, 500}), seen) == 2);   // visit, and 500 on the stack
+    REQUIRE(hand.wait(visit_of(3, 1000, {10, 500}), seen) == 2);   // visit, and 500 is on the stack
     REQUIRE(seen.node_req.offer->addr == 100);
-    REQUIRE(hand.wait(visit_of(3, 1000, {20, 400}, 200), seen) == 2);   // 400 above it
+    REQUIRE(hand.wait(visit_of(3, 1000, {20, 400}, 200), seen) == 2);   // 400 is above it
     REQUIRE(seen.node_req.offer->addr == 200);
-    REQUIRE(hand.wait(visit_of(3, 1000, {30, 600}, 300), seen) == 2);   // 600 above that
+    REQUIRE(hand.wait(visit_of(3, 1000, {30, 600}, 300), seen) == 2);   // 600 is above that
     REQUIRE(seen.node_req.offer->addr == 300);
-    REQUIRE(hand.wait(visit_of(3, 450, {}), seen) == 4);   // 600 dropped by another turn, then 400
+    REQUIRE(hand.wait(visit_of(3, 450, {}), seen) == 4);   // another turn drops 600, then 400
     REQUIRE(seen.node_req.offer->addr == 201);
     REQUIRE(hand.wait(visit_of(3, 450, {}), seen) == 2);   // only 500 is left: the end at once
     REQUIRE(seen.done.offer);
@@ -198,7 +198,7 @@ TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its s
     for (std::uint32_t level = 0; level < 10; ++level) hand.wait(visit_of(3, 1000, {1, 500}), seen);
     Visit stop = visit_of(3, 1000, {2, 3});
     stop.tested.stop = 1;
-    REQUIRE(hand.wait(stop, seen) == 2);   // ten groups that all could matter
+    REQUIRE(hand.wait(stop, seen) == 2);   // ten groups that could all matter
     REQUIRE(seen.done.offer);
     hand.start(3);
     hand.cycle();
@@ -261,8 +261,8 @@ TEMPLATE_TEST_CASE("trav gives a node's leaves to list at once, if the nearest c
     REQUIRE(hand.wait(seen) == 2);
     REQUIRE(seen.node_req.offer->addr == 300);
 
-    // A leaf beyond 70 cannot matter, and one exactly as far can. Without leaves it takes a cycle more to the
-    // next node than after `tested`, which is that of the queue.
+    // A leaf beyond 70 cannot matter, and one exactly as far can. Without leaves the next node takes one
+    // cycle more than after `tested`, which is the queue's.
     REQUIRE(hand.cycle(leaf_at(2, 70)).leaves);
     REQUIRE(hand.cycle({}, Tested{2, 0, 70}).tested.fires());
     REQUIRE(hand.wait(seen) == 2);
@@ -271,7 +271,7 @@ TEMPLATE_TEST_CASE("trav gives a node's leaves to list at once, if the nearest c
     REQUIRE(hand.wait(seen) == 3);
     REQUIRE(seen.done.offer);
 
-    // When the ray starts again, everything can; a shadow ray looks as far as the surface.
+    // When the ray starts again, every leaf can matter. A shadow ray searches as far as the surface.
     for (const std::uint32_t kind : {0, 2, 3}) {
         hand.dut.start = Start{2, kind};
         hand.cycle();
@@ -338,14 +338,14 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     };
     hand.cycle(visit_in(0).boxes);
     int visits = 0;
-    for (std::uint32_t cycle = 0; cycle < 64 * 8; ++cycle) {   // a node's boxes, and another's tests
+    for (std::uint32_t cycle = 0; cycle < 64 * 8; ++cycle) {   // one node's boxes, and another's tests
         const TravLinks seen = hand.cycle(visit_in(cycle + 1).boxes, visit_in(cycle).tested);
         REQUIRE((seen.tested.fires() && seen.box_rsp.fires() && seen.leaves && seen.cause == 0));
         visits += seen.node_req.fires();
     }
     REQUIRE(visits == 64 * 8 - 2);
     hand.visit(visit_of(5, 895, {}));   // 893 on top matters
-    hand.visit(visit_of(6, 892, {}));   // top 893 does not, and nothing below: end
+    hand.visit(visit_of(6, 892, {}));   // the top 893 does not, and nothing below it: end
     for (int i = 0; i < 3; ++i) REQUIRE(hand.cycle().cause == 1);
     Hand<TestType> other{config};
     other.start(5);
@@ -356,7 +356,7 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     REQUIRE(other.visit(visit_of(5, 500, {})).tested.ready);
     REQUIRE(other.cycle().cause == 1);
     seen = other.cycle({}, Tested{9, 0, 0});
-    REQUIRE_FALSE(seen.tested.ready);   // the ray of 5 goes round
+    REQUIRE_FALSE(seen.tested.ready);   // the ray of 5 takes another turn
     REQUIRE(seen.cause == 2);
     REQUIRE(other.cycle().cause == 1);
 }

@@ -1,5 +1,5 @@
-// tri: rays aimed exactly at what triangles share. Around a corner or along an edge of a closed surface
-// exactly one triangle takes the ray, whichever way each of them is wound.
+// tri: rays aimed exactly at corners and edges that triangles share. On a closed surface exactly one triangle
+// around the corner or edge accepts the ray, for any winding.
 #include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
@@ -7,8 +7,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A closed fan of triangles around `hub`; seen along d, its rim goes once around. Rim points are even steps
-/// from the hub, so that the middle of every spoke is a lattice point.
+/// A closed fan of triangles around `hub`. Seen along d, its rim goes around once. Rim points are an even
+/// number of steps from the hub, so that the middle of every spoke is a lattice point.
 struct Fan {
     Vec3i d{}, hub{};
     std::vector<Vec3i> rim;
@@ -23,7 +23,7 @@ Fan random_fan(Draw& draw, const Config& config) {
         fan.d[x] = draw.between(-2, 2);
         fan.d[y] = draw.between(-2, 2);
     }
-    // Rim points in the order of their angle: corners of a diamond, and points between them on some sides.
+    // Rim points in order of their angle: corners of a diamond, and on some sides points between them.
     const int size = 1 << draw.below(config.coord_bits - 6);
     const int way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (std::size_t side = 0; side < 4; ++side) {
@@ -34,8 +34,8 @@ Fan random_fan(Draw& draw, const Config& config) {
             const auto& to = way[(side + 1) % 4];
             p[x] += 2 * size * ((3 - part) * from[0] + part * to[0]);
             p[y] += 2 * size * ((3 - part) * from[1] + part * to[1]);
-            const int lift = 2 * draw.between(-size, size);   // along the ray: changes nothing of what it
-                                                              // sees
+            // A shift along the ray does not change what it sees.
+            const int lift = 2 * draw.between(-size, size);
             for (std::size_t k = 0; k < 3; ++k) p[k] += lift * fan.d[k];
             fan.rim.push_back(p);
         }
@@ -43,8 +43,8 @@ Fan random_fan(Draw& draw, const Config& config) {
     return fan;
 }
 
-/// A request for each triangle of the fan, corners and winding shuffled, for a ray along d that ends at
-/// `target`.
+/// Returns a request for each triangle of the fan with shuffled corners and winding, for a ray along d that
+/// ends at `target`.
 std::vector<TriReq> requests_at(const Fan& fan, const Vec3i& target, Draw& draw, const Config& config) {
     std::vector<TriReq> all;
     const int back = 1 << (config.coord_bits - 4);

@@ -1,5 +1,5 @@
-// tri at small widths, for every ray and triangle of the lattice. Judged by signed volumes in plain integers,
-// which are themselves judged by the fractions of exact.hpp.
+// tri at small widths, for every ray and triangle of the lattice. Judged by signed volumes in plain integers.
+// These are judged by the fractions of exact.hpp.
 #include <set>
 
 #include <tbb/parallel_for.h>
@@ -20,9 +20,9 @@ std::int64_t volume(const Vec3i& p, const Vec3i& q, const Vec3i& r) {
 }
 Vec3i minus(const Vec3i& a, const Vec3i& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Six times the volume of d and the edge p q as seen from o: which side the ray passes it on. As o moves by
-/// (eps, eps^2, eps^3) it changes linearly, since eps x eps = 0; so its sign is that of the first of these
-/// four that is not zero.
+/// Six times the volume of d and the edge p q as seen from o: the side on which the ray passes the edge. As o
+/// moves by (eps, eps^2, eps^3) it changes linearly, since eps x eps = 0. So its sign is that of the first
+/// nonzero one of these four.
 int side(const Vec3i& o, const Vec3i& d, const Vec3i& p, const Vec3i& q, std::int64_t& here) {
     here = volume(d, minus(p, o), minus(q, o));
     if (here != 0) return here > 0 ? 1 : -1;
@@ -36,7 +36,7 @@ int side(const Vec3i& o, const Vec3i& d, const Vec3i& p, const Vec3i& q, std::in
 }
 
 /// With A = a - o and so on, t d = w A + u B + v C. So u = vol(d, C, A) / S, v = vol(d, A, B) / S, w = vol(d,
-/// B, C) / S and t = vol(A, B, C) / S with S = vol(d, b - a, c - a), the sum of the three.
+/// B, C) / S and t = vol(A, B, C) / S, where S = vol(d, b - a, c - a) is the sum of the three.
 TriRsp truth(const TriReq& req, const Config& config) {
     const Vec3i &a = req.triangle.a, &b = req.triangle.b, &c = req.triangle.c;
     const std::uint32_t prim = req.triangle.prim;
@@ -103,7 +103,7 @@ Count try_model(const Config& config, std::uint64_t first, std::uint64_t last) {
 // N = 1: the corners of a cube. N = 2: 64 points. M = 2: components -2 .. 1.
 const Config cube = small_format(1, 2, 3, 1, 1), lattice = small_format(2, 2, 3, 1, 1);
 
-/// Every fraction num / det of a hit, by one request that has it.
+/// Returns one request for each possible fraction num / det of a hit.
 std::vector<TriReq> fractions(const Config& config) {
     std::set<std::pair<std::int64_t, std::int64_t>> seen;
     std::vector<TriReq> all;

@@ -1,4 +1,4 @@
-// tri: ray against triangle, exact to the last decision.
+// tri: tests rays against triangles; all decisions are exact.
 #include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
@@ -21,7 +21,7 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
     REQUIRE(hits > count / 20);
 }
 
-/// Corners of the lattice: bit k of `which` chooses the largest or smallest coordinate on axis k.
+/// Returns a corner of the lattice: bit k of `which` selects the largest or smallest coordinate on axis k.
 Vec3i extreme(int which, int bits) {
     const std::int32_t most = (1 << (bits - 1)) - 1;
     return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};

@@ -1,4 +1,4 @@
-// unit_vector: a vector's direction, judged by long double; and its RTL against it.
+// unit_vector: a vector's direction, judged by long double, and its RTL against the model.
 #include <cmath>
 
 #include "model/unit/shade/tables.hpp"
@@ -10,16 +10,16 @@ using namespace rayclock::test;
 
 namespace {
 
-constexpr int cell_bits = 44;   // of rc_unit's operands unless its user says otherwise
+constexpr int cell_bits = 44;   // the default width of rc_unit's operands
 
-/// Vectors of every length up to `bits`; with corners, components much shorter than the longest, and all but
-/// zero below 17 bits.
+/// Draws vectors of every length up to `bits`: corner cases, components much shorter than the longest, and
+/// components whose lower 17 bits are nearly zero.
 Vec3l draw_vector(Draw& draw, int bits) {
     const int longest = draw.between(2, bits);
     Vec3l v{};
     for (auto& x : v) x = draw.number(draw.percent(25) ? draw.between(2, longest) : longest);
     if (draw.percent(10) && longest > 18)
-        for (auto& x : v) x |= (std::int64_t(1) << (longest - 18)) - 1;   // as much as possible is cut
+        for (auto& x : v) x |= (std::int64_t(1) << (longest - 18)) - 1;   // the largest possible truncation
     if (draw.percent(10)) v[1] = v[0];
     if (draw.percent(10)) v[2] = ~v[0] + (v[0] > 0);   // minus the least number would not fit
     return v;
@@ -34,7 +34,7 @@ TEST_CASE("the inverse root errs within its bound for every operand", "[unit_vec
     REQUIRE(inverse_root_table().back().value - inverse_root_table().back().step == 131072);
     long double below = 0, above = 0, below_share = 0, above_share = 0;
     for (std::uint32_t sum = 0; sum < 3u << 17; ++sum)
-        for (const std::uint32_t end : {sum, sum + 1}) {   // what is true falls from one end to the other
+        for (const std::uint32_t end : {sum, sum + 1}) {   // the true value falls from one end to the other
             const long double truth = 262144.0L / std::sqrt(1 + (long double)(end) / 131072),
                               error = inverse_root(sum) - truth;
             below = std::min(below, error), above = std::max(above, error);

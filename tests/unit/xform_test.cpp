@@ -1,4 +1,5 @@
-// xform: a ray in the space of an instance. Model and RTL, in every cycle, judged by exact fractions.
+// xform: transforms a ray into the space of an instance. Compares model and RTL in every cycle, and judges
+// both by exact fractions.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/oracle/exact.hpp"
@@ -13,7 +14,7 @@ using oracle::Rational;
 
 namespace {
 
-/// One face for both: a request is taken or not, an answer comes or not.
+/// The model behind the interface that it shares with the RTL.
 class ModelXform {
 public:
     Wire<XformReq> in;
@@ -59,8 +60,8 @@ private:
     RtlLinks links_;
 };
 
-/// A ray and a map that moves it within the mesh's lattice, often to its border. No component of a scene's
-/// ray is a least number, which has no opposite.
+/// Draws a ray and a map that moves it within the mesh's lattice, often to its border. No component of a
+/// scene's ray is a least number, which has no opposite.
 XformReq request(Draw& draw, const Config& c) {
     XformReq req;
     req.ray = std::uint32_t(draw.natural(c.ray_bits()));
@@ -78,7 +79,7 @@ XformReq request(Draw& draw, const Config& c) {
         std::int64_t sum = 0;
         for (std::size_t k = 0; k < 3; ++k)
             req.placement.a[3 * i + k] = row[k], sum += std::int64_t(row[k]) * req.o[k];
-        // Such a b that the result lies anywhere, on the border, or halfway between two steps.
+        // b is such that the result lies anywhere, on the border, or halfway between two steps.
         const std::int64_t half = draw.below(3) == 0   ? one / 2
                                   : draw.below(3) == 0 ? one / 2 - 1
                                                        : draw.number(c.map_frac());
@@ -182,7 +183,7 @@ TEMPLATE_TEST_CASE("xform answers after its latency, and takes a ray every so ma
     const Config config = machine(name, interval);
     TestType dut{config};
     Draw draw{3};
-    const int first = 8;   // nothing is there before
+    const int first = 8;   // nothing arrives before
     for (int cycle = 0; cycle < 200; ++cycle) {
         INFO("interval " << interval << ", cycle " << cycle);
         dut.in.offer.reset();

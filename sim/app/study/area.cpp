@@ -1,5 +1,4 @@
-// rayclock study area: what each unit takes of an ECP5, with and without the units that a scene may need; the
-// page docs/area.md.
+// rayclock study area: makes docs/area.md, the ECP5 resources of each unit with and without optional units.
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// rayclock study counts: rays of Haines' Standard Procedural Databases, by reference and model, beside the
-// published counts.
+// rayclock study counts: counts rays of Haines' Standard Procedural Databases on reference and model, and
+// compares them with the published counts.
 #include <algorithm>
 
 #include <fmt/format.h>

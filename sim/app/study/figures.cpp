@@ -1,4 +1,4 @@
-// rayclock study figures: the page docs/figures.md with its pictures and plots.
+// rayclock study figures: makes docs/figures.md with its pictures and plots.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// rayclock study gigahertz: the page docs/gigahertz.md with its picture.
+// rayclock study gigahertz: makes docs/gigahertz.md with its picture.
 #include <filesystem>
 
 #include <fmt/format.h>

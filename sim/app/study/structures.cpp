@@ -1,4 +1,4 @@
-// rayclock study structures: the page docs/structures.md with its picture.
+// rayclock study structures: makes docs/structures.md with its picture.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ std::string command_of(const Options& o) {
     return text + (o.no_netlist ? " --no-netlist" : "") + typed_limits(o.limits);
 }
 
-/// One pipeline of each structure's machine, without and with the units of finished pictures.
+/// Returns the area of one pipeline with each structure, without and with the units of finished pictures.
 std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kinds, const Options& o,
                                         const Progress& progress) {
     std::vector<area::Variant> variants;

@@ -1,4 +1,4 @@
-// rayclock study tradeoff: the page docs/speed-against-error.md with its plots.
+// rayclock study tradeoff: makes docs/speed-against-error.md with its plots.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"

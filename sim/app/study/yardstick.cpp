@@ -1,4 +1,4 @@
-// rayclock study yardstick: the page docs/yardstick.md, our figures beside published ones.
+// rayclock study yardstick: makes docs/yardstick.md, simulated figures next to published ones.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"

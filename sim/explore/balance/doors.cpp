@@ -1,3 +1,4 @@
+// Simulates and synthesises the machines that a search asks about, with a cache for both.
 #include "sim/explore/balance/doors.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-// What the search asks, answered by the model and by Yosys. Every answer is kept, so that an interrupted
-// search goes on where it was.
+// Answers the search's questions with the model and with Yosys. Every answer is cached, so an interrupted
+// search continues where it stopped.
 #include <map>
 
 #include "model/base/progress.hpp"
@@ -10,16 +10,17 @@
 
 namespace rayclock::balance {
 
+/// The speed and the area of machines on one scene.
 class SceneDoors {
 public:
-    /// The scene must have a camera, and stay. Machines are compared at `khz`.
+    /// The scene must have a camera and must outlive this object. Machines are compared at `khz`.
     SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh, const Progress& progress,
                const PictureChoice& picture = {});
 
     Doors doors();
 
-    /// What the scene needs of a configuration beside its ladders: the depth of the stack and the bits of an
-    /// address, which depend on how many children a node has.
+    /// Returns the configuration with the stack depth and the address bits that the scene needs. Both depend
+    /// on the number of children of a node.
     Config with_needs(Config config);
 
 private:

@@ -1,3 +1,4 @@
+// Formats the result of a search as text and as JSON.
 #include "sim/explore/balance/report.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Climbs from the smallest machine along ladders of parameters.
 #include "sim/explore/balance/search.hpp"
 
 #include <algorithm>
@@ -6,7 +7,8 @@
 namespace rayclock::balance {
 
 const std::vector<Ladder>& ladders() {
-    // Not among them: what formats and scene decide (stack_depth), and what costs no hardware (tile_bits).
+    // Excludes parameters that formats and the scene fix (stack_depth), and those that cost no hardware
+    // (tile_bits).
     static const std::vector<Ladder> all{{"node_width", &Config::node_width, {2, 4, 8}},
                                          {"contexts", &Config::contexts, {16, 32, 64, 128}},
                                          {"box_queue", &Config::box_queue, {16, 32, 64}},
@@ -29,14 +31,14 @@ namespace {
 
 using Members = std::vector<int>;
 
-/// The values on all ladders, by which machines are told apart.
+/// Returns the values on all ladders, which identify a machine.
 Members members(const Config& config) {
     Members all;
     for (const Ladder& ladder : ladders()) all.push_back(config.*ladder.member);
     return all;
 }
 
-/// A step from a machine's place on a ladder; nothing at its end.
+/// Returns the step by `rungs` on a ladder; nothing beyond its ends.
 std::optional<Step> step_of(const Config& config, const Ladder& ladder, int rungs) {
     const auto at = std::find(ladder.rungs.begin(), ladder.rungs.end(), config.*ladder.member);
     const std::ptrdiff_t to = at - ladder.rungs.begin() + rungs;
@@ -56,7 +58,7 @@ public:
         at_ = found_.first = one[0];
         if (!at_.fps || !at_.use || !fits(*at_.use, room_)) return found_;
         do climb();
-        while (!stopped_ && trim());   // what became free may let something else go up
+        while (!stopped_ && trim());   // freed resources may allow another step up
         if (stopped_ || !look_ahead()) return std::nullopt;
         return found_;
     }
@@ -103,8 +105,8 @@ private:
     }
     double gain(const Machine& machine) const { return machine.fps ? *machine.fps / *at_.fps - 1 : -1; }
 
-    /// Of those that gain, the one with the most gain per step that fits; whether there was one. A machine
-    /// that was found not to fit is not asked for again.
+    /// Moves to the machine with the largest gain per step among those that fit. Returns false if there is
+    /// none. A machine that did not fit before is not measured again.
     bool take_first(std::vector<Machine> machines) {
         if (!ask(machines)) return stop();
         std::erase_if(machines, [&](const Machine& m) {
@@ -131,7 +133,7 @@ private:
         return false;
     }
 
-    /// Goes down where nothing is lost; whether it could anywhere.
+    /// Steps down where no speed is lost. Returns true if at least one step was possible.
     bool trim() {
         bool trimmed = false;
         while (true) {
@@ -149,7 +151,7 @@ private:
         }
     }
 
-    /// What one step more would bring and cost. False if interrupted.
+    /// Records the gain and the cost of each further step. Returns false if interrupted.
     bool look_ahead() {
         found_.next = ups();
         if (!ask(found_.next)) return false;
@@ -165,7 +167,7 @@ private:
     bool stopped_ = false;
 };
 
-/// Whether a machine is one that fits, and faster than the other.
+/// Returns true if `a` fits and is faster than `b`.
 bool better(const Machine& a, const Machine& b, const chip::Use& room) {
     const auto value = [&](const Machine& m) { return m.fps && m.use && fits(*m.use, room) ? *m.fps : -1; };
     return value(a) > value(b);
@@ -186,7 +188,7 @@ std::optional<Found> search(const Config& base, const chip::Use& room, const Doo
         const bool first_fits = found->first.use && fits(*found->first.use, room);
         if (!best || better(found->best(), best->best(), room)) std::swap(best, found);
         if (found) others.push_back(found->best());
-        if (!first_fits) break;   // and no larger number does
+        if (!first_fits) break;   // then no larger number of pipelines fits
     }
     best->others = std::move(others);
     best->machines = machines;

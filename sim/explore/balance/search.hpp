@@ -1,6 +1,6 @@
 #pragma once
-// The fastest machine that fits a device: parameters of shape go up step by step as long as the scene gains
-// by it and there is room.
+// Searches the fastest machine that fits a device. Parameters of its shape rise step by step as long as the
+// scene gains speed and the device has room.
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace rayclock::balance {
 
-/// A parameter of shape and its values, from the least hardware to the most.
+/// A parameter of the machine's shape and its values, in order of rising hardware cost.
 struct Ladder {
     const char* key;
     int Config::*member;
@@ -19,51 +19,54 @@ struct Ladder {
 };
 const std::vector<Ladder>& ladders();
 
-/// Each number of pipelines is searched by itself: to double them costs so much at once that no step after
-/// the other would lead from one to the other.
+/// Each number of pipelines has its own search. Doubling them costs so much at once that single steps would
+/// not lead from one number to the next.
 constexpr int pipeline_counts[] = {1, 2, 4, 8};
 
-/// One step on a ladder, up or down.
+/// A step on a ladder, up or down.
 struct Step {
     const Ladder* ladder = nullptr;
     int from = 0, to = 0;
 };
 
-/// A machine, with what is known of it.
+/// A machine and its known figures.
 struct Machine {
-    std::vector<Step> steps;   ///< from the machine that it was made of
+    std::vector<Step> steps;   ///< from the machine that it was derived from
     Config config;
-    std::optional<double> fps;      ///< nothing if the configuration is illegal, or cannot draw the scene
-    std::optional<chip::Use> use;   ///< nothing if nobody had to know it
+    std::optional<double> fps;      ///< empty if the configuration is illegal or cannot render the scene
+    std::optional<chip::Use> use;   ///< empty if the search did not need it
 };
 
-/// What the search asks about machines, many at once. Each fills in one member of every machine, or leaves it
-/// empty; false if interrupted.
+/// The search's questions, each for many machines at once. Each fills in one member of every machine, or
+/// leaves it empty. Each returns false if interrupted.
 struct Doors {
     std::function<bool(std::vector<Machine>&)> fps;
     std::function<bool(std::vector<Machine>&)> use;
 };
 
+/// The result of a search.
 struct Found {
-    Machine first;               ///< all parameters at their least
-    std::vector<Machine> path;   ///< from there, each with the steps that led to it
-    std::vector<Machine> next;   ///< one step further in each parameter that would make it faster: none fits
-    std::vector<Machine> others;   ///< what was found, or is least, with other numbers of pipelines
-    std::size_t machines = 0;      ///< whose speed was asked for
+    Machine first;               ///< all parameters at their least values
+    std::vector<Machine> path;   ///< the accepted machines after `first`, each with the steps that led to it
+    std::vector<Machine> next;   ///< one step further in each parameter that would gain speed; none of them
+                                 ///< fits
+    std::vector<Machine> others;   ///< results, or least machines, with other numbers of pipelines
+    std::size_t machines = 0;      ///< number of machines whose speed was measured
     const Machine& best() const { return path.empty() ? first : path.back(); }
 };
 
-/// Less than this share of speed is no gain, and no reason for hardware.
+/// A smaller relative speed-up is no gain and justifies no hardware.
 constexpr double least_gain = 0.005;
 
 bool fits(const chip::Use& use, const chip::Use& room);
 
-/// The search, for each number of pipelines: the first machine has the least value of each ladder. The step
-/// up, or the pair of them, that gains most per step and fits is taken, until none is left; then a step down
-/// in one parameter for steps up in another, if that is faster, and so on. What is found is a local best: no
-/// step up, no pair, and no exchange of one for one both fits and gains `least_gain`. At last every parameter
-/// goes down as long as nothing is lost. The fastest is found, of equal ones that with the fewest pipelines.
-/// Nothing if interrupted; `best()` does not fit if no first machine does.
+/// Runs the search for each number of pipelines. The first machine has the least value on each ladder. Each
+/// round takes the step up, or the pair of steps, with the largest gain per step that fits, until none is
+/// left. Then it takes a step down in one parameter together with steps up in another, if that is faster, and
+/// starts again. The result is a local optimum: no step up, no pair, and no exchange of one for one both fits
+/// and gains `least_gain`. At the end every parameter steps down as long as no speed is lost. Returns the
+/// fastest result; among equals, the one with the fewest pipelines. Returns nothing if interrupted. `best()`
+/// does not fit if no first machine fits.
 std::optional<Found> search(const Config& base, const chip::Use& room, const Doors& doors);
 
 }   // namespace rayclock::balance

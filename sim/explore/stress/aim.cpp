@@ -1,3 +1,4 @@
+// Draws origins and directions for hard cases.
 #include "sim/explore/stress/aim.hpp"
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace rayclock::stress {
 
 namespace {
 
-/// The direction along v, made to fit: times a whole number if there is room, else the nearest that fits.
+/// Fits v into the bits of a direction. If there is room, multiplies it by a whole number; else returns the
+/// nearest direction that fits.
 Vec3i fitted(const Vec3l& v, int dir_bits, Rng& rng) {
     std::int64_t size = 0;
     for (const std::int64_t x : v) size = std::max(size, std::abs(x));

@@ -1,3 +1,4 @@
+// Faulty variants of the exact triangle test, and of the boxes of a tree.
 #include "sim/explore/stress/controls.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 using Number = std::int64_t;
 using oracle::Int128;
 
-/// Edge functions of the oracle's own form, for the faults to be put in.
+/// The oracle's edge functions, into which the controls put faults.
 struct Edges {
     Int128 bc, ca, ab, height;
     Int128 size() const { return bc + ca + ab; }
@@ -31,18 +32,18 @@ Edges edges(const Vec3i& o, const Vec3i& d, const PrimData& t, Number keep = ~Nu
 }
 bool ahead(const Edges& e) { return e.size() != 0 && e.height != 0 && (e.size() > 0) == (e.height > 0); }
 
-/// Edge functions of zero count as inside, for every triangle: >= where the tie rule belongs.
+/// Counts edge functions of zero as inside for every triangle: >= instead of the tie rule.
 void inclusive(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&, const Config&, TriRsp& out) {
     const Edges e = edges(o, d, t);
     out.closer = ahead(e) && (std::min({e.bc, e.ca, e.ab}) >= 0 || std::max({e.bc, e.ca, e.ab}) <= 0);
 }
-/// And as outside: >. Only the bits in `keep` of the products are kept.
+/// Counts edge functions of zero as outside (>), and keeps only the product bits in `keep`.
 template <Number keep>
 void exclusive(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&, const Config&, TriRsp& out) {
     const Edges e = edges(o, d, t, keep);
     out.closer = ahead(e) && (std::min({e.bc, e.ca, e.ab}) > 0 || std::max({e.bc, e.ca, e.ab}) < 0);
 }
-/// Triangles whose determinant is small are taken for edge-on: 2^-30 of the largest there is.
+/// Treats triangles with a small determinant as edge-on: below 2^-30 of the largest possible value.
 void epsilon(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best& best, const Config& c,
              TriRsp& out) {
     const Int128 size = edges(o, d, t).size(), least = Int128(1) << (2 * c.coord_bits + c.dir_bits - 30);

@@ -1,3 +1,4 @@
+// Generates the surfaces and rays of each family of hard cases.
 #include "sim/explore/stress/families.hpp"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace rayclock::stress {
 
 namespace {
 
-/// A case's rays, shoot(mesh, rng), refer to its mesh: both live together.
+/// Returns a case whose rays, shoot(mesh, rng), use its mesh. The case keeps the mesh alive.
 template <class Shoot> Case with_rays(Mesh mesh, const Shoot& shoot) {
     const auto kept = std::make_shared<const Mesh>(std::move(mesh));
     return {*kept, [kept, shoot](Rng& rng) { return shoot(*kept, rng); }};
@@ -19,7 +20,7 @@ template <class Shoot> Case with_rays(Mesh mesh, const Shoot& shoot) {
 const oracle::Corners& any_triangle(const Mesh& mesh, Rng& rng) {
     return mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))];
 }
-/// Rays from outside, at random triangles.
+/// Shoots rays from outside at random triangles.
 Case aimed(Mesh mesh, Target target, int n, int m) {
     return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
         const Vec3i o = outside(kept, n, from);
@@ -28,7 +29,7 @@ Case aimed(Mesh mesh, Target target, int n, int m) {
     });
 }
 
-/// The lattice point at or beside that with these weights.
+/// Returns the lattice point at or near the point with these weights.
 Vec3i point_of(const oracle::Corners& t, const Weights& w) {
     return by_axis(
         [&](std::size_t k) { return (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c); });
@@ -57,7 +58,7 @@ Case fan(int n, int m, Rng& rng) {
     mesh.add(turned(bipyramid(16 << rng.below(4), 1), rng), scale(n, 64, rng));
     return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
         const Vec3i o = outside(kept, n, from);
-        const oracle::Corners& t = any_triangle(kept, from);   // its first corner is an apex
+        const oracle::Corners& t = any_triangle(kept, from);   // the first corner is an apex
         return Shot{o, towards(o, t, from.below(2) ? Weights{1, 0, 0} : weights(Target::edge, from), m, from),
                     0};
     });
@@ -73,7 +74,7 @@ Case needles(int n, int m, Rng& rng) {
 Case seams(int n, int m, Rng& rng, bool slivers) {
     Mesh mesh = ball(3, n, rng);
     cut_edges(mesh, 200, slivers, rng);
-    // Half at the new corners, which come last.
+    // Half of the rays aim at the new corners, which are last in the list.
     return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
         const Vec3i o = outside(kept, n, from);
         const int all = int(kept.triangles.size());
@@ -85,7 +86,8 @@ Case seams(int n, int m, Rng& rng, bool slivers) {
 Case slivers(int n, int m, Rng& rng) { return seams(n, m, rng, true); }
 Case t_junctions(int n, int m, Rng& rng) { return seams(n, m, rng, false); }
 
-/// In a triangle's plane: from a lattice point of the plane outside the mesh, along two edges' combination.
+/// Rays in a triangle's plane. They start at a lattice point of the plane outside the mesh, along a
+/// combination of two edges.
 Case edge_on(int n, int m, Rng& rng) {
     Mesh mesh;
     if (rng.below(2))
@@ -101,7 +103,9 @@ Case edge_on(int n, int m, Rng& rng) {
             });
         };
         Shot shot{in_plane(p, q), {}, {}};
-        for (auto& x : shot.o) x = std::clamp(x, -most(n), most(n));   // no longer in the plane, and as good
+        for (auto& x : shot.o)
+            x = std::clamp(x, -most(n), most(n));   // clamping can leave the plane; such
+                                                    // rays are hard cases too
         shot.d = towards(shot.o, in_plane(r, s), m, from);
         for (std::size_t k = 0; k < 3; ++k)
             if (shot.o[k] < kept.lo[k] || shot.o[k] > kept.hi[k]) shot.inside = 0;
@@ -109,7 +113,7 @@ Case edge_on(int n, int m, Rng& rng) {
     });
 }
 
-/// From a corner, an edge or the inside of a triangle.
+/// Rays from a corner, an edge or the inside of a triangle.
 Case on_surface(int n, int m, Rng& rng) {
     Mesh mesh = ball(2, n, rng);
     if (rng.below(2)) {
@@ -126,7 +130,7 @@ Case on_surface(int n, int m, Rng& rng) {
     });
 }
 
-/// The same surface twice in another order, and planes that meet at one distance.
+/// The same surface twice, with corners in another order. Planes that meet at one distance.
 Case ties(int n, int m, Rng& rng) {
     Mesh mesh = ball(2, n, rng);
     const std::size_t count = mesh.triangles.size();
@@ -138,7 +142,7 @@ Case ties(int n, int m, Rng& rng) {
     return aimed(std::move(mesh), Target::any, n, m);
 }
 
-/// Two tessellations of one rectangle, above each other in the list and in one plane.
+/// Several tessellations of one rectangle in the same plane.
 Case coplanar(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = std::floor(scale(n, 48, rng) / 12) * 12;
@@ -148,7 +152,7 @@ Case coplanar(int n, int m, Rng& rng) {
     return aimed(std::move(mesh), Target::any, n, m);
 }
 
-/// Along an axis through corners and edges.
+/// Rays along an axis through corners and edges.
 Case axis_parallel(int n, int m, Rng& rng) {
     return with_rays(ball(1 + rng.below(3), n, rng), [=](const Mesh& kept, Rng& from) {
         const oracle::Corners& t = any_triangle(kept, from);
@@ -159,7 +163,7 @@ Case axis_parallel(int n, int m, Rng& rng) {
     });
 }
 
-/// A cube of whole squares, and rays along the axes through the grid's lines and corners.
+/// A cube of whole squares, with rays along the axes through the grid's lines and corners.
 Case grid(int n, int m, Rng& rng) {
     const int squares = 8, step = std::max(2, int(scale(n, 32, rng)) / squares * 2);
     Mesh mesh;
@@ -174,7 +178,7 @@ Case grid(int n, int m, Rng& rng) {
     });
 }
 
-/// Plates without thickness, their boxes likewise, and rays that run in the planes of boxes' faces.
+/// Plates and boxes without thickness, with rays in the planes of box faces.
 Case flat_boxes(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = std::floor(scale(n, 24, rng) / 16) * 8;
@@ -192,7 +196,7 @@ Case flat_boxes(int n, int m, Rng& rng) {
     });
 }
 
-/// A ball a thousandth to a hundred-thousandth of the cube around it, as far as the lattice has room.
+/// A ball of 1e-3 to 1e-5 of the size of the cube around it, as far as the lattice has room.
 Case stadium(int n, int m, Rng& rng) {
     Mesh mesh;
     mesh.add(cube(1), most(n));
@@ -200,7 +204,7 @@ Case stadium(int n, int m, Rng& rng) {
     const double place = most(n) / 2.0;
     mesh.add(turned(sphere(2), rng), tiny, {place, -place, place / 3});
     return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
-        constexpr int cube_triangles = 12;   // and then those of the ball
+        constexpr int cube_triangles = 12;   // the ball's triangles follow
         Shot shot{{}, {}, 1};
         do
             for (auto& x : shot.o) x = from.below(2 * most(n) - 1) - most(n) + 1;
@@ -213,7 +217,7 @@ Case stadium(int n, int m, Rng& rng) {
     });
 }
 
-/// All in one corner of the lattice, seen from the others.
+/// A surface in one corner of the lattice, seen from the opposite corner.
 Case far_off(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = std::max(24.0, most(n) / 64.0), place = most(n) - size - 1;
@@ -226,7 +230,7 @@ Case far_off(int n, int m, Rng& rng) {
     });
 }
 
-/// The largest coordinates and the largest directions that there are.
+/// The largest possible coordinates and directions.
 Case largest(int n, int m, Rng& rng) {
     Mesh mesh;
     mesh.add(rng.below(2) ? cube(1) : bipyramid(4, 1), most(n));
@@ -246,7 +250,7 @@ Case largest(int n, int m, Rng& rng) {
     });
 }
 
-/// Balls in each other, one lattice step apart.
+/// Nested balls, one lattice step apart.
 Case shells(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = scale(n, 24, rng);
@@ -261,7 +265,7 @@ Case concave(int n, int m, Rng& rng) {
     return aimed(std::move(mesh), Target::any, n, m);
 }
 
-/// Smaller and smaller bodies in a row: a tree as deep as it can get.
+/// A row of shrinking bodies, which gives the deepest possible tree.
 Case deep(int n, int m, Rng& rng) {
     Mesh mesh;
     double size = 0.25 * most(n), place = 0.7 * most(n);
@@ -281,9 +285,9 @@ Case deep(int n, int m, Rng& rng) {
     });
 }
 
-/// The quad (-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0) and rays from (0, 0, 10) through its diagonal,
-/// among them that to (0.30458447, 0.30458447, -0.9024725), which float32 loses (three.js, pull request
-/// 33661).
+/// The quad (-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0), and rays from (0, 0, 10) through its diagonal.
+/// One of them has the direction (0.30458447, 0.30458447, -0.9024725), which float32 loses (three.js, pull
+/// request 33661).
 Case quad(int n, int m, Rng& rng) {
     Mesh mesh;
     const double unit = std::floor(scale(n, 60, rng) / 10);

@@ -1,5 +1,5 @@
 #pragma once
-// The families of hard cases: which surface, and which rays. docs/hard-cases.md shows them.
+// The families of hard cases: a surface and its rays. docs/hard-cases.md shows them.
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace rayclock::stress {
 
-/// A ray, and how often the bodies around its origin hold it; nothing if the origin may lie on a surface.
+/// A ray, and how many bodies contain its origin. The number is empty if the origin may lie on a surface.
 struct Shot {
     Vec3i o{}, d{};
     std::optional<int> inside;
 };
 
-/// One surface of a family, and its rays.
+/// A surface of a family, and its rays.
 struct Case {
     Mesh mesh;
     std::function<Shot(Rng&)> shoot;
 };
 
+/// A family of hard cases.
 struct Family {
     const char* name;
     const char* what;   ///< one sentence for the page
-    bool closed;        ///< leaks and double hits are counted
-    bool leaks;         ///< negative control: it must leak
+    bool closed;        ///< the surface is closed: leaks and double hits count
+    bool leaks;         ///< negative control: the surface must leak
     Case (*make)(int coord_bits, int dir_bits, Rng& rng);
 };
 
 const std::vector<Family>& families();
-/// Throws UserError.
+/// Returns the family of this name. Throws UserError.
 const Family& family(const std::string& name);
 
 }   // namespace rayclock::stress

@@ -1,3 +1,4 @@
+// Compares the triangle test, the tree walk and child boxes with the exact oracle.
 #include "sim/explore/stress/judge.hpp"
 
 #include <algorithm>
@@ -12,21 +13,22 @@ namespace rayclock::stress {
 
 namespace {
 
-/// 1 if the line along d passes the triangle against its normal, as oracle::Passage has it.
+/// Returns 1 if the line along d passes the triangle against its normal, else -1 (the sense of
+/// oracle::Passage).
 int sense_of(const Vec3i& d, const oracle::Corners& t) {
     using Number = std::int64_t;
     return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), oracle::normal<Number>(t)) < 0 ? 1 : -1;
 }
 
-/// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends:
-/// what lies beyond is looked into whether it is met or not, which is sound and says nothing about the
-/// rounding.
+/// Returns true if the direction uses its full width, as a camera's does. Shorter directions reach the
+/// largest t before the scene ends. The machine visits everything beyond it, hit or not. That is sound but
+/// says nothing about rounding.
 bool full_length(const Vec3i& d, const Config& config) {
     const int half = 1 << (config.dir_bits - 2);
     return std::abs(d[0]) >= half || std::abs(d[1]) >= half || std::abs(d[2]) >= half;
 }
 
-/// Takes pairs of opposite sense that share a corner out of a list.
+/// Removes pairs of opposite sense that share a corner from a list.
 template <class Hits> void drop_grazing(Hits& hits, const std::vector<oracle::Corners>& triangles) {
     for (std::size_t i = 0; i < hits.size(); ++i)
         for (std::size_t j = i + 1; j < hits.size(); ++j)
@@ -108,7 +110,7 @@ void Judge::judge(const Shot& shot, Counts& counts) {
     counts.oracle_mismatches += !agree;
 }
 
-/// True for tests that do not move corners.
+/// Returns true if the origin is far enough from the bounds. Tests that do not move corners always pass.
 bool Judge::clear_of_bounds(const Vec3i& o) const {
     bool clear = true;
     for (std::size_t k = 0; k < 3; ++k)
@@ -125,7 +127,7 @@ void Judge::compare_hits(Counts& counts) {
         found_.erase(at);
         return true;
     };
-    // The same triangle first, so that a neighbour's hit is not taken away from the neighbour.
+    // Match the same triangle first, so that no hit of a neighbour is taken.
     for (const Hit& t : truth_)
         if (!take([&](const Hit& f) { return f.primitive == t.primitive; })) missing.push_back(t);
     std::erase_if(missing, [&](const Hit& t) {
@@ -163,8 +165,7 @@ bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
     return watch.within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
 }
 
-/// Each child that the ray was told to look into (bit i of `told`: child i), and each that it was not,
-/// against exact arithmetic on the same box.
+/// Compares the decision for each child (bit i of `told`: child i) with exact arithmetic on the same box.
 void Judge::look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts) {
     for (std::size_t i = 0; i < node.children; ++i) {
         const auto [lo, hi] = quantised_box(node, i);

@@ -1,3 +1,4 @@
+// Builds shapes and places them on a lattice.
 #include "sim/explore/stress/mesh.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 using Face = std::array<std::uint32_t, 3>;
 
-/// Points of a grid are made once each, by their place.
+/// Creates each point of a grid once, identified by its position in the grid.
 class Grid {
 public:
     explicit Grid(Shape& shape) : shape_(shape) {}
@@ -113,7 +114,7 @@ Shape plate(int n, bool other_diagonal) {
 }
 
 Shape turned(const Shape& shape, Rng& rng) {
-    // A random unit quaternion (Shoemake 1992) as three columns.
+    // A random unit quaternion (Shoemake 1992), as three columns.
     const double u = unit_random(rng), v = 2 * std::numbers::pi * unit_random(rng),
                  w = 2 * std::numbers::pi * unit_random(rng);
     const double x = std::sqrt(1 - u) * std::sin(v), y = std::sqrt(1 - u) * std::cos(v),
@@ -141,7 +142,7 @@ void Mesh::add(const Shape& shape, double scale, const glm::dvec3& centre) {
 }
 
 bool Mesh::closed() const {
-    std::map<std::pair<Vec3i, Vec3i>, int> balance;   // by place: corners that coincide are one
+    std::map<std::pair<Vec3i, Vec3i>, int> balance;   // by position: coincident corners count as one
     for (const oracle::Corners& t : triangles)
         for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
             if (p < q)
@@ -166,7 +167,7 @@ void cut_edges(Mesh& mesh, int count, bool slivers, Rng& rng) {
         }
         if (!on_lattice || !long_enough) continue;
         if (!slivers) {
-            // Towards the third corner, so that a gap opens.
+            // Move towards the third corner, so that a gap opens.
             std::size_t axis = 0;
             for (std::size_t k = 1; k < 3; ++k)
                 if (std::abs(t.c[k] - middle[k]) > std::abs(t.c[axis] - middle[axis])) axis = k;

@@ -1,3 +1,4 @@
+// Formats the results of a stress run.
 #include "sim/explore/stress/report.hpp"
 
 #include <fmt/format.h>

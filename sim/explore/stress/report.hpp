@@ -1,5 +1,5 @@
 #pragma once
-// A stress run as tables and JSON.
+// The results of a stress run as tables and as JSON.
 #include <nlohmann/json.hpp>
 
 #include "sim/explore/stress/run.hpp"
@@ -9,12 +9,12 @@ namespace rayclock::stress {
 std::string text(const Plan& plan, const Outcome& outcome);
 nlohmann::ordered_json json(const Plan& plan, const Outcome& outcome);
 
-/// What came of a test, in words.
+/// Returns the verdict on a test in words.
 const char* verdict(const NamedTest& test, const std::vector<Cell>& cells);
-/// Child boxes looked into in vain, in per cent of those that the rays meet.
+/// Returns the needless visits of child boxes, in percent of the boxes that the rays meet.
 std::string extra_boxes(const Counts& counts);
 
-/// All cells that `wanted` holds for, added up.
+/// Returns the sum of the counts of all cells for which `wanted` is true.
 template <class Wanted> Counts sum(const std::vector<Cell>& cells, const Wanted& wanted) {
     Counts counts;
     for (const Cell& cell : cells)

@@ -1,3 +1,4 @@
+// Runs batches of a stress plan on all cores and saves the state.
 #include "sim/explore/stress/run.hpp"
 
 #include <algorithm>
@@ -19,14 +20,14 @@ namespace {
 constexpr std::uint64_t batch_rays = 1 << 17, shadow_every = 64;
 constexpr double seconds_between_saves = 5;
 
-/// Processor time of this thread.
+/// Returns the processor time of this thread.
 double thread_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Secondary rays from the same surface, by the machine's scheme of origins.
+/// Adds secondary rays from the same surface, with the machine's scheme of origins.
 void add_shadows(const Mesh& mesh, int coord_bits, std::uint64_t seed, std::uint64_t rays, Counts& counts) {
     const ShadowCounts shadows = shadow_counts(mesh.triangles, coord_bits, seed, rays);
     counts.shadow_rays += shadows.rays;
@@ -34,11 +35,11 @@ void add_shadows(const Mesh& mesh, int coord_bits, std::uint64_t seed, std::uint
     counts.light_leaks += shadows.light_leaks;
 }
 
-/// One batch of one cell; its seed is its own, so that batches may be run in any order.
+/// Runs one batch of one cell. Each batch has its own seed, so batches may run in any order.
 Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::uint64_t rays) {
     const Family& which = family(cell.family);
     const NamedTest& test = named_test(cell.test);
-    // All tests see the same rays.
+    // The seed does not depend on the test, so all tests get the same rays.
     Rng seeds(plan.seed * 0x100000001b3 + std::uint64_t(cell.bits) * 0x9e3779b9 + batch);
     for (const char* c = which.name; *c; ++c) seeds = Rng(seeds.next() + std::uint64_t(*c));
     Rng rng(seeds.next());
@@ -58,7 +59,7 @@ struct Unit {
     std::size_t cell = 0;
     std::uint64_t batch = 0, rays = 0;
 };
-/// The work in the order in which it is done: every cell's first batch, then every cell's second, and so on.
+/// The batches in execution order: the first batch of every cell, then the second of every cell, and so on.
 struct Work {
     std::vector<Cell> cells;
     std::vector<Unit> units;
@@ -99,14 +100,14 @@ Config format_of(int bits, std::uint64_t batch) {
 
 namespace {
 
-/// Rays of each cell after so many units.
+/// Returns the number of rays of each cell after `units` units.
 std::vector<std::uint64_t> rays_after(const Work& work, std::uint64_t units) {
     std::vector<std::uint64_t> rays(work.cells.size());
     for (std::uint64_t u = 0; u < units; ++u) rays[work.units[u].cell] += work.units[u].rays;
     return rays;
 }
 
-/// What an earlier run has done: the number of its units. Their counts are in the cells then.
+/// Loads the counts of an earlier run into the cells. Returns the number of its units.
 std::uint64_t go_on(const Plan& plan, Work& work) {
     std::error_code error;
     const bool is_new =
@@ -116,7 +117,7 @@ std::uint64_t go_on(const Plan& plan, Work& work) {
                       [&](std::uint64_t units) { return rays_after(work, units); });
 }
 
-/// What came of a unit, and the processor time that it took.
+/// The result of a unit, and its processor time.
 struct Made {
     std::size_t unit = 0;
     Counts counts;
@@ -150,7 +151,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
         made.seconds = thread_seconds() - begin;
         return made;
     };
-    // In the order of the units, so that a state is always that of a beginning.
+    // Adds results in the order of units, so that a saved state always covers a prefix of them.
     const auto take = [&](const Made& made) {
         work.cells[work.units[made.unit].cell].counts += made.counts;
         ++added;

@@ -1,6 +1,5 @@
 #pragma once
-// Where cameras stand, what they look at and where lights hang, drawn at random around a mesh so that it
-// hurts.
+// Random cameras, targets and lights around a mesh, chosen to be difficult for secondary-ray origins.
 #include <algorithm>
 #include <vector>
 
@@ -11,12 +10,13 @@
 
 namespace rayclock {
 
-/// The nearest point of the lattice of N bits, without its lowest coordinate.
+/// Returns the nearest point of the lattice of N bits, whose lowest coordinate is excluded.
 inline Vec3i inside_lattice(const Vec3i& p, int bits) {
     const int most = (1 << (bits - 1)) - 1;
     return by_axis([&](std::size_t k) { return std::clamp(p[k], -most, most); });
 }
 
+/// Draws cameras, targets and lights for one mesh from a seed.
 class ShadowRays {
 public:
     ShadowRays(const std::vector<oracle::Corners>& mesh, const oracle::Extent& bounds, int coord_bits,
@@ -35,8 +35,8 @@ public:
         return near(at, reach);
     }
 
-    /// A point to look at, doubled so that edges' middles are exact: a corner, a middle, or inside a
-    /// triangle.
+    /// Returns a target, doubled so that midpoints of edges are exact: a corner, a midpoint, or a point
+    /// inside a triangle.
     Vec3i target() {
         const oracle::Corners& t = any_triangle();
         const int weights[][3] = {{2, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
@@ -49,7 +49,7 @@ public:
             [&](std::size_t k) { return int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512); });
     }
 
-    /// For what was hit near `hit` on triangle t.
+    /// Returns a light for a hit near `hit` on triangle t.
     Vec3i light(const oracle::Corners& t, const Vec3i& hit) {
         switch (below(7)) {
             case 0: return any_point();
@@ -62,7 +62,7 @@ public:
             case 4:
                 return inside_lattice(
                     {bounds_.hi[0] + 3, below(2) != 0 ? bounds_.hi[1] + 3 : bounds_.lo[1] - 3, 7}, bits_);
-            default: {   // in the triangle's plane or a little off it
+            default: {   // in the triangle's plane or slightly off it
                 const int u = between(-3, 3), v = between(-3, 3), reach = below(3);
                 const auto in_plane = [&](std::size_t k) {
                     return t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);

@@ -1,3 +1,4 @@
+// Builds meshes that are difficult for secondary-ray origins.
 #include "sim/explore/stress/shadow_scenes.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ using Mesh = std::vector<Corners>;
 
 constexpr double pi = std::numbers::pi;
 
-/// Nine tenths of the largest coordinate.
+/// Returns nine tenths of the largest coordinate.
 int reach(int bits) { return int(0.9 * double(1 << (bits - 1))); }
 Vec3i snapped(double x, double y, double z) {
     return {int(std::lround(x)), int(std::lround(y)), int(std::lround(z))};
@@ -52,7 +53,7 @@ void ball(Mesh& mesh, int size, double radius, const Vec3i& at) {
         mesh.push_back({corner(0), corner(1), corner(2)});
     }
 }
-/// A grid closed in both directions.
+/// Adds a grid that is closed in both directions.
 template <class At> void closed_grid(Mesh& mesh, int around, int along, const At& at) {
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < along; ++j)
@@ -63,8 +64,8 @@ template <class At> void closed_grid(Mesh& mesh, int around, int along, const At
 Mesh shells(int bits, bool slanted) {
     Mesh mesh;
     const int r = reach(bits);
-    for (const int inwards : {0, 1, 3, 6}) {   // 1, 2 and 3 steps apart; an octahedron's faces 0.58 times as
-                                               // much
+    // The shells are 1, 2 and 3 steps apart; faces of octahedra are 0.58 times as far apart.
+    for (const int inwards : {0, 1, 3, 6}) {
         const int q = r - inwards;
         if (slanted)
             octahedron(mesh, q);
@@ -83,11 +84,11 @@ Mesh touching(int bits) {
     const int r = reach(bits), h = r / 3;
     box(mesh, {-r, -r, -r}, {h, 0, r});   // two boxes that share a part of a face,
     box(mesh, {-h, 0, -h}, {r, r, h});
-    box(mesh, {-r, 0, -r}, {-h, h, -h});   // one that touches both along edges,
-    octahedron(mesh, h / 2);               // and one that passes through all
+    box(mesh, {-r, 0, -r}, {-h, h, -h});   // a box that touches both along edges,
+    octahedron(mesh, h / 2);               // and an octahedron that intersects all of them
     return mesh;
 }
-/// A gear wheel: concave edges and corners all around.
+/// A gear wheel with concave edges and corners all around.
 Mesh cog(int bits) {
     Mesh mesh;
     const int teeth = 24, points = 4 * teeth;
@@ -99,8 +100,8 @@ Mesh cog(int bits) {
     for (int i = 0; i < points; ++i) {
         const int next = (i + 1) % points;
         quad(mesh, at(i, -r / 4), at(i, r / 4), at(next, r / 4), at(next, -r / 4));
-        mesh.push_back({at(i, r / 4), {0, int(r / 8), 0}, at(next, r / 4)});   // caps that lie deeper in the
-                                                                               // middle
+        // The caps are lower in the middle.
+        mesh.push_back({at(i, r / 4), {0, int(r / 8), 0}, at(next, r / 4)});
         mesh.push_back({at(i, -r / 4), at(next, -r / 4), {0, -int(r / 8), 0}});
     }
     return mesh;
@@ -133,7 +134,7 @@ Mesh needles(int bits) {
     }
     return mesh;
 }
-/// Two triangles as large as the lattice, with small things on them.
+/// Two triangles as large as the lattice, with small objects on them.
 Mesh floor(int bits) {
     Mesh mesh;
     const int r = reach(bits);
@@ -143,10 +144,10 @@ Mesh floor(int bits) {
     for (int i = 0; i < 150; ++i) {
         const int size = 2 + below(40), x = below(2 * r - 100) - r, z = below(2 * r - 100) - r;
         if (i % 3 == 2)
-            ball(mesh, 1, size, {x, size, z});   // stands on its lowest point
+            ball(mesh, 1, size, {x, size, z});   // touches the floor with its lowest point
         else
-            box(mesh, {x, i % 3, z}, {x + size, 1 + below(60), z + 1 + below(50)});   // on the floor, or one
-                                                                                      // step above
+            // On the floor, or one step above.
+            box(mesh, {x, i % 3, z}, {x + size, 1 + below(60), z + 1 + below(50)});
     }
     return mesh;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes on the lattice that are hard on the origins of secondary rays.
+// Meshes on the lattice that are difficult for the origins of secondary rays.
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace rayclock {
 
+/// A mesh by name.
 struct ShadowScene {
     std::string name;
     std::string what;
-    /// For coordinates of N bits. All surfaces are closed except for the floor.
+    /// Returns the mesh for coordinates of N bits. All surfaces are closed except the floor.
     std::function<std::vector<oracle::Corners>(int coord_bits)> make;
 };
 const std::vector<ShadowScene>& shadow_scenes();

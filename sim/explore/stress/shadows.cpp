@@ -1,3 +1,4 @@
+// Shoots secondary rays from exact hits, and compares each scheme of origins with exact visibility.
 #include "sim/explore/stress/shadows.hpp"
 
 #include <bit>
@@ -25,23 +26,23 @@ template <class Number> glm::dvec3 vector(const std::array<Number, 3>& v) {
 }
 int largest(const Vec3i& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-/// A camera ray's hit.
+/// The hit of a camera ray.
 struct CameraHit {
     std::uint32_t primitive = no_primitive;
     oracle::Place at;
-    glm::dvec3 near{0};   ///< the same, nearly
+    glm::dvec3 near{0};   ///< approximation of `at`
     std::uint32_t u = 0, v = 0;
     int facing = 0;   ///< the side from which the ray came
 };
 
-/// A secondary ray, the same for all schemes: to a light, or along a direction.
+/// A secondary ray, equal for all schemes: to a light, or along a direction.
 struct Task {
     std::optional<Vec3i> light;
     Vec3i direction{};
-    int facing = 0;   ///< the side on which it shall leave
+    int facing = 0;   ///< the side on which it must leave
 };
 
-/// Where a scheme begins it.
+/// The origin that a scheme chooses for it.
 struct ShadowStart {
     SurfacePoint at;
     std::uint32_t excluded = no_primitive;
@@ -58,7 +59,7 @@ public:
         config_.dir_bits = world.coord_bits_ + 2;
     }
     ShadowCounts run(std::uint64_t rays) {
-        // A mesh that no ray hits must not hold us for ever.
+        // The limit ends the loop for a mesh that no ray hits.
         for (std::uint64_t tries = 0; counts_.rays < rays && tries < 100 * rays && !world_.mesh().empty();
              ++tries)
             one_hit(rays);
@@ -70,7 +71,7 @@ private:
 
     CameraHit first_hit() {
         const Vec3i o = draw_.camera(), at = draw_.target();
-        // Below 2^(N+1): fits M = N + 2 bits.
+        // Components are below 2^(N+1), which fits M = N + 2 bits.
         Vec3i d = by_axis([&](std::size_t k) { return at[k] - 2 * o[k]; });
         if (largest(d) == 0) return {};
         const int room = config_.dir_bits - 1 - std::bit_width(std::uint32_t(largest(d)));
@@ -96,7 +97,8 @@ private:
                               config_.coord_bits);
     }
 
-    /// A ray towards a light or where it would be, or nothing if that is seen edge-on.
+    /// Returns a ray towards a light or in its direction; nothing if the light is in the plane of the
+    /// triangle.
     std::optional<Task> task(const CameraHit& hit, const PrimData& prim) {
         const Vec3i from = nearest(hit), lamp = draw_.light(triangle(hit.primitive), from);
         const bool endless = draw_.below(4) == 0, through = draw_.below(8) != 0;
@@ -108,12 +110,12 @@ private:
             side = side_of_direction(prim, task.direction);
         }
         if (side == 0) return std::nullopt;
-        // On the other side the light is in the surface's own shadow, unless the ray is a refracted one.
+        // A light on the other side is in the surface's own shadow, unless the ray is refracted.
         task.facing = side != hit.facing && through ? side : hit.facing;
         return task;
     }
 
-    /// Some rays from where one camera ray hit.
+    /// Shoots up to four rays from the hit of one camera ray.
     void one_hit(std::uint64_t rays) {
         const CameraHit hit = first_hit();
         if (hit.primitive == no_primitive) return;
@@ -131,7 +133,7 @@ private:
             truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
         const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]},
                                 Int128(1) << start.at.frac_bits};
-        // Only a point of the surface may stand for the hit.
+        // Only a point of the surface may replace the hit.
         if (scheme_.kind != OriginScheme::Kind::surface || !oracle::in_plane(own, triangle(hit.primitive)))
             return judge(blocked, at_hit);
         const Sight::Answer at_own =
@@ -180,7 +182,8 @@ private:
     static glm::dvec3 place(const SurfacePoint& at) {
         return vector(at.at) / double(std::int64_t(1) << at.frac_bits);
     }
-    /// Where to look for triangles to: the light, or a point beyond the lattice (a direction is not zero).
+    /// Returns the end of the search for triangles: the light, or a point beyond the lattice. A direction is
+    /// never zero.
     glm::dvec3 end(const glm::dvec3& from, const std::optional<Vec3i>& light, const Vec3i& d) const {
         if (light) return vector(*light);
         return from + double(2 << config_.coord_bits) / double(largest(d)) * vector(d);

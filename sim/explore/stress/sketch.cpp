@@ -1,3 +1,4 @@
+// Draws a family as SVG.
 #include "sim/explore/stress/sketch.hpp"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ constexpr int panel = 240, coord_bits = 16, dir_bits = 24, rays_shown = 7;
 
 glm::dvec3 place(const Vec3i& p) { return {p[0], p[1], p[2]}; }
 
-/// Parallel projection: what lies towards the viewer, and where a point comes to lie in the picture.
+/// A parallel projection: the direction to the viewer, and the position of a point in the picture.
 struct View {
     glm::dvec3 towards = glm::normalize(glm::dvec3{0.35, -0.8, 0.5});
     glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{0, 0, 1}, towards)),
                up = glm::cross(towards, right);
     glm::dvec2 centre{0};
-    double half = 1;   ///< lattice steps from the middle of the panel to its border
-    int left = 0;      ///< of the panel
+    double half = 1;   ///< lattice steps from the panel's middle to its border
+    int left = 0;      ///< left edge of the panel
 
     glm::dvec2 flat(const glm::dvec3& p) const { return {glm::dot(p, right), glm::dot(p, up)}; }
     glm::dvec2 operator()(const glm::dvec3& p) const {
@@ -34,7 +35,7 @@ struct View {
     }
 };
 
-/// The part of a segment inside the panel, or nothing (Liang and Barsky 1984).
+/// Clips a segment to the panel; returns false if nothing is left (Liang and Barsky 1984).
 bool clip(const View& view, glm::dvec2& a, glm::dvec2& b) {
     double from = 0, to = 1;
     const glm::dvec2 d = b - a;
@@ -60,10 +61,10 @@ std::string segment(const View& view, const glm::dvec3& p, const glm::dvec3& q) 
     return fmt::format("M{:.0f} {:.0f}L{:.0f} {:.0f}", a.x, a.y, b.x, b.y);
 }
 
-/// Edges of triangles, each once; of a closed surface those that face the viewer.
+/// Returns the edges of triangles, each once. For a closed surface only those that face the viewer.
 std::string edges(const View& view, const Mesh& mesh, bool closed) {
     std::set<std::pair<Vec3i, Vec3i>> seen;
-    std::set<std::string> drawn;   // many fall together in a small picture
+    std::set<std::string> drawn;   // many edges coincide in a small picture
     for (const oracle::Corners& t : mesh.triangles) {
         const glm::dvec3 normal = glm::cross(place(t.b) - place(t.a), place(t.c) - place(t.a));
         if (closed && glm::dot(normal, view.towards) < 0) continue;
@@ -117,7 +118,7 @@ std::string draw(const View& view, const std::vector<Ray>& rays) {
     return out;
 }
 
-/// The hit on the triangle with the shortest edge, and that edge: there is what makes the family hard.
+/// The hit on the triangle with the shortest edge, and that edge. The difficulty of the family shows there.
 struct Place {
     glm::dvec3 at{0};
     double edge = 0;

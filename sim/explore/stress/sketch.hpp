@@ -5,8 +5,8 @@
 
 namespace rayclock::stress {
 
-/// A family as an SVG picture, from its own generator: the surface with some of its rays, and the place where
-/// one of them hits, enlarged. Crossings are dots, filled where the ray enters.
+/// Draws a family from its own generator as SVG: the surface with some rays, and an enlarged view of one hit.
+/// Crossings are dots, filled where the ray enters.
 std::string sketch(const Family& family);
 
 }   // namespace rayclock::stress

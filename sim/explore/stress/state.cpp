@@ -1,3 +1,4 @@
+// Reads and writes the state of a stress run.
 #include "sim/explore/stress/state.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// All that decides which rays are shot.
+/// Returns everything that determines the rays.
 ordered_json plan_json(const Plan& plan) {
     return {{"tests", plan.tests},
             {"bits", plan.bits},
@@ -31,7 +32,7 @@ ordered_json counts_json(const Counts& c) {
     return row;
 }
 
-/// What a row of counts may hold: exactly these rays, and no more of anything than can have come of them.
+/// Reads a row of counts. It must have exactly `rays` rays, and no count may exceed what these can give.
 Counts counts_of(const JsonValue& in, std::uint64_t rays) {
     constexpr std::uint64_t most = std::uint64_t{1} << 53;   // sums of rows stay far below 2^64
     if (in.array().size() != count_fields.size())
@@ -47,7 +48,7 @@ Counts counts_of(const JsonValue& in, std::uint64_t rays) {
 }
 
 std::string check_of(const ordered_json& batches, const ordered_json& counts) {
-    return jobs::hash_text(batches.dump() + counts.dump());   // against mistakes, not against malice
+    return jobs::hash_text(batches.dump() + counts.dump());   // protects against mistakes, not against malice
 }
 
 }   // namespace

@@ -1,4 +1,4 @@
-// The tests by name, and what is demanded of them.
+// The named tests, and the demand on each.
 #include <algorithm>
 
 #include "model/base/nearest.hpp"
@@ -14,7 +14,7 @@ namespace rayclock::stress {
 
 namespace {
 
-/// The sense in which the sheared test passes a triangle: that of the triangle's rounded corners in the ray's
+/// Returns the sense in which the sheared test passes a triangle: that of its rounded corners in the ray's
 /// plane.
 int sheared_sense(const Vec3i& o, const Vec3i& d, const oracle::Corners& t, const Config& config) {
     const Shear shear = shear_of(d, config);
@@ -62,10 +62,10 @@ const NamedTest& named_test(const std::string& name) {
 
 namespace {
 
-/// With fewer rays a fault that is there may well go unnoticed: no seam and no control takes more to show.
+/// With fewer rays an existing fault may stay unnoticed. No seam and no control needs more to show.
 constexpr std::uint64_t enough_rays = 10'000;
 
-/// What a test has found, by families that are sound and by those that must leak.
+/// The counts of a test, separated into sound families and families that must leak.
 struct Found {
     Counts sound, leaky;
 

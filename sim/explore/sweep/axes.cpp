@@ -1,3 +1,4 @@
+// Parses axes and shards, and builds the grid of points.
 #include "sim/explore/sweep/axes.hpp"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
     return values;
 }
 
-/// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
+/// Parameters that change only timing and never the path of a ray. All other parameters belong to the format.
 constexpr std::array timing_only{
     "contexts",       "raygen_queue", "box_queue",      "tri_queue",     "tri_interval", "cache_queue",
     "pipelines",      "tile_bits",    "node_sets",      "node_ways",     "node_line",    "node_mshrs",
@@ -53,7 +54,7 @@ constexpr std::array timing_only{
     "timing",         "shade_queue",  "surf_sets",      "surf_ways",     "surf_line",    "surf_mshrs",
     "xform_interval", "box_lanes",    "shade_interval", "scan_out",      "pixel_writes", "raygen_interval"};
 
-/// One value for each of the linked parameters. A memory alone may be the path of its file.
+/// Returns one value for each linked parameter. A single `dram` value may be a path, which contains slashes.
 std::vector<std::string> values_of(const std::string& value, const std::string& key) {
     return key == "dram" ? std::vector<std::string>{value} : split(value, '/');
 }
@@ -79,7 +80,7 @@ Axis parse_axis(const std::string& text) {
 
 namespace {
 
-/// One point's value of an axis, which may be several parameters' together.
+/// Sets one point's value of an axis, which may set several parameters.
 void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(const std::string&)) {
     const std::vector<std::string> keys = split(axis.key, '/'), values = values_of(value, axis.key);
     for (std::size_t k = 0; k < keys.size(); ++k)
@@ -89,7 +90,7 @@ void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(
             set_value(point.config, keys[k], values[k], "--axis");
 }
 
-/// Every parameter that an axis changes, once.
+/// Returns every parameter that an axis changes. Throws UserError if two axes change the same one.
 std::vector<std::string> keys_of(const std::vector<Axis>& axes) {
     std::vector<std::string> keys;
     for (const Axis& axis : axes)
@@ -130,7 +131,7 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
             point.values[a] = axes[a].values[index[a]];
             set(point, axes[a], point.values[a], clock);
         }
-        if (base.shading) {   // as fitted_config() would make it
+        if (base.shading) {   // the same adjustment as fitted_config()
             const Config fitted = settled(point.config);
             if (!is_axis("origin_bits")) point.config.origin_bits = fitted.origin_bits;
             if (!is_axis("panes")) point.config.panes = fitted.panes;

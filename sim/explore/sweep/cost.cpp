@@ -1,3 +1,4 @@
+// Computes memory sizes of configurations, and counts cells with Yosys.
 #include "sim/explore/sweep/cost.hpp"
 
 #include "model/base/error.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What a machine costs: memory, which follows from the configuration, and cells, which Yosys counts.
+// The cost of a machine: memory, which follows from the configuration, and cells, which Yosys counts.
 #include <cstdint>
 #include <string>
 
@@ -9,27 +9,29 @@
 
 namespace rayclock::sweep {
 
-/// What a front takes as cost. `multipliers`: those of all pipelines, or the memory image if there are none.
-/// `automatic`: the first of multipliers, memory on the chip and memory image that differs between points.
+/// The cost measure of a front. `multipliers` counts those of all pipelines, or uses the memory image if they
+/// were not counted. `automatic` uses the first of multipliers, on-chip memory and memory image that differs
+/// between points.
 enum class Cost { multipliers, lut, dsp, bram, bits, automatic };
 
-/// A word of --cost. Throws UserError with the nearest.
+/// Parses the argument of --cost. Throws UserError that names the nearest word.
 Cost parse_cost(const std::string& word);
 
-/// Whether Yosys must map all units for it.
+/// Returns true if Yosys must map all units to get this cost.
 constexpr bool needs_area(Cost cost) { return cost == Cost::lut || cost == Cost::dsp || cost == Cost::bram; }
 
-/// Data that the caches of one pipeline hold, and those of the chip with the one that pipelines share.
+/// Return the bytes of data in the caches of one pipeline, and in all caches of the chip including the shared
+/// one.
 std::uint64_t pipeline_cache_bytes(const Config& config);
 std::uint64_t chip_cache_bytes(const Config& config);
 
-/// Memory of the chip in bits: what contexts keep of their rays, stacks, and caches with their tags.
+/// Returns the chip's memory in bits: ray state of contexts, stacks, and caches with their tags.
 std::uint64_t chip_memory_bits(const Config& config);
 
 struct Outcome;
 
-/// Counts the cells of every point's units that has RTL, each different unit once. Throws UserError if there
-/// is no Yosys. Stops early when interrupted(), and the outcome is partial then.
+/// Counts the cells of all points that have RTL, each distinct unit once. Throws UserError if Yosys is
+/// missing. Stops early when interrupted(); the outcome is then partial.
 void count_areas(Outcome& outcome, int threads, jobs::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

@@ -1,3 +1,4 @@
+// Finds rays that slip through a surface, by exact integer geometry.
 #include "sim/explore/sweep/cracks.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 using oracle::Corners;
 using oracle::Int128;
 
-/// Whether the ray reaches the plane of `t` after the hit, or never. The plane n . (p - a) = 0 is reached at
-/// n . (a - o) / n . d; both have the bounds of an ExactHit's, so the products fit.
+/// Returns true if the ray reaches the plane of `t` beyond the hit or never. It reaches the plane n . (p - a)
+/// = 0 at n . (a - o) / n . d. Both values are within the bounds of an ExactHit's, so the products fit.
 bool plane_is_farther(const Vec3i& o, const Vec3i& d, const Corners& t, const oracle::ExactHit& hit) {
     const auto n = oracle::normal<Int128>(t);
     Int128 num =

@@ -4,10 +4,9 @@
 
 namespace rayclock::sweep {
 
-/// Pixels whose ray slips through a surface. The exact oracle says that the ray, as quantised, meets triangle
-/// T of the snapped scene first; the machine's answer is neither T nor a triangle that has a corner (a
-/// lattice point) in common with T, and lies farther along the ray, or is nothing at all. With an exact test
-/// there is none.
+/// Counts the pixels whose ray slips through a surface. The exact oracle finds that the quantised ray meets
+/// triangle T of the snapped scene first. The machine's answer is nothing, or a triangle farther along the
+/// ray that shares no corner (lattice point) with T. An exact test has no such pixel.
 std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector<Closest>& hits, int threads);
 
 }   // namespace rayclock::sweep

@@ -1,3 +1,4 @@
+// Computes Pareto fronts and knees of sweeps.
 #include "sim/explore/sweep/front.hpp"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ bool differs(const std::vector<Result>& results, std::optional<double> (*value)(
     return false;
 }
 
-/// The cost that the axes change, and why it is this one.
+/// Returns the cost that varies along the axes, and sets the reason for the choice.
 Measure automatic_cost(const std::vector<Result>& results, std::string& why) {
     const bool counted = std::any_of(results.begin(), results.end(),
                                      [](const Result& r) { return r.multipliers.has_value(); });
@@ -123,7 +124,7 @@ std::optional<PlaneKnee> knee_of(const std::vector<Figures>& points) {
         }
     }
     if (lo.empty() || !(hi[0] > lo[0]) || !(hi[1] > lo[1]))
-        return std::nullopt;   // less than two different points
+        return std::nullopt;   // fewer than two distinct points
     std::optional<PlaneKnee> knee;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!on[i]) continue;
@@ -131,7 +132,7 @@ std::optional<PlaneKnee> knee_of(const std::vector<Figures>& points) {
                      y = ((*points[i])[1] - lo[1]) / (hi[1] - lo[1]);
         const double distance = (1 - x - y) / std::sqrt(2.0);
         if (distance > 1e-12 && (!knee || distance > knee->distance))
-            knee = {i, distance};   // the ends have rounding errors only
+            knee = {i, distance};   // tolerance: the ends of the chord have rounding errors
     }
     return knee;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which points are worth having: the Pareto front of speed, error and cost, and its knee.
+// The Pareto front of speed, error and cost over a sweep's points, and its knee.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,45 +9,44 @@
 
 namespace rayclock::sweep {
 
-/// One point's figures, turned so that less is better in each; nothing if the point has not all of them.
+/// One point's figures, with signs so that less is better in each; empty if one is missing.
 using Figures = std::optional<std::vector<double>>;
 
-/// Whether each point is on the front: it has figures, and no other point is as good in all of them and
-/// better in one. So equal points are all on it, or none is.
+/// Returns for each point whether it is on the front. Such a point has figures, and no other point is at
+/// least as good in all of them and better in one. So equal points are all on the front, or none is.
 std::vector<bool> front(const std::vector<Figures>& points);
 
-/// The knee of a front in a plane: both figures are divided by their range over the front, so that its ends
-/// lie at (0, 1) and (1, 0), and the point is taken that lies farthest below the chord between them; of equal
-/// ones the first. Nothing if fewer than three different points are on the front, or none lies below the
-/// chord.
+/// The knee of a front in a plane. Each figure is normalised to its range over the front, so the ends lie at
+/// (0, 1) and (1, 0). The knee is the point farthest below the chord between them; among equals, the first.
+/// Nothing if the front has fewer than three distinct points, or if none lies below the chord.
 struct PlaneKnee {
     std::size_t point = 0;
     double distance = 0;   ///< from the chord, 0 to sqrt(1/2)
 };
 std::optional<PlaneKnee> knee_of(const std::vector<Figures>& points);
 
-/// A figure that the front weighs.
+/// A figure that the front compares.
 struct Measure {
-    std::string key;   ///< column
-    double sign = 1;   ///< -1: more is better
+    std::string key;   ///< column of the table
+    double sign = 1;   ///< -1 if more is better
     std::optional<double> (*value)(const Result&);
 };
 
-/// A front over a sweep. Speed is fps, or film_fps of more frames than one; error is pixels_other_primitive,
-/// cost is what was chosen: multipliers, or memory_bytes if no point has multipliers; or a figure of the
-/// chip. If some points have that figure, those without are no hardware and not on the front.
+/// A front over a sweep. Speed is fps, or film_fps for several frames. Error is pixels_other_primitive. Cost
+/// is multipliers, memory_bytes if no point has multipliers, or a figure of the chip. If some points have
+/// this figure, the others have no hardware and are not on the front.
 struct Front {
     std::vector<Measure> measures;   ///< error, cost, speed
-    std::string why;                 ///< the cost is this one, if nobody chose it; else empty
-    std::vector<bool> pareto;        ///< [point], in all three measures
-    /// The knee is that of the first pair of measures whose own front has one: error and cost, error and
-    /// speed, cost and speed.
+    std::string why;                 ///< the reason for an automatic choice of cost; else empty
+    std::vector<bool> pareto;        ///< [point]: on the front of all three measures
+    /// The knee of the first pair of measures whose own front has one. The pairs are error and cost, error
+    /// and speed, cost and speed.
     std::optional<PlaneKnee> knee;
-    std::array<std::size_t, 2> plane{};   ///< the pair's measures
+    std::array<std::size_t, 2> plane{};   ///< the two measures of the knee
 };
 Front front_of(const std::vector<Result>& results, Cost cost = Cost::multipliers);
 
-/// Figures of all points in some measures.
+/// Returns the figures of all points in the given measures.
 std::vector<Figures> figures_in(const std::vector<Result>& results, const std::vector<Measure>& measures);
 
 }   // namespace rayclock::sweep

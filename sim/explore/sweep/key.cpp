@@ -1,3 +1,4 @@
+// Computes digests of scenes and films.
 #include "sim/explore/sweep/key.hpp"
 
 #include <bit>

@@ -1,5 +1,5 @@
 #pragma once
-// What figures depend on beside the configuration, for the keys under which they are kept.
+// Digests for cache keys: everything besides the configuration that figures depend on.
 #include <string>
 #include <vector>
 
@@ -7,13 +7,14 @@
 
 namespace rayclock::sweep {
 
-/// Everything of a scene that a picture of it at rest depends on, as 16 hexadecimal digits.
+/// Returns a digest of everything in a scene that affects its picture at rest, as 16 hexadecimal digits.
 std::string scene_digest(const Scene& scene);
-/// Of everything that moves, where it is at these times. Throws UserError as pose() does.
+/// Returns a digest that includes the pose of everything that moves at these times. Throws UserError as
+/// pose() does.
 std::string film_digest(PlacedScene scene, const std::vector<double>& times);
 
-/// Of the sources that figures come from and of the compiler, taken when the program was built: a changed
-/// program finds nothing of an older one's.
+/// Returns a stamp of the compiler and of the sources that compute figures, made when the program was built.
+/// So a changed program never uses cached figures of an older one.
 const char* program_stamp();
 
 }   // namespace rayclock::sweep

@@ -1,3 +1,4 @@
+// Reads the reports of a sweep's parts, checks that they belong together, and joins them.
 #include "sim/explore/sweep/merge.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ struct Part {
     throw UserError(printable(file) + " " + sentence);
 }
 
-/// Which part of a sweep it is.
+/// Returns the part of a sweep that a report holds.
 Shard shard_of(const JsonValue& in) {
     if (in.raw().is_null()) return {};
     constexpr std::uint64_t most = std::uint64_t(1) << 31;
@@ -42,7 +43,7 @@ Shard shard_of(const JsonValue& in) {
     return shard;
 }
 
-/// What is asked of a file's values, each by name. What is below a point is read with it.
+/// Checks the form of a file's values by name. Values below a point are checked when it is read.
 void check_form(const JsonValue& in) {
     in.at("config").object();
     in.at("scene").at("name").string();
@@ -71,10 +72,10 @@ Part read_part(const std::string& file) {
     if (checked["partial"] != false)
         refuse(file, "was interrupted before its end; the command that wrote it goes on where it was");
     const Shard shard = shard_of(JsonValue(checked, file).at("shard"));
-    return {file, ordered_json::parse(text), shard};   // again, in the order of its keys
+    return {file, ordered_json::parse(text), shard};   // parsed again to keep the order of keys
 }
 
-/// Files of one sweep agree in everything that decides its figures.
+/// Throws UserError unless both files agree in everything that determines their figures.
 void check_same(const Part& first, const Part& other) {
     const auto differ = [&](const char* what) {
         throw UserError(fmt::format("{} and {} are not of one sweep: they differ in {}",
@@ -115,7 +116,7 @@ std::optional<std::uint64_t> count_or_none(const ordered_json& json) {
     return json.is_null() ? std::nullopt : std::optional(json.get<std::uint64_t>());
 }
 
-/// A point's figures, as points_json() wrote them.
+/// Reads a point's figures as written by points_json().
 void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     for (std::size_t a = 0; a < axes.size(); ++a)
         if (json.at("values").at(axes[a].key) != value_json(r.point.values[a]))
@@ -133,7 +134,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     r.multipliers = count_or_none(json.at("multipliers"));
     r.flip_flops = count_or_none(json.at("flip_flops"));
     if (!json.at("chip").is_null()) r.area = synth::count_of(json.at("chip"));
-    cells(r, false, false);   // whatever a table reads can be read
+    cells(r, false, false);   // check that a table can read every value
 }
 
 void fill(Outcome& outcome, const Part& part, const std::vector<Axis>& axes) {
@@ -174,7 +175,7 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
         broken(parts[0], "what was asked for cannot be read");
     }
     if (merged.asked.axes.empty()) broken(parts[0], "it has no axis");
-    // A clock that was left to each point's routed chip stands in its figures.
+    // If the clock is each point's routed clock, its figures contain it.
     std::vector<Point> points = make_points(merged.asked.axes, merged.config, 0, clock);
     keep_size(points, merged.asked.cache_bytes);
     for (Point& point : points) merged.outcome.results.push_back({std::move(point), nullptr, {}, {}, {}, {}});

@@ -1,22 +1,21 @@
 #pragma once
-// Reports of a sweep's parts, made one again.
+// Merges the reports of a sweep's parts.
 #include "sim/explore/sweep/run.hpp"
 #include "sim/explore/sweep/shard.hpp"
 
 namespace rayclock::sweep {
 
-/// A sweep as its report has it.
+/// A sweep as read from its reports.
 struct Merged {
-    nlohmann::ordered_json scene;   ///< as the report has it
+    nlohmann::ordered_json scene;   ///< the value in the report
     Config config;
     FrameSize size;
     Asked asked;
     Outcome outcome;
 };
 
-/// Reports that `sweep --json` wrote: those of all parts, in any order, or a single one of the whole. Throws
-/// UserError that names the file that is no such report or belongs to another sweep, or the parts that are
-/// missing. `clock` as of make_points().
+/// Merges reports written by `sweep --json`: all parts in any order, or one report of a whole sweep. Throws
+/// UserError that names a wrong file or the missing parts. `clock` is as for make_points().
 Merged merge(const std::vector<std::string>& files, int (*clock)(const std::string&));
 
 }   // namespace rayclock::sweep

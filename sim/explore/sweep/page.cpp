@@ -1,3 +1,4 @@
+// Builds the page of a sweep.
 #include "sim/explore/sweep/page.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// A point with the figures that the charts show.
+/// Returns a point with the figures that the charts show.
 ordered_json figures_json(const ordered_json& point, const Result& r) {
     ordered_json json = point;
     json["typed"] = r.point.values;

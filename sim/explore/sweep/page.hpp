@@ -1,12 +1,12 @@
 #pragma once
-// A sweep as one HTML file that needs no network: its points in linked charts, and as a table.
+// A sweep as one HTML file that needs no network: linked charts of its points, and a table.
 #include "sim/explore/sweep/front.hpp"
 #include "sim/explore/sweep/merge.hpp"
 
 namespace rayclock::sweep {
 
-/// `far`: far_points(); `origin`: command line and versions. Throws UserError if the library that draws the
-/// charts is not installed.
+/// Returns the page. `far` is the result of far_points(), `origin` the command line and versions. Throws
+/// UserError if the chart library is not installed.
 std::string sweep_page(const Merged& swept, const Front& front, const std::string& far,
                        const std::vector<std::pair<std::string, std::string>>& origin);
 

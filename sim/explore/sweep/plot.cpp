@@ -1,3 +1,4 @@
+// Draws fronts and columns of a sweep.
 #include "sim/explore/sweep/plot.hpp"
 
 #include <algorithm>
@@ -10,10 +11,10 @@ namespace rayclock::sweep {
 
 namespace {
 
-/// A measure as an axis shows it.
+/// The label and the scale of a measure on an axis.
 struct Side {
     std::string label;
-    double factor = 1;   ///< of the measure's value
+    double factor = 1;   ///< multiplies the measure's value
 };
 
 Side side_of(const Measure& m, double pixels) {
@@ -37,7 +38,7 @@ plot::Panel panel_of(const std::vector<Result>& results, const Front& front, std
     std::vector<Figures> figures = figures_in(results, {across, up});
     const std::vector<Figures> all = figures_in(results, front.measures);
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (!all[i]) figures[i].reset();   // no hardware
+        if (!all[i]) figures[i].reset();   // the point has no hardware
     const std::vector<bool> on = sweep::front(figures);
     plot::Panel panel{"", horizontal.label, vertical.label, y == 0, {}};
     for (std::size_t i = 0; i < results.size(); ++i) {

@@ -1,3 +1,4 @@
+// Renders and times the points of a sweep in parallel, with a cache.
 #include "sim/explore/sweep/run.hpp"
 
 #include <algorithm>
@@ -74,13 +75,13 @@ synth::Netlist netlist_of(const ordered_json& json) {
     return {json.at("multipliers").get<std::uint64_t>(), json.at("flip_flops").get<std::uint64_t>()};
 }
 
-/// A frame's figures, or why there are none.
+/// Returns a frame's figures, or the reason why it has none.
 std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
     if (json.contains("refused")) return json.at("refused").get<std::string>();
     Result r;
     r.clock = json;
     r.picture.emplace();
-    cells(r, false, false);   // whatever a table reads can be read
+    cells(r, false, false);   // check that a table can read every value
     return json;
 }
 
@@ -97,7 +98,7 @@ struct Group {
     bool picture_known = false;
 };
 
-/// What decides the rays beside the scene, the size and the configuration.
+/// Returns the options of the picture that determine rays, besides scene, size and configuration.
 std::string picture_text(const Scene& scene, const PictureChoice& choice) {
     const Whitted& w = choice.settings;
     const FramesOptions& frames = choice.frames;
@@ -145,7 +146,7 @@ private:
         return fmt::format("{}khz {} {}", scene_key_, r.point.khz, timing_of(r.point.config));
     }
 
-    /// Fills in what the cache has, and counts what is left.
+    /// Fills in cached figures and counts the remaining ones.
     void find_known() {
         for (Result& r : outcome_.results) {
             if (r.refused()) continue;
@@ -213,7 +214,7 @@ private:
         tell(1);
     }
 
-    /// Whether to do no more, which makes the outcome partial.
+    /// Returns true after an interrupt, and marks the outcome as partial.
     bool stopped() {
         if (!interrupted()) return false;
         const std::lock_guard lock(mutex_);
@@ -227,7 +228,7 @@ private:
         tell(1);
     }
 
-    /// Compiles and records for a group's format, and times its frames.
+    /// Compiles and records the scene for a group's format, and times its frames.
     void trace(Group& group) {
         if (stopped()) return;
         try {
@@ -236,12 +237,12 @@ private:
             for (Result* r : group.results)
                 if (!r->refused() && r->clock.is_null()) refuse(*r, e.what());
         } catch (const std::runtime_error&) {
-            if (!stopped()) throw;   // Progress `stop_` ends what is interrupted
+            if (!stopped()) throw;   // the callback `stop_` throws on an interrupt
         }
     }
 
     void trace_film(Group& group) {
-        // As simulate draws them; whether the memory holds them is asked for each point.
+        // Renders as simulate does. Each point checks separately whether its memory is large enough.
         Config config = group.results[0]->point.config;
         config.own_dram.reset();
         config.dram = 0;
@@ -268,10 +269,10 @@ private:
         });
     }
 
-    /// What the reference makes of the last frame, which is the same for every configuration.
+    /// The reference's last frame, equal for every configuration.
     struct Expected {
         HitFrame hits;
-        Picture picture;   ///< of a finished picture
+        Picture picture;   ///< for a finished picture
     };
     const Expected& expected(Film& film) {
         std::call_once(reference_once_, [&] {
@@ -341,7 +342,7 @@ private:
     int cores_ = 1, inner_threads_ = 1;
     Outcome outcome_;
     std::map<std::string, Group> groups_;
-    std::vector<std::function<void()>> tasks_;   ///< netlists to be counted, then groups to be traced
+    std::vector<std::function<void()>> tasks_;   ///< netlists to count, then groups to trace
     const Progress stop_ = stopping({});
     std::once_flag reference_once_;
     Expected reference_;

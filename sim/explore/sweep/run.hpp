@@ -1,5 +1,5 @@
 #pragma once
-// Works out the figures of every point: in parallel, and only those that are not known yet.
+// Computes the figures of all points in parallel. Computes only figures that are not cached.
 #include <optional>
 
 #include "sim/run/film/choice.hpp"
@@ -10,25 +10,26 @@
 
 namespace rayclock::sweep {
 
-/// How the last frame's picture differs from the reference's, and what it needs; depends on the format only.
+/// The errors of the last frame against the reference, and its needs. Depends only on the format.
 struct PictureFigures {
     FrameError error;
-    std::optional<std::uint64_t> cracks;   ///< of triangles that camera rays meet, without instances
-    std::uint64_t memory_bytes = 0;        ///< of the memory image
-    RayCounts rays;                        ///< sent
+    std::optional<std::uint64_t> cracks;   ///< of triangles that camera rays meet; scenes without instances
+                                           ///< only
+    std::uint64_t memory_bytes = 0;        ///< size of the memory image
+    RayCounts rays;                        ///< rays sent
 };
 
-/// From JSON with the keys of `error`, and `cracks`, `memory_bytes` and `rays`. Throws a JSON exception.
+/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Throws a JSON exception.
 PictureFigures picture_of(const nlohmann::ordered_json& json);
 
-/// One point with what came of it. A figure is missing if the point is refused, or the run was interrupted
-/// before it.
+/// A point and its figures. A figure is missing if the point is refused, or if the run was interrupted before
+/// it.
 struct Result {
     Point point;
-    nlohmann::ordered_json clock;   ///< as clock_json() gives it, of the last frame; or null
+    nlohmann::ordered_json clock;   ///< clock_json() of the last frame, or null
     std::optional<PictureFigures> picture;
     std::optional<std::uint64_t> multipliers, flip_flops;   ///< of all pipelines
-    std::optional<synth::Count> area;                       ///< of the chip, if it was asked for
+    std::optional<synth::Count> area;                       ///< of the chip, if requested
 
     bool refused() const { return !point.refused.empty(); }
     bool complete() const { return picture && !clock.is_null(); }
@@ -37,13 +38,14 @@ struct Result {
     double cycles_per_ray() const {
         return cycles() / double(std::max<std::uint64_t>(1, picture->rays.all()));
     }
-    /// Of all frames, with what the host writes before each.
+    /// Sums over all frames, including the host's writes before each.
     std::size_t frames() const { return clock.at("frames").size(); }
     std::uint64_t film_cycles() const;
     double film_fps() const;
     double speed() const { return frames() > 1 ? film_fps() : fps(); }
 };
 
+/// The input of a run.
 struct Plan {
     const Scene& scene;   ///< with a camera
     FrameSize size;
@@ -53,17 +55,18 @@ struct Plan {
     PictureChoice picture{};
 };
 
+/// The result of a run.
 struct Outcome {
     std::vector<Result> results;   ///< [point]
-    std::size_t traces = 0;        ///< different formats
-    std::size_t known = 0;         ///< points that the cache had
-    std::string netlist_note;      ///< why multipliers and flip-flops are missing, or empty
-    bool partial = false;          ///< interrupted before everything was done
+    std::size_t traces = 0;        ///< number of distinct formats
+    std::size_t known = 0;         ///< points found in the cache
+    std::string netlist_note;      ///< the reason why multipliers and flip-flops are missing, or empty
+    bool partial = false;          ///< interrupted before the end
 };
 
 nlohmann::ordered_json rays_json(const RayCounts& rays);
 
-/// Stops early when interrupted(); what was done is in the cache.
+/// Runs a sweep. Stops early when interrupted(); finished work is in the cache.
 Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

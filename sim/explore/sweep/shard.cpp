@@ -1,3 +1,4 @@
+// Divides a sweep's points into parts, and writes what the parts must agree in.
 #include "sim/explore/sweep/shard.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #pragma once
-// A sweep on several machines: which points are whose, and what their reports must agree in.
+// Divides a sweep between machines: the points of each part, and the values in which their reports must
+// agree.
 #include <nlohmann/json.hpp>
 
 #include "model/scene/whitted.hpp"
@@ -8,32 +9,32 @@
 
 namespace rayclock::sweep {
 
-/// The points of a part, by their numbers, in order. Parts differ in size by one point at most, and points
+/// Returns the numbers of a part's points, in order. Sizes of parts differ by at most one point, and points
 /// that share a trace stay together as far as that allows. Throws UserError if there are more parts than
 /// points.
 std::vector<std::size_t> points_of(const Shard& shard, const std::vector<Point>& points);
 
-/// What was asked for, but for the scene, the configuration and the size.
+/// The options of a sweep, except the scene, the configuration and the size.
 struct Asked {
     std::vector<Axis> axes;
     std::string clock;
     std::string cost;
     std::optional<int> cache_bytes;
     bool netlists = true;
-    nlohmann::ordered_json picture;   ///< what is drawn beside the scene at rest, as picture_json() says it
+    nlohmann::ordered_json picture;   ///< picture_json(): settings beyond the scene at rest
 };
-/// The finished picture's settings, or null, and the frames.
+/// Returns the finished picture's settings, or null, and the frames.
 nlohmann::ordered_json picture_json(const PictureChoice& choice);
 nlohmann::ordered_json asked_json(const Asked& asked);
-/// Throws a JSON exception if it is not as asked_json() made it.
+/// Reads the output of asked_json(). Throws a JSON exception if the format is wrong.
 Asked asked_of(const nlohmann::ordered_json& json);
 
-/// Keeps the points whose caches hold so many bytes in each pipeline, if that was asked for. Throws UserError
-/// if there is none.
+/// Keeps only points whose caches hold this many bytes in each pipeline, if a size was requested. Throws
+/// UserError if none is left.
 void keep_size(std::vector<Point>& points, const std::optional<int>& bytes);
 
-/// What a report says of the part; null for the whole. Of another scene or another program nothing can be
-/// merged.
+/// Returns a report's entry for its part; null for a whole sweep. It names the scene and the program, because
+/// reports of another scene or program cannot be merged.
 nlohmann::ordered_json shard_json(const Shard& shard, const std::vector<std::size_t>& points,
                                   const Scene& scene);
 

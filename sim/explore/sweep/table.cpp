@@ -1,3 +1,4 @@
+// Formats a sweep as table, CSV and JSON.
 #include "sim/explore/sweep/table.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// A figure of a point that is complete.
+/// A column: its name and its cell for a complete point.
 struct Column {
     const char* name;
     std::string (*cell)(const Result& r);
@@ -32,7 +33,7 @@ std::string percent_other(const FrameError& e) {
     return fmt::format("{:.4f}", 100 * double(e.pixels_other_primitive) / double(e.pixels));
 }
 std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : ""; }
-const ordered_json& frame_of(const Result& r) { return r.clock.at("frames").back(); }   // the last
+const ordered_json& frame_of(const Result& r) { return r.clock.at("frames").back(); }   // the last frame
 
 const Column columns[] = {
     {"cycles", [](const Result& r) { return fmt::format("{:.0f}", r.cycles()); }},
@@ -58,8 +59,8 @@ std::string area_text(const Result& r, std::uint64_t (*figure)(const synth::Coun
     return r.area ? std::to_string(figure(*r.area)) : "";
 }
 
-/// After those that were there from the beginning, and after pareto and knee: whose figure it is stands in
-/// its name.
+/// Columns added later. They follow pareto and knee, so that older columns keep their positions. Their names
+/// say which part of the machine a figure describes.
 const Column more_columns[] = {
     {"clock_is", [](const Result& r) { return r.clock.value("clock_is", std::string()); }, true},
     {"pipeline_cache_bytes",
@@ -203,13 +204,13 @@ ordered_json value_json(const std::string& value) {
 
 namespace {
 
-/// The value of every axis; of linked parameters also each by itself.
+/// Returns the value of every axis. Linked parameters also have an entry each.
 ordered_json values_json(const std::vector<Axis>& axes, const std::vector<std::string>& values) {
     ordered_json json = ordered_json::object();
     for (std::size_t a = 0; a < axes.size(); ++a) {
         json[axes[a].key] = value_json(values[a]);
         const std::vector<std::string> keys = split(axes[a].key, '/'), parts = split(values[a], '/');
-        if (keys.size() < 2) continue;   // a memory alone may be a path
+        if (keys.size() < 2) continue;   // a single `dram` value may be a path
         for (std::size_t k = 0; k < keys.size(); ++k) json[keys[k]] = value_json(parts[k]);
     }
     return json;
@@ -227,7 +228,7 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
         const Result& r = results[i];
         ordered_json json;
         for (std::size_t a = 0; a < axes.size(); ++a) json[axes[a].key] = value_json(r.point.values[a]);
-        json["values"] = values_json(axes, r.point.values);   // the axis `clock` has its value here only
+        json["values"] = values_json(axes, r.point.values);   // the axis `clock` has its value only here
         if (r.complete()) {
             json["clock"] = r.clock;
             json["cycles_per_ray"] = r.cycles_per_ray();

@@ -1,19 +1,19 @@
 #pragma once
-// A sweep's figures as table, CSV and JSON.
+// The figures of a sweep as table, CSV and JSON.
 #include "sim/view/report/limits.hpp"
 #include "sim/explore/sweep/front.hpp"
 
 namespace rayclock::sweep {
 
-/// One point's cells after the axes; a figure that is missing is empty. What was there from the beginning
-/// stays where it is.
+/// Returns the cells of a point after its axes; missing figures are empty. New columns are only ever added
+/// after the existing ones.
 std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 
-/// Of the whole table: axes, then figures.
+/// Returns the column names of the whole table: axes, then figures.
 std::vector<std::string> column_names(const std::vector<Axis>& axes);
-/// True for a column whose cells are words, as "memory", and not numbers.
+/// Returns true for a column whose cells are words such as "memory", not numbers.
 bool has_words(const std::vector<Axis>& axes, const std::string& column);
-/// A column of numbers; a cell that is empty has none.
+/// Returns a column's numbers; empty cells have none.
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
                                                  const std::vector<Result>& results, const Front& front,
                                                  const std::string& column);
@@ -25,18 +25,18 @@ nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vec
 nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                                  const Front& front);
 
-/// What is said of the point that is farthest from the reference, beyond the limits, and how many points are:
-/// far_from_reference(). Empty if none is.
+/// Returns the sentence of far_from_reference() for the worst point beyond the limits, with the number of
+/// such points. Empty if there is none.
 std::string far_points(const std::vector<Axis>& axes, const std::vector<Result>& results,
                        const Limits& limits);
-/// The limits, and for each point whether it is beyond one; null of a point without a picture.
+/// Returns the limits, and for each point whether it exceeds one; null for a point without a picture.
 nlohmann::ordered_json far_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                                 const Limits& limits);
 
-/// A value of an axis: a number if it is one, else the word.
+/// Returns a value of an axis: a number if it is one, else the word.
 nlohmann::ordered_json value_json(const std::string& value);
 
-/// "coord_bits 16, dir_bits 18".
+/// Returns a point's values: "coord_bits 16, dir_bits 18".
 std::string name_of(const std::vector<Axis>& axes, const Result& result);
 
 }   // namespace rayclock::sweep

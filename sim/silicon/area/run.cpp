@@ -1,3 +1,4 @@
+// Finds the distinct units of all variants and synthesises those that the cache lacks.
 #include "sim/silicon/area/run.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace rayclock::area {
 
 namespace {
 
-/// A unit of a variant. Those of the same shape share what Yosys makes of them.
+/// A unit of a variant. Units of the same shape share one result of Yosys.
 struct Piece {
     std::size_t variant;
     std::string unit;
@@ -29,7 +30,7 @@ public:
 
     void run(std::vector<Piece> pieces) {
         for_each(pieces, "looking at units", [&](Piece& piece) { find_shape(piece); });
-        std::map<std::string, Piece> shapes;   // by shape: any piece that has it
+        std::map<std::string, Piece> shapes;   // any one piece of each shape
         for (const Piece& piece : pieces)
             if (!piece.shape.empty()) shapes.emplace(piece.shape, piece);
         areas_.different = shapes.size();
@@ -39,7 +40,7 @@ public:
                 parts_[shape] = std::move(*part), ++areas_.known;
             else
                 missing.push_back(piece);
-        // Long ones first, so that none is left alone in the end.
+        // Start the longest ones first, so that none runs alone at the end.
         std::stable_sort(missing.begin(), missing.end(),
                          [](const Piece& a, const Piece& b) { return weight(a) > weight(b); });
         for_each(missing, "synthesis", [&](Piece& piece) { count(piece); });

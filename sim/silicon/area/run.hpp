@@ -1,5 +1,5 @@
 #pragma once
-// Every unit of every variant through Yosys, each different one once.
+// Synthesises every unit of every variant with Yosys, each distinct one once.
 #include <map>
 
 #include "model/base/progress.hpp"
@@ -12,25 +12,26 @@ namespace rayclock::area {
 using synth::Count;
 using synth::Part;
 
+/// Cell counts of the units of all variants.
 struct Areas {
     std::vector<Variant> variants;
-    std::vector<std::map<std::string, Part>> units;   ///< [variant], by the unit's name; a unit that is not
-                                                      ///< there is missing
-    std::size_t different = 0;                        ///< of all units of all variants
-    std::size_t known = 0;                            ///< taken from the cache
-    bool partial = false;                             ///< interrupted() before the end
+    /// Counts by [variant] and by the unit's name. Units that a variant lacks are missing.
+    std::vector<std::map<std::string, Part>> units;
+    std::size_t different = 0;   ///< number of distinct units in all variants
+    std::size_t known = 0;       ///< number of these taken from the cache
+    bool partial = false;        ///< interrupted() before the end
 };
 
-/// `only`: names of units, or none for all. `threads` at the same time, 0 for all cores. Throws UserError if
-/// there is no Yosys.
+/// Synthesises the units named in `only`, or all units if it is empty. `threads` run at the same time; 0 uses
+/// all cores. Throws UserError if Yosys is missing.
 Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads,
           jobs::Cache& cache, const Progress& progress);
 
-/// Of one pipeline.
+/// Returns the counts of one pipeline.
 Count pipeline_count(const Areas& areas, std::size_t variant);
 
-/// Of all units of the chip: every pipeline, and what they share. The host's registers and the wiring between
-/// units are not counted.
+/// Returns the counts of all units of the chip: every pipeline, and the shared units. Excludes the host's
+/// registers and the wiring between units.
 Count chip_count(const Areas& areas, std::size_t variant);
 
 }   // namespace rayclock::area

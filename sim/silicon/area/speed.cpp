@@ -1,3 +1,4 @@
+// Times the model and the RTL of several variants on one frame.
 #include "sim/silicon/area/speed.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// How fast a machine with and without units is simulated.
+// Measures how fast machines with and without optional units are simulated.
 #include <vector>
 
 #include "model/base/progress.hpp"
@@ -10,17 +10,19 @@
 
 namespace rayclock::area {
 
+/// The simulation speed of one variant.
 struct Speed {
-    std::string name;           ///< of the variant
-    std::uint64_t cycles = 0;   ///< of the frame
+    std::string name;           ///< name of the variant
+    std::uint64_t cycles = 0;   ///< cycles of the frame
     double rays = 0;
     double model_seconds = 0;   ///< recording and replay, one thread
     double rtl_seconds = 0;
-    std::uintmax_t library = 0;   ///< bytes of the RTL, compiled by Verilator and the C++ compiler
+    std::uintmax_t library = 0;   ///< bytes of the compiled RTL library (Verilator and the C++ compiler)
 };
 
-/// One frame on each machine, first the model and then the RTL: the best of `rounds`, which take turns, since
-/// others share the host. Throws UserError if interrupted, or if model and RTL do not take the same cycles.
+/// Renders one frame on each machine, first on the model and then on the RTL. Keeps the best of `rounds`. The
+/// variants take turns because other jobs share the host. Throws Interrupted after Ctrl-C, and
+/// std::runtime_error if the cycles of model and RTL differ.
 std::vector<Speed> measure(const std::vector<Variant>& variants, const Scene& scene, FrameSize size,
                            const Whitted& settings, int rounds, const Progress& progress);
 

@@ -1,3 +1,4 @@
+// The variants of a configuration, and the table of units.
 #include "sim/silicon/area/variants.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Config shading_alone(Config c) {
     c.levels = 1;
     for (int Config::*unit : further) c.*unit = 0;
     c.panes = c.horizon = 0;
-    // What check_config() asks of it.
+    // Keep the ranges that check_config() requires.
     c.origin_bits = std::max(
         2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
     return c;

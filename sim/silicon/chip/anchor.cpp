@@ -1,3 +1,4 @@
+// Exchanges the sites of multipliers and block memories to shorten wires.
 #include "sim/silicon/chip/anchor.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kinds[] = {"MULT18X18D", "DP16KD"};
-constexpr int rounds = 3;                 // what moves in one round others are near to in the next
-constexpr std::size_t most_ends = 3000;   // the clock's net has its own wires
+constexpr int rounds = 3;                 // cells that move in one round attract others in the next
+constexpr std::size_t most_ends = 3000;   // larger nets are left out: the clock's net has wires of its own
 
 struct Point {
     int x = 0, y = 0;
@@ -28,14 +29,14 @@ struct Bounds {
     }
     bool empty() const { return right < 0; }
     int half() const { return empty() ? 0 : right - left + bottom - top; }
-    /// By how much half the perimeter grows if this point is added.
+    /// Returns the growth of half the perimeter if this point is added.
     int growth(Point p) const {
         if (empty()) return 0;
         return std::max({left - p.x, p.x - right, 0}) + std::max({top - p.y, p.y - bottom, 0});
     }
 };
 
-/// Cells by number, where they are, and the cells of each net.
+/// Cells by number, their positions, and the cells of each net.
 class Wiring {
 public:
     explicit Wiring(const std::vector<Cell>& cells) {
@@ -60,7 +61,7 @@ public:
         }
         return sum;
     }
-    /// What the wires of a cell would add at each of these places, all others being where they are.
+    /// Returns the wire length that the cell would add at each of these places, with all other cells fixed.
     std::vector<long long> costs(const Cell& placed, std::size_t cell,
                                  const std::vector<Point>& places) const {
         std::vector<long long> sums(places.size());
@@ -80,7 +81,8 @@ private:
     std::map<int, std::vector<std::size_t>> ends_;
 };
 
-/// Which of the places each of as many cells takes: exchanged by pairs until no exchange is cheaper.
+/// Returns the place of each cell, given as many places as cells. Exchanges pairs until no exchange lowers
+/// the cost.
 std::vector<std::size_t> exchanged(const std::vector<std::vector<long long>>& cost) {
     std::vector<std::size_t> takes(cost.size());
     for (std::size_t i = 0; i < takes.size(); ++i) takes[i] = i;
@@ -96,7 +98,7 @@ std::vector<std::size_t> exchanged(const std::vector<std::vector<long long>>& co
     return takes;
 }
 
-/// A line `  "word": {` of a netlist as Yosys writes it.
+/// Returns the word of a line `  "word": {` of a netlist in Yosys's format; empty for other lines.
 std::string_view opened(std::string_view line) {
     const std::size_t begin = line.find('"');
     if (begin == std::string_view::npos || !line.ends_with("\": {")) return {};
@@ -125,7 +127,7 @@ Sites anchors(const std::vector<Cell>& cells) {
             const std::vector<std::size_t> takes = exchanged(cost);
             const long long before = wiring.length();
             for (std::size_t i = 0; i < movable.size(); ++i) wiring.move(movable[i], places[takes[i]]);
-            // Two that are wired to each other may both have gone where the other was.
+            // Two connected cells may have taken each other's place, so the exchange can make wires longer.
             const bool better = wiring.length() < before;
             for (std::size_t i = 0; i < movable.size(); ++i) {
                 const std::size_t place = better ? takes[i] : i;
@@ -151,7 +153,7 @@ void write_anchored(const fs::path& netlist, const fs::path& to, const Sites& si
     std::ofstream out(to);
     std::size_t written = 0;
     auto cell = sites.end();
-    bool here = false;   // its attributes begin
+    bool here = false;   // the cell's attributes begin here
     for (std::string line; std::getline(in, line);) {
         const std::size_t first = line.find_first_not_of(' ');
         if (here) {

@@ -1,3 +1,4 @@
+// Reads netlists of Yosys and nextpnr, and assigns cells to units and source lines.
 #include "sim/silicon/chip/cells.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Follows modules / MODULE / cells / CELL / type, attributes or connections, and forgets the rest.
+/// Follows modules / MODULE / cells / CELL / type, attributes or connections, and skips everything else.
 class CellReader : public nlohmann::json_sax<nlohmann::json> {
 public:
     explicit CellReader(const std::function<void(const Cell&)>& take) : take_(take) {}
@@ -68,7 +69,7 @@ private:
     bool is_cell() const { return in_cells() && path_.size() == 5; }
 
     const std::function<void(const Cell&)>& take_;
-    std::vector<std::string> path_;   ///< names of the objects around, the document's own empty
+    std::vector<std::string> path_;   ///< names of the enclosing objects; the document's own name is empty
     std::string key_;
     Cell cell_;
 };
@@ -91,8 +92,8 @@ std::string_view nth_line(std::string_view text, int line) {
     return found;
 }
 
-/// The file of this name in the folder `sources`, from there; empty if there is none. A netlist may have been
-/// made of an equal copy somewhere else.
+/// Returns the path of the file with this name relative to the folder `sources`; empty if there is none. The
+/// netlist may come from an equal copy of the sources in another folder.
 std::string same_source(const fs::path& path, const fs::path& sources) {
     std::error_code error;
     for (const fs::path& name : {path.parent_path().filename() / path.filename(), path.filename()})
@@ -100,8 +101,8 @@ std::string same_source(const fs::path& path, const fs::path& sources) {
     return {};
 }
 
-/// Yosys places an instance at its name or at the parenthesis behind it, "u_queue (", and a process at its
-/// word always.
+/// Returns true if the position belongs to an instance. Yosys places an instance at its name or at the
+/// parenthesis behind it, "u_queue (". It always places a process at its keyword.
 bool is_instance(const std::string& file, int line, int column) {
     const std::string text = read_if_there(file);
     const std::string_view whole = nth_line(text, line);
@@ -111,7 +112,7 @@ bool is_instance(const std::string& file, int line, int column) {
     return whole.substr(at).starts_with("u_");
 }
 
-/// The first line of the module rc_NAME that has a word.
+/// Returns the first line in the module rc_NAME that contains a word.
 std::string line_in_module(const std::string& name, const std::string& word, const std::string& sources) {
     std::error_code error;
     for (const auto& entry : fs::recursive_directory_iterator(sources, error)) {
@@ -154,7 +155,9 @@ std::string Units::of(std::string_view cell) const {
 Use use_of(const std::string& type) {
     if (type == "TRELLIS_COMB" || type == "LUT4") return {1, 0, 0, 0};
     if (type == "TRELLIS_RAMW" || type == "CCU2C") return {2, 0, 0, 0};
-    if (type == "TRELLIS_DPR16X4") return {6, 0, 0, 0};   // four to read and two, a RAMW, to write
+    if (type == "TRELLIS_DPR16X4")
+        return {6, 0, 0, 0};   // four to read and a RAMW, which counts as two, to
+                               // write
     if (type == "TRELLIS_FF") return {0, 1, 0, 0};
     if (type == "MULT18X18D") return {0, 0, 1, 0};
     if (type == "DP16KD" || type == "PDPW16KD") return {0, 0, 0, 1};

@@ -1,3 +1,4 @@
+// Stores and finds routed clocks in the cache of chips.
 #include "sim/silicon/chip/clock.hpp"
 
 #include <filesystem>
@@ -33,10 +34,10 @@ std::optional<RoutedClock> routed_clock(const Config& config) {
     try {
         const std::filesystem::path folder = cache_place().folder / "chip";
         std::error_code error;
-        if (!std::filesystem::is_directory(folder, error)) return std::nullopt;   // and none is made
+        if (!std::filesystem::is_directory(folder, error)) return std::nullopt;   // do not create the folder
         return find(config, jobs::Cache(folder, false));
     } catch (const UserError&) {
-        return std::nullopt;   // without a cache or sources nothing can have been routed
+        return std::nullopt;   // without a cache or sources there is no routed clock
     }
 }
 

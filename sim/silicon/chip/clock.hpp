@@ -1,5 +1,5 @@
 #pragma once
-// The clock that a chip was routed for, where other commands find it.
+// The routed clock of a chip, kept for other commands.
 #include <optional>
 #include <string>
 
@@ -7,19 +7,19 @@
 
 namespace rayclock::chip {
 
+/// The clock of one routed chip.
 struct RoutedClock {
     double mhz = 0;
     std::string device;
     int seed = 0;
 
-    int khz() const { return int(mhz * 1000); }   ///< not above what was shown
+    int khz() const { return int(mhz * 1000); }   ///< rounds down to a clock that routing has shown
 };
 
-/// The fastest that was kept for this configuration and these sources; nothing if it was not routed. Needs no
-/// tool.
+/// Returns the fastest clock kept for this configuration and these sources, or nothing. Needs no tool.
 std::optional<RoutedClock> routed_clock(const Config& config);
 
-/// Keeps it, if it is the fastest so far.
+/// Keeps the clock if it is the fastest so far.
 void keep_clock(const Config& config, const RoutedClock& clock, jobs::Cache& cache);
 
 }   // namespace rayclock::chip

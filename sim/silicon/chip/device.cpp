@@ -1,3 +1,4 @@
+// Tables of devices and of their resources.
 #include "sim/silicon/chip/device.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ const std::vector<Resource>& resources() {
 }
 
 const std::vector<Device>& devices() {
-    // Counts of nextpnr's own report; the data sheet rounds those of LUTs up to thousands.
+    // Counts from nextpnr's own report. The data sheet rounds LUTs up to thousands.
     static const std::vector<Device> all{{"lfe5u-25", "--25k", {24288, 24288, 28, 56}, 73, 50},
                                          {"lfe5u-45", "--45k", {43848, 43848, 72, 108}, 91, 71},
                                          {"lfe5u-85", "--85k", {83640, 83640, 156, 208}, 127, 96}};

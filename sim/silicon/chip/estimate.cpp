@@ -1,3 +1,4 @@
+// Sums the kept results of units, and compares the sum with the routed chip.
 #include "sim/silicon/chip/estimate.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// 5 % more than the other.
+/// Formats the relative deviation: "+5.0 %" if the estimate is 5 % above the routed value.
 std::string more_than(double estimated, double routed) {
     return fmt::format("{:+.1f} %", 100 * (estimated / routed - 1));
 }

@@ -1,18 +1,20 @@
 #pragma once
-// What a chip will take and how fast it will be, from figures of its units that are kept: in seconds.
+// Estimates the area and the clock of a chip from kept results of its units. Takes seconds.
 #include "sim/silicon/chip/run.hpp"
 
 namespace rayclock::chip {
 
+/// The estimate for one chip.
 struct Estimate {
-    std::map<std::string, Use> units;   ///< of all pipelines
+    std::map<std::string, Use> units;   ///< summed over all pipelines
     Use all;
-    double fmax_mhz = 0;            ///< of the slowest unit
+    double fmax_mhz = 0;            ///< clock of the slowest unit
     std::string slowest;            ///< its name
-    std::optional<Result> routed;   ///< the chip itself, if it was routed: how far the estimate is off
+    std::optional<Result> routed;   ///< the routed chip, if it exists; shows the error of the estimate
 };
 
-/// `request` is for the whole chip. Throws UserError with the command to run if a unit was not routed.
+/// Returns the estimate; `request` must be for the whole chip. If a unit was not routed, throws UserError
+/// with the command to run.
 Estimate estimate(const Request& request, jobs::Cache& cache, const Progress& progress);
 
 std::string text(const Estimate& estimate, const Request& request);

@@ -1,3 +1,4 @@
+// Reads the ports of a module, and writes its harness.
 #include "sim/silicon/chip/harness.hpp"
 
 #include <algorithm>
@@ -49,10 +50,10 @@ std::uint64_t width_of(const Face& face, bool inputs) {
 
 Face face_of(const std::string& netlist, const std::string& top) {
     const std::string file = "face.json of yosys";
-    parse_json(file, netlist);   // refuses what is no JSON, with its line
+    parse_json(file, netlist);   // refuses text that is not JSON, and names the line
     Face face;
     std::set<std::string> modules;
-    understood(file, [&] {   // ports in their order, which is that of the harness
+    understood(file, [&] {   // keeps the order of ports for the harness
         const nlohmann::ordered_json document = nlohmann::ordered_json::parse(netlist);
         for (const auto& [type, module] : document.at("modules").items()) {
             const std::string name = synth::module_name(type);

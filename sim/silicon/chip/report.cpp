@@ -1,3 +1,4 @@
+// Formats results of chips as text and as JSON.
 #include "sim/silicon/chip/report.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// In the order in which a ray meets them; then what is around the pipeline.
+/// Returns the units in the order in which a ray meets them, followed by everything outside the pipeline.
 std::vector<std::string> in_order(const std::map<std::string, Use>& units) {
     std::vector<std::string> names;
     for (const area::UnitRow& row : area::unit_rows())
@@ -26,7 +27,7 @@ std::vector<std::string> in_order(const std::map<std::string, Use>& units) {
     return names;
 }
 
-/// As placed, if it was; otherwise as synthesised.
+/// Returns the counts after placement if there are any, else those after synthesis.
 const std::map<std::string, Use>& units_of(const Result& r) {
     return r.routes.empty() ? r.units : r.best().units;
 }
@@ -52,7 +53,7 @@ std::string area_table(const Result& r) {
     return table.text();
 }
 
-/// "box.s3_q -> box.s4_q".
+/// Returns the ends of a path: "box.s3_q -> box.s4_q".
 std::string ends_of(const PathRow& p) {
     return fmt::format("{}.{} -> {}.{}", p.from_unit, p.from, p.to_unit, p.to);
 }

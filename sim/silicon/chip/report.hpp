@@ -1,5 +1,5 @@
 #pragma once
-// A placed chip as text for people and as JSON; every key is explained in docs/report.md.
+// A placed chip as text and as JSON. docs/report.md explains every key.
 #include <string>
 #include <vector>
 
@@ -9,11 +9,11 @@
 
 namespace rayclock::chip {
 
-/// One chip, or one unit: cells by unit, clock by seed, slowest paths.
+/// Formats one chip or one unit: cells by unit, clock by seed, and the slowest paths.
 std::string text(const Result& result);
 nlohmann::ordered_json json(const Result& result);
 
-/// Several units, each placed alone: a row for each.
+/// Returns a table of units that were placed alone, with a row for each.
 std::string table(const std::vector<Result>& alone);
 
 }   // namespace rayclock::chip

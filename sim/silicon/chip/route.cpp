@@ -1,3 +1,4 @@
+// Reads nextpnr's results: clock, paths, cells by unit and tiles.
 #include "sim/silicon/chip/route.hpp"
 
 #include <sstream>
@@ -25,7 +26,7 @@ constexpr std::size_t most_paths = 5;
     throw UserError(file.filename().string() + " of nextpnr-ecp5 is not whole; is the disk full?");
 }
 
-/// Bits of a register differ in their numbers alone.
+/// Converts a path. Bits of one register give the same row.
 PathRow row_of(const Path& path, const Units& units) {
     PathRow row;
     row.ns = path.ns, row.logic_ns = path.logic, row.levels = path.levels;
@@ -36,7 +37,7 @@ PathRow row_of(const Path& path, const Units& units) {
 
 std::vector<Path> paths_of(const fs::path& file, const Units& units) {
     const std::string text = read_if_there(file);
-    if (text.find("\n)") == std::string::npos) not_whole(file);   // its last line
+    if (text.find("\n)") == std::string::npos) not_whole(file);   // the file's last line
     try {
         return slowest_paths(text, most_paths, [&](const Path& path) {
             const PathRow row = row_of(path, units);
@@ -81,7 +82,7 @@ Route read_route(const fs::path& folder, const std::string& top, int seed) {
     route.fmax_mhz = fmax_of(read_if_there(folder / "report.json"));
     const Units units(top);
     const std::vector<Path> paths = paths_of(folder / "delays.sdf", units);
-    std::map<std::string, std::string> sources;   // of the cells where these paths begin and end
+    std::map<std::string, std::string> sources;   // source positions of the cells at the ends of these paths
     for (const Path& path : paths) sources[path.from], sources[path.to];
     std::map<std::tuple<int, int, std::string>, Use> tiles;
     const bool whole = read_cells((folder / "placed.json").string(), [&](const Cell& cell) {
@@ -112,7 +113,7 @@ ordered_json route_json(const Route& route) {
     for (const auto& [unit, use] : route.units) units[unit] = {use.lut, use.ff, use.dsp, use.bram};
     for (const PathRow& p : route.paths)
         paths.push_back({p.ns, p.logic_ns, p.levels, p.from_unit, p.from, p.to_unit, p.to, p.source});
-    // Some ten thousand tiles: as one text they take a tenth of the place.
+    // Stored as one text: the tens of thousands of tiles then take a tenth of the space.
     std::string tiles;
     for (const Tile& t : route.tiles)
         tiles += fmt::format("{} {} {} {} {} {} {}\n", t.x, t.y, t.unit, t.use.lut, t.use.ff, t.use.dsp,

@@ -1,3 +1,4 @@
+// Runs the steps from a configuration to routed clocks, and caches the result of each step.
 #include "sim/silicon/chip/run.hpp"
 
 #include <algorithm>
@@ -34,13 +35,14 @@ namespace {
     throw Interrupted("interrupted: finished steps are kept, and the same command goes on after them");
 }
 
-/// Yosys in a folder of its own.
+/// Runs Yosys in a temporary folder.
 void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script) {
     if (!folder.run(config, "-defer ", script)) stopped();
 }
 
-/// Units are optimised each by itself and joined in the end, so that each cell has the name of its unit. Over
-/// the borders little is found: of `small` the whole has 23,216 LUT4 so, and 23,298 otherwise.
+/// Optimises each unit alone and joins the units at the end, so that each cell keeps its unit's name.
+/// Optimisation across units gains little: `small` has 23,216 LUT4 with this script and 23,298 with the
+/// other.
 std::string synth_script(const std::string& units) {
     return fmt::format(
         "read_verilog -sv harness.v\n"
@@ -82,7 +84,7 @@ public:
         return result;
     }
 
-    /// Only what is kept; nothing if there is less than asked for.
+    /// Returns the result if all of it is kept; nothing if anything is missing.
     std::optional<Result> kept() {
         Result result{request_, {}, {}, {}, true};
         find_face();
@@ -104,8 +106,8 @@ private:
         if (progress_) progress_(fmt::format("{}, {}", request_.top, what), std::uint64_t(percent), 100);
     }
 
-    /// Ports and modules, and from them the key of all that follows: the package, the sources of those
-    /// modules alone, and how they are synthesised.
+    /// Finds the ports and modules. They give the key of all later steps: the package, the sources of these
+    /// modules only, and the synthesis script.
     void find_face() {
         const std::string package = jobs::hash_text(rc_package(request_.config));
         const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
@@ -136,7 +138,7 @@ private:
                               jobs::hash_text(synth_script(units_)), synth::yosys_version());
     }
 
-    /// The modules whose borders stay, as patterns of Yosys: what is placed, and the units in it.
+    /// Returns patterns of Yosys for the modules that stay separate: the top module and the units in it.
     std::string units_of(const Face& face) const {
         std::string patterns = fmt::format("*rc_{}*", request_.top);
         const auto add = [&](const std::string& unit) {
@@ -163,7 +165,7 @@ private:
         return cache_.folder() / fmt::format("chip-netlist-{}.netlist", jobs::hash_text(design_));
     }
 
-    /// The netlist, kept whole or not at all, and what its units take.
+    /// Writes the netlist, which is kept complete or not at all, and returns the resources of its units.
     std::map<std::string, Use> synthesize() {
         tell("synthesis", 0);
         const synth::YosysFolder folder(cache_.folder());
@@ -189,13 +191,13 @@ private:
         const int placements = request_.methods.placements;
         const std::string first = nextpnr_options(request_.device, request_.methods),
                           last = nextpnr_options(request_.device, request_.methods, true);
-        // What was kept as "then" of three and more placements had heap in all but the first.
+        // Older results with three or more placements, kept as "then", used heap in all but the first.
         return fmt::format("{} nextpnr {} {} seed {} read 5{}{}", design_, nextpnr().version, first, seed,
                            placements == 1 ? "" : fmt::format(" placements {}", placements),
                            last == first ? "" : (placements == 2 ? " then " : " at last ") + last);
     }
 
-    /// What a placement's sites depend on: not on the router, nor on how many placements follow.
+    /// Returns the key of a placement's sites. It excludes the router and the number of later placements.
     std::string sites_key(int seed, int placement) const {
         Methods methods = request_.methods;
         methods.router = Methods{}.router;
@@ -228,7 +230,7 @@ private:
         const RouteEnd end =
             run_nextpnr(place, request_.device, request_.methods, seed, kept_sites(seed), hear);
         if (end == RouteEnd::interrupted) stopped();
-        if (end == RouteEnd::does_not_route) {   // another seed may be
+        if (end == RouteEnd::does_not_route) {   // another seed may route
             hear_stuck(step_of_log(read_if_there(place / "log")));
             return;
         }
@@ -243,9 +245,9 @@ private:
         result.routes.push_back(route);
     }
 
-    /// Says how near the seed came that came nearest.
+    /// Keeps the message of the seed that came closest.
     void hear_stuck(const RouteStep& step) {
-        const std::pair left{step.tool == "static", step.least_left};   // what was placed came nearer
+        const std::pair left{step.tool == "static", step.least_left};   // a seed that was placed came closer
         if (!stuck_.empty() && left_ <= left) return;
         left_ = left;
         stuck_ = step.stuck();
@@ -255,16 +257,16 @@ private:
     jobs::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
-    std::string stuck_;            ///< why no seed could be routed
-    std::pair<bool, long> left_;   ///< whether it was not even placed, and RouteStep::least_left, of that
-                                   ///< seed
+    std::string stuck_;   ///< why no seed could be routed
+    /// Of that seed: whether its placement failed, and RouteStep::least_left.
+    std::pair<bool, long> left_;
 };
 
 }   // namespace
 
 std::string misfit(const std::string& name, const Device& device, const std::map<std::string, Use>& units) {
     Use all;
-    for (const auto& [unit, use] : units) all += use;   // the harness needs its place, too
+    for (const auto& [unit, use] : units) all += use;   // the harness also needs resources
     std::vector<std::string> parts;
     for (const Resource& resource : resources()) {
         const std::uint64_t has = device.has.*resource.member, needs = all.*resource.member;

@@ -1,5 +1,5 @@
 #pragma once
-// From a configuration to routed clocks: synthesis, placement, routing. What is done is kept step by step.
+// Synthesises, places and routes a configuration. The result of each step is kept.
 #include <map>
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace rayclock::chip {
 
-/// What is placed: the whole chip ("chip"), or a unit alone.
+/// What to place: the whole chip ("chip") or one unit, with device, seeds and methods.
 struct Request {
     Config config;
     std::string top = "chip";
@@ -22,30 +22,32 @@ struct Request {
     Methods methods{};
 };
 
+/// The results of a request.
 struct Result {
     Request request;
     std::map<std::string, Use> units;   ///< after synthesis, before placement
-    std::string misfit;                 ///< a sentence if it does not fit
-    std::vector<Route> routes;          ///< by seed, in the order asked for; none if it does not fit
-    bool was_kept = false;              ///< nothing had to be worked out
+    std::string misfit;                 ///< a sentence if the design does not fit
+    std::vector<Route> routes;          ///< one for each seed, in the requested order; none if the design
+                                        ///< does not fit
+    bool was_kept = false;              ///< all results came from the cache
 
     bool fits() const { return misfit.empty(); }
-    const Route& best() const;   ///< the fastest
+    const Route& best() const;   ///< the fastest route
 };
 
-/// A sentence if what these units need is more than the device has: by how much, and which takes most. Empty
-/// if it fits.
+/// Returns a sentence if the units need more than the device has: by how much, and which units are largest.
+/// Empty if they fit.
 std::string misfit(const std::string& name, const Device& device, const std::map<std::string, Use>& units);
 
-/// Names of what can be placed alone in this configuration.
+/// Returns the names of the modules that can be placed alone in this configuration.
 std::vector<std::string> tops(const Config& config);
 
-/// Runs what is missing. Throws UserError if a tool is missing, too old or fails, or if interrupted(): then
-/// the same request goes on after the last step that was finished.
+/// Runs the missing steps. Throws UserError if a tool is missing, too old or fails, and Interrupted after
+/// Ctrl-C. After an interrupt the same request continues after its last finished step.
 Result run(const Request& request, jobs::Cache& cache, const Progress& progress);
 
-/// What is kept of a request; nothing if a seed is missing. Throws UserError if a tool is missing: its
-/// version is part of the key.
+/// Returns the kept result of a request; nothing if a seed is missing. Throws UserError if a tool is missing,
+/// because its version is part of the key.
 std::optional<Result> kept(const Request& request, jobs::Cache& cache);
 
 }   // namespace rayclock::chip

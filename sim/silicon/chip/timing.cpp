@@ -1,3 +1,4 @@
+// Builds the timing graph of an SDF file, and finds the latest arrival at each register pin.
 #include "sim/silicon/chip/timing.hpp"
 
 #include <algorithm>
@@ -13,14 +14,15 @@ namespace rayclock::chip {
 
 namespace {
 
-/// Every pin of a cell that a delay begins or ends at.
+/// A pin of a cell at which a delay begins or ends.
 struct Pin {
     int cell = 0;
     bool is_clock = false, goes_on = false, has_setup = false;
     double setup = 0;
-    int waits = 0;         ///< delays into it that have not been followed yet
-    double arrival = -1;   ///< of what began at a register; below 0: nothing did
-    int edge = -1;         ///< that it arrived by
+    int waits = 0;         ///< incoming delays that have not been followed yet
+    double arrival = -1;   ///< latest arrival from a register, in nanoseconds; below 0: no register leads
+                           ///< here
+    int edge = -1;         ///< the incoming delay of the latest arrival
 };
 struct Edge {
     int from = 0, to = 0;
@@ -33,7 +35,7 @@ bool is_clock(std::string_view pin) {
            (pin.size() == 4 && pin.starts_with("CLK") && pin[3] >= '0' && pin[3] <= '3');
 }
 
-/// "(200:218:236)" in picoseconds: the slowest of the three, in nanoseconds.
+/// Returns the slowest delay of "(200:218:236)", which is in picoseconds, in nanoseconds.
 double slowest(std::string_view triple) {
     const std::size_t last = triple.rfind(':');
     if (last == std::string_view::npos) throw std::runtime_error("a delay of nextpnr's is no triple");
@@ -48,7 +50,7 @@ public:
         follow();
     }
 
-    /// All pins where something must arrive before a clock, the last one first.
+    /// Returns all pins with a setup requirement, the latest first.
     std::vector<int> ends() const {
         std::vector<int> all;
         for (int p = 0; p < int(pins_.size()); ++p) {
@@ -73,7 +75,7 @@ public:
             pin = edge.from;
             if (pins_[std::size_t(pin)].is_clock) break;
         }
-        --path.levels;   // the register itself
+        --path.levels;   // do not count the register itself
         path.from = cells_[std::size_t(pins_[std::size_t(pin)].cell)];
         return path;
     }
@@ -81,7 +83,7 @@ public:
 private:
     double delay(int p) const { return pins_[std::size_t(p)].arrival + pins_[std::size_t(p)].setup; }
 
-    /// One line of the file holds one delay, or the name of the cell that the next ones belong to.
+    /// Reads one line, which holds one delay or the name of the cell that the next delays belong to.
     void read(std::string_view line) {
         const std::string_view kind = take_word(line);
         if (kind == "(INSTANCE") {
@@ -107,7 +109,7 @@ private:
     }
 
     static std::string_view strip(std::string_view triple) { return triple.substr(0, triple.find(')')); }
-    /// Of the rising and of the falling edge.
+    /// Returns the slower of the rising and the falling edge.
     static double slowest_of(std::string_view line) {
         const double rise = slowest(strip(take_word(line)));
         return std::max(rise, slowest(strip(take_word(line))));
@@ -135,8 +137,8 @@ private:
         ++pins_[std::size_t(edge.to)].waits;
     }
 
-    /// A pin's delays are followed when all that lead to it have been. What leaves a register begins with its
-    /// clock, at 0.
+    /// Follows a pin's delays after all delays that lead to it. A path from a register begins at its clock
+    /// pin, at time 0.
     void follow() {
         std::vector<std::vector<int>> out(pins_.size());
         for (int e = 0; e < int(edges_.size()); ++e)
@@ -162,7 +164,7 @@ private:
     std::vector<Edge> edges_;
     std::vector<std::string> cells_;
     std::unordered_map<std::string, int> pin_names_, cell_names_;
-    std::unordered_set<int> clocked_;   ///< cells with a clock
+    std::unordered_set<int> clocked_;   ///< cells with a clock pin
     std::string instance_;
 };
 

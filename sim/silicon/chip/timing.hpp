@@ -1,6 +1,6 @@
 #pragma once
-// The slowest paths of a routed netlist, from the delays that nextpnr writes (SDF). nextpnr's own report has
-// only one path.
+// Finds the slowest paths of a routed netlist in the delays (SDF) that nextpnr writes. nextpnr's own report
+// has only one path.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -8,16 +8,16 @@
 
 namespace rayclock::chip {
 
-/// From one register, memory or multiplier to the next.
+/// A path from one register, memory or multiplier to the next.
 struct Path {
-    double ns = 0;          ///< clock to output, everything between, and setup
-    double logic = 0;       ///< of that within cells; the rest is wires
-    int levels = 0;         ///< cells between
+    double ns = 0;          ///< clock to output, all cells and wires between, and setup
+    double logic = 0;       ///< the part of `ns` within cells; the rest is wire delay
+    int levels = 0;         ///< cells between the ends
     std::string from, to;   ///< names of cells
 };
 
-/// The slowest path to each pin of a register, the slowest first, at most `most`; of those that `same` takes
-/// for one only the slowest. Throws std::runtime_error if the text is not as nextpnr writes it.
+/// Returns the slowest path to each register pin, the slowest first, at most `most`. Of paths with equal
+/// `same` it keeps only the slowest. Throws std::runtime_error if the text is not in nextpnr's format.
 std::vector<Path> slowest_paths(std::string_view sdf, std::size_t most,
                                 const std::function<std::string(const Path&)>& same);
 

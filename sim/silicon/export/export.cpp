@@ -1,3 +1,4 @@
+// Writes the files of an exported frame.
 #include "sim/silicon/export/export.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ extern const char *const bench_text, *const icarus_sed;   // sim/silicon/export/
 
 namespace {
 
-/// Words as one hexadecimal number of so many bits.
+/// Formats words as one hexadecimal number of `bits` bits.
 std::string hex(const std::uint32_t* words, int bits) {
     std::string text;
     for (int digit = (bits + 3) / 4; digit-- > 0;)
@@ -44,7 +45,7 @@ std::string name_of(const FrameWord& word) {
     return word.low > 0 ? fmt::format("{}, from bit {}", name, word.low) : name;
 }
 
-/// The bus writes of a frame, in order.
+/// The bus writes of a frame, in order, and their number.
 struct Settings {
     std::string text;
     int count = 0;
@@ -64,7 +65,7 @@ Settings settings_of(const Frame& frame, const Config& config) {
     return s;
 }
 
-/// The names of a payload's fields, the uppermost first.
+/// Collects the names of a payload's fields, the uppermost first.
 class NameVisitor {
 public:
     std::string text;
@@ -99,7 +100,7 @@ std::string pixels_hex(const FrameTrace& frame, const Config& config) {
     return text;
 }
 
-/// What the registers of the account say at the end of the frame.
+/// The expected values of the account's registers at the end of the frame, and their number.
 struct Account {
     std::string text;
     int count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// A frame of a chip as files that need nothing of this program: for another simulator, or for a board.
+// Exports one frame of a chip as files that do not need this program, for another simulator or for a board.
 #include <string>
 #include <vector>
 
@@ -7,19 +7,21 @@
 
 namespace rayclock {
 
+/// A file of an export.
 struct ExportedFile {
-    std::string name;   ///< from the export's folder
+    std::string name;   ///< path within the export's folder
     std::string bytes;
 };
+/// All files of an export, and what they should produce.
 struct Export {
     std::vector<ExportedFile> files;
-    std::uint64_t cycles = 0;   ///< of the frame, as the test bench expects them
+    std::uint64_t cycles = 0;   ///< the frame's cycles, which the test bench expects
     std::uint64_t digest = 0;
 };
 
-/// The RTL, the memory image, the registers, the expected pixels and account, and a test bench that checks
-/// them. `job` must have the ideal memory: its timing is the bench's. `title` names what is exported,
-/// `command` made it. Throws UserError if the configuration has no RTL.
+/// Returns the RTL, the memory image, the register writes, the expected pixels and account, and a test bench
+/// that checks them. `job` must use the ideal memory, because the bench has its timing. `title` names the
+/// exported frame, `command` the command that made it. Throws UserError if the configuration has no RTL.
 Export make_export(const Job& job, const std::string& title, const std::string& command,
                    const Progress& progress = {});
 

@@ -1,23 +1,23 @@
 // A stand-alone test bench of the chip rc_chip: a memory, a host on the bus, and a judge.
 //
-// It programs the frame as registers.hex says, starts it, and compares every pixel with
-// pixels.hex. Then it reads the registers of the frame's account, and compares them with
+// It writes the frame's settings from registers.hex, starts the frame, and compares every pixel
+// with pixels.hex. Then it reads the registers of the frame's account and compares them with
 // counters.hex.
 //
-// The memory answers a request after MemLatency cycles, takes one every MemInterval cycles, and
-// the sink takes every pixel at once: the account is for that. With +seed=N, N above 0, all three
-// are random: the latency of each request, and so the order of the answers; in which cycles the
-// memory takes a request; in which cycles the sink takes a pixel of each pipeline. The pixels stay
-// the same, and the account is left out. +nocounters leaves it out as well, for another memory or
-// for a chip without counters.
+// The memory answers a request after MemLatency cycles and accepts one every MemInterval cycles.
+// The sink accepts every pixel at once. The account holds for this timing. With +seed=N, N above 0,
+// three times are random: the latency of each request, and so the order of the answers; the cycles
+// in which the memory accepts a request; and the cycles in which the sink accepts a pixel of each
+// pipeline. The pixels stay the same, and the bench skips the account. +nocounters also skips it,
+// for another memory or for a chip without counters.
 `default_nettype none
 module rc_bench;
   // @settings@
   localparam int HitW  = rc_pkg::HitW;
   localparam int Ids   = 1 << rc_pkg::MemIdBits;
-  localparam int Tries = 100;   // cycles until the bus must have answered
+  localparam int Tries = 100;   // cycles before the bus must answer
 
-  logic [511:0]     image    [0:Lines-1];       // memory.hex: a line of 64 bytes each
+  logic [511:0]     image    [0:Lines-1];       // memory.hex: one line of 64 bytes per word
   logic [47:0]      settings [0:Settings-1];    // registers.hex: address, value
   logic [HitW-1:0]  expected [0:Pixels-1];      // pixels.hex: hit_t with its context 0, row by row
   logic [63:0]      account  [0:Accounts-1];    // counters.hex: address, value
@@ -44,7 +44,7 @@ module rc_bench;
     .hit_valid_o(hit_valid), .hit_ready_i(hit_ready), .hit_o(hits),
     .running_o(running), .done_o(done));
 
-  // ---- Chance, by a seed: the same numbers in every simulator (xorshift, 32 bits).
+  // ---- Random numbers from a seed, equal in every simulator (xorshift, 32 bits).
   int          seed;
   logic        random;
   logic [31:0] chance;
@@ -62,7 +62,8 @@ module rc_bench;
   end
   always @(posedge clk) chance <= next_chance(chance);
 
-  // ---- The memory: what each id waits for, and the cycle from which on it may be answered.
+  // ---- The memory: for each id the pending request, and the first cycle in which it may be
+  // answered.
   localparam int AddrW = rc_pkg::AddrBits;
   localparam int IdW   = rc_pkg::MemIdBits;
   logic             waits [0:Ids-1];
@@ -71,7 +72,7 @@ module rc_bench;
   logic [31:0]      now, next_free, latency;
   logic [IdW-1:0]   id;
   logic             chosen;
-  int               again, k;   // ids that came again too soon
+  int               again, k;   // requests whose id is still pending
   always @(posedge clk) begin
     if (!rst_n) begin
       now       = 0;
@@ -86,7 +87,7 @@ module rc_bench;
       if (req_valid && req_ready) begin
         id        = req[rc_pkg::MemReqW-1 -: IdW];
         latency   = MemLatency;
-        // Mostly up to 15 cycles more, sometimes up to 255.
+        // Usually adds up to 15 cycles, sometimes up to 255.
         if (random) latency = latency + (chance[10:8] == 0 ? 32'(chance[31:24]) : 32'(chance[3:0]));
         if (waits[id]) again = again + 1;
         waits[id] = 1'b1;
@@ -94,7 +95,7 @@ module rc_bench;
         due[id]   = now + latency;
         next_free = now + MemInterval;
       end
-      // The next cycle.
+      // Prepare the next cycle.
       now       = now + 1;
       req_ready <= random ? chance[12:11] != 0 : now >= next_free;
       for (int p = 0; p < rc_pkg::Pipelines; p++)
@@ -129,7 +130,7 @@ module rc_bench;
       held   = '0;
     end else begin
       if (running) cycles = cycles + 1;
-      // An offer that was not taken stays as it is.
+      // A pixel that was not accepted must not change.
       for (int p = 0; p < rc_pkg::Pipelines; p++)
         if (held[p] && (!hit_valid[p] || hits[p*HitW +: HitW] !== held_hits[p*HitW +: HitW])) begin
           if (wrong < 10) $display("pipeline %0d changes a pixel that it offers", p);
@@ -139,7 +140,7 @@ module rc_bench;
       held_hits = hits;
       for (int p = 0; p < rc_pkg::Pipelines; p++) if (hit_valid[p] && hit_ready[p]) begin
         hit     = hits[p*HitW +: HitW];
-        hit.ray = '0;   // which context made it hangs on the memory
+        hit.ray = '0;   // the context number depends on memory timing
         at      = int'(hit.y) * Width + int'(hit.x);
         seen    = seen + 1;
         if (int'(hit.x) >= Width || int'(hit.y) >= Height) begin
@@ -219,7 +220,7 @@ module rc_bench;
     rst_n       = 1'b0;
     repeat (ResetCycles) @(negedge clk);
     rst_n = 1'b1;
-    repeat (32) @(negedge clk);   // it prepares itself for sixteen cycles
+    repeat (32) @(negedge clk);   // the chip initialises itself for sixteen cycles
 
     access(1'b0, 13'(rc_pkg::RegMagic), '0);
     check(answer === rc_pkg::Magic, "the register magic does not say RCLK");

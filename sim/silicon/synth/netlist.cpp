@@ -1,3 +1,4 @@
+// Counts multipliers and flip-flops of a pipeline with Yosys.
 #include "sim/silicon/synth/netlist.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The multiplier steps of synth_ecp5. Products that are never wanted in the same cycle share a multiplier;
-// that is looked for within each module, before all become one, which finds the same and takes a thirtieth of
-// the time. No bit of a register is counted that is constant, unused or part of a memory's port. Then `stat`
-// counts.
+// The multiplier steps of synth_ecp5. Products that are never needed in the same cycle share a multiplier.
+// The script searches them within each module before it flattens the design. That finds the same products in
+// a thirtieth of the time. Bits of registers that are constant, unused or part of a memory's port are not
+// counted. `stat` counts at the end.
 constexpr const char* script = R"(hierarchy -check -top rc_pipeline
 proc
 opt_expr

@@ -1,5 +1,5 @@
 #pragma once
-// What a configuration costs as hardware: Yosys on its RTL.
+// The hardware cost of a configuration, counted by Yosys on its RTL.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace rayclock::synth {
 
-/// Counts of one machine's pipelines together; what they share (dispatch, arbiter, l2) is not among them.
+/// Counts of all pipelines of a machine. The shared units (dispatch, arbiter, l2) are not included.
 struct Netlist {
-    std::uint64_t multipliers = 0;   ///< MULT18X18D of an ECP5, after products are cut into 18x18 tiles and
-                                     ///< shared where exclusive
-    std::uint64_t flip_flops = 0;    ///< bits of registers; memories (queues, caches, stacks) are not
-                                     ///< registers
+    /// MULT18X18D of an ECP5. Products are cut into 18x18 tiles, and exclusive products share tiles.
+    std::uint64_t multipliers = 0;
+    /// Bits of registers. Memories (queues, caches, stacks) are not registers.
+    std::uint64_t flip_flops = 0;
 };
 
-/// Whether there is RTL for a configuration: some tests of primitives are software only.
+/// Returns true if a configuration has RTL. Some tests of primitives exist only in software.
 bool exists_in_rtl(const Config& config);
 
-/// What the counts depend on; the same for configurations whose RTL is the same.
+/// Returns the key of the counts. Configurations with the same RTL have the same key.
 std::string netlist_key(const Config& config);
 
-/// Runs Yosys (about ten seconds on one core) in a folder under `work`, which is removed. Nothing if
-/// interrupted() meanwhile; std::runtime_error with the tool's words if it fails.
+/// Runs Yosys in a temporary folder under `work`; about ten seconds on one core. Returns nothing if
+/// interrupted(). Throws UserError with the tool's message if it fails.
 std::optional<Netlist> count_netlist(const Config& config, const std::filesystem::path& work);
 
 }   // namespace rayclock::synth

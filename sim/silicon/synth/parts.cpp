@@ -1,3 +1,4 @@
+// Synthesises units with Yosys, and reads the hierarchy of their cells.
 #include "sim/silicon/synth/parts.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void add_cells(Count& count, const std::string& type, std::uint64_t n) {
     if (type == "DP16KD" || type == "PDPW16KD") count.bram += n;
 }
 
-/// Takes `more` of the same kind into `part`, whose parts are sorted.
+/// Adds `more`, a part of the same kind, to `part`. The parts below `part` are sorted by name.
 void merge(Part& part, const Part& more) {
     part.times += more.times;
     part.count += more.count;
@@ -46,10 +47,10 @@ Part scaled(const Part& part, std::uint64_t n) {
     return result;
 }
 
-constexpr std::uint64_t most_cells = 1 << 30;   // more than any device has
+constexpr std::uint64_t most_cells = 1 << 30;   // exceeds every device
 
-/// Modules in modules. A hostile file may nest them without end, or so that they stand in each other more
-/// often than anybody can count.
+/// Reads modules within modules. It limits depth and visits, because a hostile file may nest modules
+/// endlessly or multiply their instances.
 class Modules {
 public:
     explicit Modules(const JsonValue& modules) : modules_(modules) {}
@@ -62,7 +63,8 @@ public:
                  [&](const std::string& cell, const JsonValue& in) {
                      const std::uint64_t n = in.whole(most_cells);
                      add_cells(made.count, cell, n);
-                     // As Yosys names a module, and where it is used.
+                     // The name of a module as Yosys writes it, in its definition and in the cells that use
+                     // it.
                      const std::string inner_type = cell.starts_with("$") ? cell : "\\" + cell;
                      if (!modules_.raw().contains(inner_type)) return;
                      const Part inner = scaled(part(inner_type), n);
@@ -80,7 +82,7 @@ private:
     int visits_ = 0, depth_ = 0;
 };
 
-constexpr const char* read_flags = "-defer ";   // only what the top module needs is elaborated
+constexpr const char* read_flags = "-defer ";   // elaborates only what the top module needs
 
 }   // namespace
 
@@ -114,8 +116,8 @@ std::string elaborate(const Config& c, const std::string& unit) {
 }
 
 std::string synth_script() {
-    // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests'
-    // (tests/synth).
+    // Omits the last steps of synth_ecp5. `autoname` would take half of the time, and the tests in
+    // tests/synth run `check`.
     return fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}*\n{}tee -q -o stat.json stat -json\n",
                        fmt::join(cells(), "* *rc_"), ecp5_steps("check"));
 }
@@ -137,7 +139,7 @@ std::optional<Part> synthesize(const Config& config, const std::string& unit,
 }
 
 Part parts_of_stat(const std::string& stat, const std::string& top) {
-    // After the modules Yosys 0.23 draws their hierarchy, which is no JSON.
+    // After the modules Yosys 0.23 prints their hierarchy, which is not JSON.
     const std::size_t end = stat.find("\n   },");
     const std::string name = "stat.json of yosys",
                       text = end == std::string::npos ? stat : stat.substr(0, end) + "}}";

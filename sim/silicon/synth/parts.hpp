@@ -1,5 +1,5 @@
 #pragma once
-// What a unit takes of an ECP5: Yosys on one module of a configuration.
+// The resources of one unit on an ECP5, from Yosys on one module of a configuration.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ namespace rayclock::synth {
 /// Cells of an ECP5.
 struct Count {
     std::uint64_t lut4 = 0;    ///< LUT4: a function of four bits
-    std::uint64_t carry = 0;   ///< CCU2C: two bits of a carry chain, in the place of two LUT4
-    std::uint64_t ram = 0;     ///< TRELLIS_DPR16X4: 16 words of 4 bits, in the place of six LUT4
+    std::uint64_t carry = 0;   ///< CCU2C: two bits of a carry chain; occupies two LUT4 sites
+    std::uint64_t ram = 0;     ///< TRELLIS_DPR16X4: 16 words of 4 bits; occupies six LUT4 sites
     std::uint64_t ff = 0;      ///< TRELLIS_FF
     std::uint64_t dsp = 0;     ///< MULT18X18D
     std::uint64_t bram = 0;    ///< DP16KD or PDPW16KD: 18 Kbit
@@ -29,52 +29,52 @@ struct Count {
         return {n * c.lut4, n * c.carry, n * c.ram, n * c.ff, n * c.dsp, n * c.bram};
     }
     friend bool operator==(const Count&, const Count&) = default;
-    /// Places of LUTs: 2 for a CCU2C and 6 for a DPR16X4, which fill one slice and three (Lattice, ECP5 data
+    /// Returns LUT sites: 2 for a CCU2C (one slice) and 6 for a DPR16X4 (three slices; Lattice, ECP5 data
     /// sheet).
     std::uint64_t luts() const { return lut4 + 2 * carry + 6 * ram; }
 };
 
-/// A module's own cells and those beneath it.
+/// The cells of a module and of the modules below it.
 struct Part {
     std::string name;          ///< without rc_
-    std::uint64_t times = 1;   ///< in the part above, whatever its parameters
-    Count count;               ///< of all of them together, with what is beneath
-    std::vector<Part> parts;   ///< beneath, in alphabetical order
+    std::uint64_t times = 1;   ///< instances in the part above, with any parameters
+    Count count;               ///< all instances together, including the modules below
+    std::vector<Part> parts;   ///< the modules below, in alphabetical order
 };
 
 nlohmann::ordered_json part_json(const Part& part);
 Part part_of(const nlohmann::ordered_json& json);
 nlohmann::ordered_json count_json(const Count& count);
-/// Throws a JSON exception if it is not as count_json() made it.
+/// Reads the output of count_json(). Throws a JSON exception if the format is wrong.
 Count count_of(const nlohmann::ordered_json& json);
 
-/// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate.
-/// Names without rc_.
+/// Returns the modules that stay separate within their unit, so that each is counted: all arithmetic modules.
+/// Names are without rc_.
 const std::vector<std::string>& cells();
 
-/// rc_divide from "$paramod/rc_divide/Width=s32'...", "divide" from that; empty for a cell of the ECP5.
+/// Returns "divide" for "$paramod/rc_divide/Width=s32'..."; empty for a cell of the ECP5.
 std::string module_name(const std::string& type);
 
-/// The command that makes rc_UNIT the top, as the chip has it.
+/// Returns the command that makes rc_UNIT the top module, with the chip's parameters.
 std::string elaborate(const Config& config, const std::string& unit);
 
-/// Parameters that do not come from the package: the arbiter's, which the chip sets, and the chip's own,
-/// which goes without counters of what units do.
+/// Returns the parameters that do not come from the package: those of the arbiter, which the chip sets, and
+/// the chip's own. The chip is counted without the counters of unit activity.
 std::vector<std::pair<std::string, int>> parameters_of(const Config& config, const std::string& unit);
 
-/// What is done with a module once its hierarchy stands.
+/// Returns the synthesis script for an elaborated hierarchy.
 std::string synth_script();
 
-/// What the module looks like before synthesis, as a hash: the same for configurations that do not differ in
-/// it. Nothing if interrupted().
+/// Returns a hash of the module before synthesis. Configurations in which the module is equal share it.
+/// Nothing if interrupted().
 std::optional<std::string> shape_of(const Config& config, const std::string& unit,
                                     const std::filesystem::path& work);
 
-/// Nothing if interrupted().
+/// Synthesises a unit. Returns nothing if interrupted().
 std::optional<Part> synthesize(const Config& config, const std::string& unit,
                                const std::filesystem::path& work);
 
-/// What `stat -json` says of the unit's module and those beneath it.
+/// Reads the output of `stat -json` for the unit's module and those below it.
 Part parts_of_stat(const std::string& stat, const std::string& unit);
 
 }   // namespace rayclock::synth

@@ -1,3 +1,4 @@
+// Reads the output of Yosys's `stat`.
 #include "sim/silicon/synth/stat.hpp"
 
 #include "sim/files/json_form.hpp"
@@ -7,9 +8,10 @@ namespace rayclock::synth {
 
 namespace {
 
-constexpr std::uint64_t most_cells = 1 << 30;   // or bits of one register: more than any device has
+constexpr std::uint64_t most_cells = 1 << 30;   // limit for cells and for bits of one register; exceeds every
+                                                // device
 
-/// $sdffe_18: a register of 18 bits.
+/// Returns the bits of a register type: 18 for $sdffe_18, 0 for other cells.
 std::uint64_t bits_of(const std::string& type, const JsonValue& count) {
     const std::size_t width = type.rfind('_');
     if (type.find("dff") == std::string::npos || type[0] != '$' || width == std::string::npos) return 0;

@@ -1,12 +1,12 @@
 #pragma once
-// What Yosys counts: its `stat` as JSON.
+// Reads the output of Yosys's `stat` as JSON.
 #include <string>
 
 #include "sim/silicon/synth/netlist.hpp"
 
 namespace rayclock::synth {
 
-/// What `stat -width -json` says of a whole design. Throws UserError if it is not that.
+/// Reads the counts of a whole design from `stat -width -json`. Throws UserError if the format is wrong.
 Netlist counts_of(const std::string& stat);
 
 }   // namespace rayclock::synth

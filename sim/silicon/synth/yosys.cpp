@@ -1,3 +1,4 @@
+// Runs Yosys in temporary folders.
 #include "sim/silicon/synth/yosys.hpp"
 
 #include <cerrno>
@@ -34,14 +35,14 @@ std::string synthesised_text(const std::string& text) {
     if (text.find("/*") != std::string::npos) return text;   // the sources have no such comments
     std::istringstream lines(text);
     std::string kept;
-    int left_out = 0;   // how deep within `ifndef SYNTHESIS
+    int left_out = 0;   // depth within `ifndef SYNTHESIS
     for (std::string line; std::getline(lines, line); kept += '\n') {
         bool is_string = false;
         for (std::size_t i = 0; i < line.size(); ++i) {
             if (line[i] == '"') is_string = !is_string;
             if (!is_string && line.compare(i, 2, "//") == 0) line.resize(i);
         }
-        line.resize(line.find_last_not_of(" \t\r") + 1);   // npos + 1: nothing is left
+        line.resize(line.find_last_not_of(" \t\r") + 1);   // npos + 1: an empty line
         const std::string word = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
         const bool begins = word == "`ifndef SYNTHESIS";
         if (begins || (left_out > 0 && word.starts_with("`if")))
@@ -69,14 +70,14 @@ YosysFolder::YosysFolder(const fs::path& beside)
 
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     write("rc_pkg.sv", rc_package(config));
-    // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
+    // RC_ECP5 maps products to the device's own blocks: rtl/fixed/rc_mul_limb.sv.
     std::string commands =
         "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
-    // Copies in this folder: Yosys names cells by the files' names, and what ABC and a placer make of them
-    // depends on their names. So a netlist is the same wherever the sources lie.
+    // Copies the sources into this folder. Yosys names cells after files, and the results of ABC and of a
+    // placer depend on these names. So the netlist does not depend on the location of the sources.
     for (const RtlText& source : rtl_texts()) {
         const fs::path name = fs::path("rtl") / source.name;
-        if (name.extension() != ".sv") continue;   // the waivers
+        if (name.extension() != ".sv") continue;   // skip the waivers
         fs::create_directories((folder_.path() / name).parent_path());
         write(name.c_str(), source.text);
         commands += fmt::format("read_verilog -sv -D RC_ECP5 {}{}\n", read_flags, name.string());

@@ -1,5 +1,5 @@
 #pragma once
-// Yosys as a program of its own, on the RTL of a configuration.
+// Runs Yosys as a separate program on the RTL of a configuration.
 #include <filesystem>
 #include <string>
 
@@ -8,32 +8,32 @@
 
 namespace rayclock::synth {
 
-/// First line of `yosys -V`, or empty if there is none. Asked once.
+/// Returns the first line of `yosys -V`, or an empty string without Yosys. Runs the program once.
 const std::string& yosys_version();
 
-/// A source as synthesis reads it, line by line: without comments, and without what only a simulation sees
-/// (`ifndef SYNTHESIS). So what took an hour to route is not lost by a word in a comment.
+/// Returns a source without comments and without code that only simulation sees (`ifndef SYNTHESIS). Keys use
+/// this text, so an edited comment does not invalidate a result that took an hour to route.
 std::string synthesised_text(const std::string& text);
 
-/// Hash of synthesised_text of all Verilog sources but the package. Read once.
+/// Returns the hash of synthesised_text() of all Verilog sources except the package. Reads them once.
 const std::string& rtl_digest();
 
-/// A folder of its own for one run, removed in the end. It lies in `beside`, or among the temporary files if
-/// nothing can be written there.
+/// A temporary folder for one run, removed at the end. It lies in `beside`, or among the temporary files if
+/// `beside` is not writable.
 class YosysFolder {
 public:
     explicit YosysFolder(const std::filesystem::path& beside);
 
-    /// Reads the package of a configuration and all sources (with `read_flags`, as for read_verilog), then
-    /// runs the script in this folder. False if interrupted() meanwhile; UserError with the tool's complaint
-    /// if it fails.
+    /// Reads the package of a configuration and all sources, with `read_flags` for read_verilog, then runs
+    /// the script in this folder. Returns false if interrupted(). Throws UserError with the tool's message if
+    /// it fails.
     bool run(const Config& config, const std::string& read_flags, const std::string& script) const;
-    /// The script alone.
+    /// Runs the script alone.
     bool run(const std::string& script) const;
 
-    /// What the run has written. Throws UserError if it is not there.
+    /// Returns the content of a file that the run wrote. Throws UserError if the file is missing.
     std::string text(const char* file) const;
-    /// Throws UserError if it cannot be written.
+    /// Writes a file. Throws UserError if it cannot be written.
     void write(const char* file, const std::string& text) const;
     std::filesystem::path path(const char* file) const { return folder_.path() / file; }
 

@@ -1,4 +1,4 @@
-// Samples only where they are needed, beside as many everywhere.
+// Compares adaptive samples with the same number of samples everywhere.
 #include <fmt/format.h>
 
 #include "sim/study/figures/page.hpp"
@@ -54,7 +54,7 @@ double cost(const Point& p, int khz) {
     return p.cycles ? double(p.cycles) / khz : double(p.rays.all()) / 1e3;
 }
 
-/// Even samples are dark, adaptive ones pale, except for those that beat the former.
+/// Draws uniform samples dark and adaptive samples pale. Adaptive samples that beat a uniform grid are dark.
 plot::Drawing drawing(const std::string& title, const std::vector<Point>& points, int khz) {
     plot::Panel even{"the same everywhere",
                      points[0].cycles ? "milliseconds a frame at 66 MHz" : "rays, thousands",
@@ -81,7 +81,8 @@ plot::Drawing drawing(const std::string& title, const std::vector<Point>& points
 
 double work(const Point& p) { return p.cycles ? double(p.cycles) : double(p.rays.all()); }
 
-/// The finest even grid that some contrast beats in error and in work, by the cheapest such.
+/// Names the finest uniform grid that some contrast beats in error and in work, and the cheapest such
+/// contrast.
 std::string sentence(const std::vector<Point>& points, Engine engine) {
     const Point *even = nullptr, *cheap = nullptr;
     for (const Point& e : points) {

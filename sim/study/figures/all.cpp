@@ -1,4 +1,4 @@
-// The page.
+// Assembles the page of figures.
 #include <fmt/format.h>
 
 #include "sim/study/figures/page.hpp"

@@ -1,4 +1,4 @@
-// Reflecting spheres on a checkered floor, bounce by bounce, and what each bounce adds.
+// Renders reflecting spheres on a checkered floor, bounce by bounce, and the contribution of each bounce.
 #include <fmt/format.h>
 
 #include "sim/study/figures/page.hpp"
@@ -16,7 +16,7 @@ struct Series {
     std::vector<Shot> shots;   ///< by depth
 };
 
-/// By engine, in the order of the first depth's.
+/// Renders all depths. Returns a series for each engine, in the order of the first depth's shots.
 std::vector<Series> draw(Page& page) {
     Stage stage(page.studio(), "spheres", {.depth = most});
     std::vector<Series> all;

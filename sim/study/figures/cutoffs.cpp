@@ -1,4 +1,4 @@
-// Two cut-offs of a ray's tree, and what each saves and spoils.
+// Compares two cut-offs of a ray's tree: what each saves, and the error it causes.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ nlohmann::ordered_json json_of(const std::vector<Point>& points) {
     return list;
 }
 
-/// A machine's curve is over frames per second, the reference's over rays.
+/// Plots a machine's curve against frames per second, and the reference's against rays.
 plot::Panel panel_of(const std::string& title, const std::vector<Point>& points, const std::string& whole,
                      int khz) {
     const bool is_machine = points[0].cycles > 0;
@@ -115,7 +115,7 @@ void tabulate(Page& page, const std::vector<Curves>& all, int khz) {
                rows);
 }
 
-/// The cheapest of a list whose error an 8-bit picture hardly shows.
+/// Names the cheapest settings whose error is barely visible in an 8-bit picture.
 std::string best_sentence(const Curves& c) {
     constexpr double enough = 50;
     const Point &whole = c.depths.back(), *depth = &whole, *threshold = &whole;

@@ -1,4 +1,4 @@
-// What samples on a regular and on a jittered grid make of a checkered plane and of an edge.
+// Renders a checkered plane and an edge with samples on regular and on jittered grids.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -38,7 +38,7 @@ std::vector<Sample> draw(Page& page, Stage& stage, const std::string& scene) {
     return all;
 }
 
-/// Two rows of three pictures for each engine: regular above, jittered below.
+/// Shows two rows of three pictures for each engine: regular above, jittered below.
 void show(Page& page, const std::vector<Sample>& all, const std::string& scene,
           const std::function<Picture(const Picture&)>& prepare) {
     for (const Engine e : {Engine::reference, Engine::model, Engine::rtl}) {
@@ -57,7 +57,7 @@ void show(Page& page, const std::vector<Sample>& all, const std::string& scene,
     }
 }
 
-/// Beside the reference's picture of 8x8 regular samples.
+/// Tabulates the distance to the reference's picture with 8x8 regular samples.
 void tabulate(Page& page, const std::vector<Sample>& all, const Picture& best, const char* key) {
     std::vector<std::vector<std::string>> rows;
     for (const Sample& s : all) {
@@ -99,8 +99,8 @@ void endless_plane(Page& page) {
 }
 
 void edge(Page& page) {
-    // The square's left edge, where pixels are magnified: half of it is 0.3018 of the picture's height from
-    // the middle.
+    // The square's left edge, where the picture is magnified. It lies 0.3018 of the picture's height from the
+    // middle.
     const FrameSize size{64, 48};
     constexpr int w = 32, h = 24, factor = 8;
     const double half_height = std::tan(45 * std::numbers::pi / 360) * 4;

@@ -1,3 +1,4 @@
+// Collects the text, files and numbers of a page of figures.
 #include "sim/study/figures/page.hpp"
 
 #include <cmath>
@@ -47,7 +48,7 @@ std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string
     try {
         all.emplace_back(Engine::rtl, stage.take(Engine::rtl, settings));
     } catch (const UserError& e) {
-        if (interrupted() || all.empty()) throw;   // nothing but the RTL was asked for
+        if (interrupted() || all.empty()) throw;   // only the RTL was requested
         rtl_trouble_ = e.what();
         return all;
     }

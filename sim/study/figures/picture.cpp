@@ -1,4 +1,4 @@
-// Pictures compared and prepared for the eye.
+// Compares pictures and prepares them for display.
 #include <cmath>
 
 #include <glm/common.hpp>

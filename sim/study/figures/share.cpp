@@ -1,4 +1,4 @@
-// How much of the time goes into intersection tests, with and without a hierarchy.
+// Measures the share of time in intersection tests, with and without a hierarchy.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ namespace {
 constexpr const char* scenes[] = {"balls:2", "mount:4", "gears:1"};
 constexpr int depth = 4;
 
-/// The reference on one thread.
+/// Times of the reference on one thread.
 struct Measured {
     double total = 0;    ///< seconds of a frame
-    double search = 0;   ///< of these, in finding hits
+    double search = 0;   ///< the part spent searching hits
     RefEffort effort;
 };
 
-/// What reading the clock adds to a search's time: the quickest of many batches.
+/// Returns the time that reading the clock adds to a search: the least of many batches.
 double clock_cost() {
     constexpr int batches = 200, times = 200;
     double least = 1;
@@ -39,7 +39,8 @@ double clock_cost() {
     return least;
 }
 
-/// The quickest of a few, which other work on this computer has disturbed least.
+/// Measures a frame several times and returns the quickest, which other work on this computer disturbed
+/// least.
 Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool tests_all) {
     Measured best;
     for (int i = 0; i < 3; ++i) {
@@ -50,8 +51,8 @@ Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool
         ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, stopping({}));
         m.total = watch.seconds();
         geometry.watch(nullptr);
-        const double cost = clock_cost() * double(m.effort.rays);   // of one reading: the other one is
-                                                                    // outside the search's time
+        // One reading lies inside the search's time, the other outside.
+        const double cost = clock_cost() * double(m.effort.rays);
         m.total -= 2 * cost;
         m.search = m.effort.seconds - cost;
         if (i == 0 || m.total < best.total) best = m;

@@ -1,3 +1,4 @@
+// Renders one scene with each engine.
 #include "sim/study/figures/studio.hpp"
 
 #include <algorithm>

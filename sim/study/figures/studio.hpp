@@ -1,5 +1,5 @@
 #pragma once
-// Finished pictures of one scene by the three engines, for pages that set them side by side.
+// Finished pictures of one scene by the three engines, for comparison on a page.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ enum class Engine { reference, model, rtl };
 constexpr const char* engine_names[] = {"reference", "model", "RTL"};
 constexpr const char* name_of(Engine e) { return engine_names[int(e)]; }
 
-/// What all figures of a page have in common.
+/// Settings that all figures of a page share.
 struct Studio {
     FrameSize size{256, 192};
     int threads = 0;
@@ -24,15 +24,15 @@ struct Studio {
     bool has(Engine e) const;
 };
 
-/// One picture, and what it took.
+/// One picture and its costs.
 struct Shot {
     Picture picture;
     RayCounts rays;
-    std::optional<FrameRun> run;   ///< of a machine
+    std::optional<FrameRun> run;   ///< only for machines
 };
 
-/// A scene with one machine for all settings up to `most`: units, stack and registers are those that `most`
-/// needs, so that only the settings differ from picture to picture.
+/// A scene with one machine for all settings up to `most`. The machine has the units, stack and registers
+/// that `most` needs, so only the settings differ between pictures.
 class Stage {
 public:
     Stage(const Studio& studio, const std::string& scene, const Whitted& most, FrameSize size);

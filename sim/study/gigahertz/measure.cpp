@@ -1,3 +1,4 @@
+// Simulates the machine at all clocks, memories and numbers of pipelines.
 #include "sim/study/gigahertz/measure.hpp"
 
 #include <mutex>
@@ -55,7 +56,7 @@ std::vector<Point> finished_points() {
     return points;
 }
 
-/// All points of one recorded frame, on all threads.
+/// Times all points on one recorded frame, in parallel.
 std::map<Point, Frame> run_all(const Job& job, const std::vector<Point>& points, const char* what,
                                int threads, const Progress& progress) {
     std::vector<FrameTrace> frames;

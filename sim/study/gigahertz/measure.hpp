@@ -1,5 +1,5 @@
 #pragma once
-// One machine at the clocks of processors: what it does on each memory, with more and more pipelines.
+// One machine at the clocks of processors, on several memories and with growing numbers of pipelines.
 #include <map>
 #include <string>
 #include <tuple>
@@ -10,43 +10,45 @@
 
 namespace rayclock::gigahertz {
 
-/// A memory as the page calls it.
+/// A memory, with its name on the page.
 struct MemoryChoice {
     std::string name, dram;
     int channels;
 };
 const std::vector<MemoryChoice>& memories();
-const std::vector<int>& clocks();      ///< MHz, from slow to fast
-const std::vector<int>& pipelines();   ///< from few to many
+const std::vector<int>& clocks();      ///< in MHz, in ascending order
+const std::vector<int>& pipelines();   ///< in ascending order
 
-/// What the page is made of.
+/// The input of the page.
 struct Study {
     Config base;
     std::string scene, finished_scene;
-    FrameSize size;   ///< of camera rays; a finished picture has half as many columns and rows
+    FrameSize size;   ///< size of pictures from camera rays; a finished picture has half the columns and rows
     int threads = 0;
 };
 
-/// A frame, and what its memory did.
+/// The figures of a frame and of its memory.
 struct Frame {
     std::uint64_t cycles = 0;
     double rays = 0, fps = 0, bytes = 0;
     Bound bound;
-    double busy = 0, waits = 0;   ///< shares of cycles: data on the memory's bus; requests wait
+    double busy = 0, waits = 0;   ///< shares of cycles: data on the memory's bus; requests waiting
     double rays_per_second() const { return fps * rays; }
 };
 
-/// Changes to the machine that may move the wall, as the page calls them.
+/// Changes to the machine that may remove the limit, by their names on the page.
 enum class Cure { none, contexts, cache };
 constexpr int cures = 3;
 
-/// Which frame: index of the memory, MHz, pipelines, cure.
+/// Identifies a frame: index of the memory, MHz, pipelines, cure.
 using Point = std::tuple<std::size_t, int, int, Cure>;
 
+/// All results of the study.
 struct Figures {
-    std::map<Point, Frame> camera;     ///< clocks x memories with the fewest and the most pipelines; at the
-                                       ///< last clock with any number of them; cures at the last of both
-    std::map<Point, Frame> finished;   ///< first and last clock, first and last number of pipelines
+    /// Clocks x memories with the fewest and the most pipelines; the last clock with every number of
+    /// pipelines; cures at the last clock and number.
+    std::map<Point, Frame> camera;
+    std::map<Point, Frame> finished;   ///< first and last clock with the first and last number of pipelines
     std::size_t triangles = 0;
     double finished_rays_per_pixel = 0;
 
@@ -55,10 +57,10 @@ struct Figures {
     }
 };
 
-/// The machine with the memory, pipelines and cure of a point.
+/// Returns the machine with the memory, the pipelines and the cure of a point.
 Config config_of(const Config& base, const Point& point);
 
-/// Throws UserError if interrupted.
+/// Runs the study. Throws Interrupted after Ctrl-C.
 Figures measure(const Study& study, const Progress& progress);
 
 }   // namespace rayclock::gigahertz

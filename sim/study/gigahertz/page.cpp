@@ -1,3 +1,4 @@
+// Writes the page of the study of processor clocks.
 #include "sim/study/gigahertz/page.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ int fewest() { return pipelines().front(); }
 int most() { return pipelines().back(); }
 double growth() { return double(fastest()) / slowest(); }
 
-/// A number with three digits that mean something.
+/// Formats a number with three significant digits.
 std::string fps_text(double fps) {
     return fps < 9.995   ? fmt::format("{:.2f}", fps)
            : fps < 99.95 ? fmt::format("{:.1f}", fps)
@@ -26,20 +27,21 @@ std::string fps_text(double fps) {
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 std::string megarays(double rays) { return fps_text(rays / 1e6); }
 
-/// How many times the frames of the slowest clock, as many pipelines.
+/// Returns the frames per second at the fastest clock relative to the slowest, with equal pipelines.
 double gain(const Figures& f, std::size_t memory, int p) {
     return f.at(memory, fastest(), p).fps / f.at(memory, slowest(), p).fps;
 }
 
-/// The first clock at which a frame takes more than twice the cycles of the slowest clock; 0 if there is
-/// none.
+/// Returns the first clock at which a frame takes more than twice the cycles of the slowest clock; 0 if there
+/// is none.
 int wall(const Figures& f, std::size_t memory, int p) {
     for (const int mhz : clocks())
         if (f.at(memory, mhz, p).cycles > 2 * f.at(memory, slowest(), p).cycles) return mhz;
     return 0;
 }
 
-/// What holds a frame up: what the memory did says it, and for a chip that has what it needs its own bound.
+/// Returns the limit of a frame: the memory's part that was busy, or the chip's own bound if memory did not
+/// limit it.
 std::string reason(std::size_t memory, const Frame& frame) {
     const bool is_ideal = memories()[memory].dram == "ideal";
     if (is_ideal ? frame.busy >= 0.6
@@ -125,12 +127,12 @@ Table finished_table(const Figures& f) {
     return table;
 }
 
-/// What was published of other machines. Camera rays a second follow from pixels and frames.
+/// Published figures of other machines. Camera rays per second are computed from pixels and frames.
 struct Published {
     const char* what;
     const char* machine;
     FrameSize size;
-    double from, to;   ///< frames per second; without a size: million rays per second
+    double from, to;   ///< frames per second; without a size, million rays per second
     const char* note;
 };
 constexpr Published published[]{
@@ -182,7 +184,8 @@ Table ours_table(const Figures& f) {
     return table;
 }
 
-/// The slowest clock at which the machine traces as many camera rays; 0 if none does.
+/// Returns the slowest clock at which the machine traces at least `rays` camera rays per second; 0 if there
+/// is none.
 int clock_of(const Figures& f, std::size_t memory, int p, double rays) {
     for (const int mhz : clocks())
         if (f.at(memory, mhz, p).rays_per_second() >= rays) return mhz;
@@ -197,7 +200,7 @@ std::string name_list(const std::vector<std::string>& names) {
     return text;
 }
 
-/// At which clocks Quake Wars' camera rays are passed.
+/// Names the clocks at which the machine exceeds the camera rays of Quake Wars.
 std::string passed_text(const Figures& f) {
     const double rays = rays_of(quake_wars, quake_wars.to);
     std::string text = fmt::format(
@@ -221,7 +224,8 @@ std::string passed_text(const Figures& f) {
     return text + ". ";
 }
 
-/// Geometric mean over all memories but the ideal one, of the last clock and the most pipelines.
+/// Returns the geometric mean of a cure's gain over all memories except the ideal one, at the last clock with
+/// the most pipelines.
 double cure_gain(const Figures& f, Cure cure) {
     double sum = 0;
     int count = 0;
@@ -234,7 +238,7 @@ double cure_gain(const Figures& f, Cure cure) {
 }
 
 std::string answer(const Figures& f) {
-    constexpr double nearly = 0.8;   // of what the clock alone would bring
+    constexpr double nearly = 0.8;   // of the gain that the clock alone would give
     std::string text =
         fmt::format("The guess is that a chip of {} MHz, made at {} MHz, draws {:.0f} times the frames. ",
                     slowest(), fastest(), growth());

@@ -4,11 +4,13 @@
 
 namespace rayclock::gigahertz {
 
-/// The page in Markdown. `command` is what was typed, `picture` the name of picture()'s file without ending.
+/// Returns the page as Markdown. `command` is the command that makes it, `picture` the name of picture()'s
+/// file without extension.
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 
-/// Frames per second against the clock, a line for each memory: with the fewest and the most pipelines.
+/// Draws frames per second against the clock, with a line for each memory: with the fewest and with the most
+/// pipelines.
 plot::Drawing picture(const Figures& figures, const Study& study);
 
 }   // namespace rayclock::gigahertz

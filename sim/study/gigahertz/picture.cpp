@@ -1,3 +1,4 @@
+// Draws frames per second against the clock.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ constexpr Colour colours[]{{0x8c, 0x56, 0x4b}, {0xc8, 0x2a, 0x2a}, {0xe0, 0x7b, 
 
 struct Axes {
     plot::Scale x, y;
-    double from;   // the panel's left edge
+    double from;   // left edge of the panel
     Place at(double mhz, double fps) const {
         return {from + left + x.place(mhz) * (width - left - right),
                 height - bottom - y.place(fps) * (height - top - bottom)};
@@ -47,7 +48,7 @@ void draw_frame(Drawing& drawing, const Axes& axes, const std::string& title) {
         plot::Text{{axes.from + 16, (y0 + y1) / 2}, "frames per second", 12, grey, Anchor::middle, true});
 }
 
-/// Names at the right ends of the lines, moved apart where lines end together.
+/// Draws names at the right ends of the lines, with a minimum distance between them.
 void draw_names(Drawing& drawing, std::vector<std::pair<double, std::size_t>> ends, double x) {
     std::sort(ends.begin(), ends.end());
     constexpr double apart = 15;

@@ -1,3 +1,4 @@
+// Compiles, renders and judges scenes with each structure.
 #include "sim/study/structures/measure.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 Kind kind_of(const char* name, Config config, Structure structure, Straddlers straddlers) {
     config.structure = int(structure);
     config.straddlers = int(straddlers);
-    while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for a node in every cycle
+    while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for one node per cycle
     return {name, config};
 }
 
@@ -53,7 +54,7 @@ int dram_called(const char* name) {
     return int(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// The reference's picture, which all structures of a scene are set beside.
+/// The reference's picture, with which all structures of a scene are compared.
 struct Drawn {
     HitFrame hits;
     Picture picture;
@@ -77,7 +78,7 @@ FrameError error_of(const Scene& scene, const Job& job, const FrameTrace& made, 
     return frame_error(hits, picture, reference.hits, reference.picture);
 }
 
-/// `settings` of a chip that shades: only that one meets true spheres.
+/// `settings` are those of a shading chip, because only such a chip meets true spheres.
 void measure_camera(const Scene& scene, const Config& chip, const Whitted& settings, const Study& study,
                     const Drawn& reference, Cell& cell) {
     const double begin = processor_seconds();
@@ -143,7 +144,7 @@ SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, cons
     if (finished || is_round) native = told_scene(name, stopping({}), Primitives::native);
     if (is_round) {
         scene = native;
-        scene.lights.clear();   // so that there are camera rays alone
+        scene.lights.clear();   // so that only camera rays are traced
     } else {
         scene = told_scene(name, stopping({}));
     }

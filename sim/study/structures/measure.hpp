@@ -1,5 +1,5 @@
 #pragma once
-// Every structure on every scene: what the compiler made, what rays did in it, what the chip took.
+// Measures every structure on every scene: the compiled image, the work of rays, and the time of the chip.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,55 +11,57 @@
 
 namespace rayclock::structures {
 
-/// What the page is made of.
+/// The input of the page.
 struct Study {
     Config base;
     FrameSize size{256, 192};
     std::vector<std::string> scenes;
-    std::vector<std::string> round;   ///< of these, those whose camera rays meet true spheres as well
+    std::vector<std::string> round;   ///< scenes whose camera rays also meet true spheres
     int threads = 0;
-    Limits limits{};   ///< beyond which a picture gets a mark
+    Limits limits{};   ///< a picture beyond these gets a mark
     bool is_round(const std::string& scene) const;
 };
 
-/// A structure as the page calls it.
+/// A structure, with its name on the page.
 struct Kind {
     std::string name;
     Config config;
 };
-/// The trees in the order of the page, a list, and an octree by the rule of the textbook.
+/// Return the trees in the order of the page, a list, and an octree by the textbook's rule.
 std::vector<Kind> trees(const Config& base);
 Kind list(const Config& base);
 Kind inner_octree(const Config& base);
 
-/// A frame, and what bounds it.
+/// A frame and its bound.
 struct Frame {
     FrameRun run;
     Bound bound;
-    double tri_busy = 0;   ///< share of cycles in which tri begins a test
-    FrameError error{};    ///< of its picture, beside the reference's
+    double tri_busy = 0;   ///< share of cycles in which tri starts a test
+    FrameError error{};    ///< error of its picture against the reference
     double rays() const { return rays_of(run); }
     double cycles_per_ray() const { return double(run.cycles) / rays(); }
     double fps() const { return per_second(run, default_khz); }
 };
 
+/// The results of one structure on one scene.
 struct Cell {
     std::string structure;
-    std::string refused;   ///< the compiler's sentence; then there is nothing else
+    std::string refused;   ///< the compiler's error message; then all other members are empty
     CompileReport report;
-    double build = 0;   ///< seconds of processor time, all threads together
+    double build = 0;   ///< processor time in seconds, summed over threads
     Frame camera;
     std::optional<Frame> finished;
-    std::vector<double> elsewhere;   ///< cycles a camera ray in each of surroundings()
+    std::vector<double> elsewhere;   ///< cycles per camera ray in each of surroundings()
 };
 
-/// Caches and memories that the page compares, beside the configuration's own.
+/// Caches and memories that the page compares with the configuration's own.
 struct Surroundings {
     const char* dram;
-    int sets;   ///< of both caches
+    int sets;   ///< sets of both caches
 };
 const std::vector<Surroundings>& surroundings();
 
+/// The results of all structures on one scene.
 struct SceneCells {
     std::string name;
     bool is_round = false;   ///< camera rays meet true spheres
@@ -67,15 +69,15 @@ struct SceneCells {
     std::vector<Cell> cells;
 };
 
-/// One pipeline of a structure's machine.
+/// The area of one pipeline with a structure.
 struct Areas {
-    area::Count hits;   ///< that finds hits of triangles
-    area::Count all;    ///< with every unit of finished pictures
+    area::Count hits;   ///< a pipeline that finds hits of triangles
+    area::Count all;    ///< a pipeline with every unit of finished pictures
 };
 
-/// Camera rays of the scene, in triangles or, if it is one of study.round, in true spheres and without a
-/// light; with `finished` also its picture at depth 4 and half the size, true spheres. Throws UserError if
-/// interrupted.
+/// Measures camera rays of the scene. The scene has triangles or, if it is in study.round, true spheres and
+/// no light. `finished` adds its picture at depth 4 and half the size with true spheres. Throws Interrupted
+/// after Ctrl-C.
 SceneCells measure(const std::string& scene, const std::vector<Kind>& kinds, const Study& study,
                    bool finished, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// docs/structures.md from measured figures; the words about each scene are in reasons.cpp.
+// Writes docs/structures.md from measurements. The texts about each scene are in reasons.cpp.
 #include "sim/study/structures/page.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ std::string hits(const FrameRun& run, Unit cache) {
     return account.accesses == 0 ? "-" : fmt::format("{:.1f} %", 100 * account.hit_rate());
 }
 
-/// Rays after which building the tree has taken less time than the chip needs for testing all primitives with
-/// the rays: one test a cycle and primitive.
+/// Returns the number of rays at which building the tree pays off. Beyond it the build took less time than
+/// testing all primitives with these rays on the chip, at one test per cycle and primitive.
 double paid_after(const SceneCells& scene, const Cell& cell) {
     const double saved = double(scene.primitives) - cell.camera.cycles_per_ray();
     return saved > 0 ? cell.build * default_khz * 1e3 / saved : HUGE_VAL;
@@ -46,7 +46,7 @@ Table tree_table(const SceneCells& scene) {
     return table;
 }
 
-/// Pictures of a scene, for the sentence below its table.
+/// Returns the pictures of a scene for the note below its table.
 std::vector<NamedError> pictures_of(const SceneCells& scene) {
     std::vector<NamedError> pictures;
     for (const Cell& c : scene.cells) {
@@ -102,7 +102,7 @@ double finished_fps_of(const Cell& c) { return c.finished ? c.finished->fps() : 
 double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
 double bytes_of(const Cell& c) { return double(c.report.bytes); }
 
-/// Scenes whose camera rays meet triangles alone: these run on the smaller pipeline.
+/// Returns the scenes whose camera rays meet only triangles. These run on the smaller pipeline.
 std::vector<SceneCells> angular(const Figures& figures) {
     std::vector<SceneCells> scenes;
     for (const SceneCells& scene : figures.large)
@@ -219,7 +219,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
     }
     text += around_words + best_table(figures.large, study.base);
-    const auto& usual = large_scenes();   // others may come after these
+    const auto& usual = large_scenes();   // other scenes may follow these
     const bool is_usual = study.base.name == "default" && study.scenes.size() >= usual.size() &&
                           std::equal(usual.begin(), usual.end(), study.scenes.begin());
     if (is_usual) text += fmt::format("\n{}\n", reason(""));

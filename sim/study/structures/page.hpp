@@ -1,5 +1,5 @@
 #pragma once
-// docs/structures.md: every structure on one machine.
+// The page docs/structures.md: every structure on one machine.
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -9,35 +9,37 @@
 
 namespace rayclock::structures {
 
-/// Scenes of the page in docs/, and the small ones on which a list of all primitives is walked as well.
+/// Return the scenes of the page in docs/, and the small scenes that are also walked as a list of all
+/// primitives.
 const std::vector<std::string>& large_scenes();
 const std::vector<std::string>& small_scenes();
 
-/// What the page says.
+/// The data of the page.
 struct Figures {
     std::vector<SceneCells> large, small;
-    std::optional<std::vector<Areas>> areas;   ///< as in trees(), then the list's
+    std::optional<std::vector<Areas>> areas;   ///< in the order of trees(), then the list
 };
 
-/// As Markdown, with `picture` beside it. `command` is what to type for it.
+/// Returns the page as Markdown, which links to `picture`. `command` is the command that makes it.
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 plot::Drawing picture(const Figures& figures, const Study& study);
-/// The same figures, a row for each scene, structure and kind of frame (docs/report.md).
+/// Returns the same data with a row for each scene, structure and kind of frame (docs/report.md).
 nlohmann::ordered_json rows(const Figures& figures, const Limits& limits);
 
-/// A frame's pipeline, if areas were counted: with all units if its rays meet true spheres or are shaded.
+/// Returns the pipeline of a frame, if areas were counted. It has all units if the frame's rays meet true
+/// spheres or are shaded.
 const area::Count* area_of(const Figures& figures, const SceneCells& scene, std::size_t structure,
                            bool finished);
 
-/// Geometric mean over the scenes in which all structures were built.
+/// Returns the geometric mean over the scenes in which all structures were built.
 double mean_of(const std::vector<SceneCells>& scenes, std::size_t structure, double (*value)(const Cell&));
 
-/// Of each scene and each of surroundings(): which structure needs the fewest cycles, and by how much.
+/// Returns for each scene and each of surroundings() the structure with the fewest cycles, and its lead.
 std::string best_table(const std::vector<SceneCells>& scenes, const Config& base);
 
-/// Why the figures of a scene are what they are, in a paragraph; empty if nobody has looked at the scene. Of
-/// the empty name: of all scenes of the page in docs/ together.
+/// Returns a paragraph that explains the results of a scene; empty for a scene without analysis. The empty
+/// name returns the paragraph for all scenes of the page in docs/.
 const char* reason(const std::string& scene);
 
 }   // namespace rayclock::structures

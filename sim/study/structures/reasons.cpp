@@ -1,5 +1,5 @@
-// What the counters say, in words: of all scenes together, and of each. They are of configuration `default`
-// and of the scenes of the page in docs/; other pages leave them out.
+// Explanations of the counters, for all scenes together and for each one. They apply to configuration
+// `default` and the scenes of the page in docs/. Other pages omit them.
 #include "sim/study/structures/page.hpp"
 
 namespace rayclock::structures {
@@ -7,7 +7,7 @@ namespace rayclock::structures {
 namespace {
 
 struct Reason {
-    const char* scene;   ///< empty: all of them
+    const char* scene;   ///< empty: all scenes
     const char* words;
 };
 constexpr Reason reasons[] = {

@@ -1,4 +1,4 @@
-// What the figures of structures say of one row, one place, one mean.
+// Computes the rows, means and rankings of structures.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ nlohmann::ordered_json row_of(const SceneCells& scene, const Cell& cell, const F
     return row;
 }
 
-/// The structure with the fewest cycles in the surroundings `at`, and what the next one needs.
+/// Returns the structure with the fewest cycles in the surroundings `at`, and the lead over the next one.
 std::string best_of(const SceneCells& scene, std::size_t at) {
     const Cell *best = nullptr, *next = nullptr;
     for (const Cell& c : scene.cells) {

@@ -1,3 +1,4 @@
+// Reads reports, flattens their figures and compares them.
 #include "sim/view/compare/compare.hpp"
 
 #include <algorithm>
@@ -21,14 +22,15 @@ using nlohmann::json;
 using Figures = std::map<std::string, double>;
 using Words = std::map<std::string, std::string>;
 
-/// What a run on another machine or another day has otherwise, and what a clock says already: units and
-/// memory are those of the first clock.
+/// Returns true for values that depend on the host or the date, and for values that a clock repeats.
+/// Top-level units and memory belong to the first clock.
 bool is_left_out(const std::string& path) {
     return path == "units" || path == "memory" || path.starts_with("host.") || path.ends_with("seconds") ||
            path == "digest" || path.ends_with(".bottleneck");
 }
 
-/// A figure's name is the path of its keys, and there may be as many figures as the file has bytes.
+/// A figure's name is the path of its keys. A path may not be longer, because a file can hold about as many
+/// figures as it has bytes.
 constexpr std::size_t longest_path = 200;
 
 void flatten(const json& value, const std::string& path, Figures& figures, Words& words) {
@@ -78,7 +80,7 @@ Difference difference_of(const std::string& name, std::vector<std::optional<doub
 
 namespace {
 
-/// The JSON in a script element of a page.
+/// Returns the JSON of a script element of a page.
 std::string element_of(const std::string& file, const std::string& page, const std::string& id) {
     const std::string head = "<script type=\"application/json\" id=\"" + id + "\">";
     const std::size_t begin = page.find(head);
@@ -88,7 +90,7 @@ std::string element_of(const std::string& file, const std::string& page, const s
     return page.substr(begin + head.size(), end == page.npos ? end : end - begin - head.size());
 }
 
-/// What is asked of a page's figures of pixels, each by its name.
+/// Checks the pixel maps of a page: their keys, names, data and widths.
 void check_page(const JsonValue& page) {
     for (const char* key : {"width", "height"})
         if (const auto side = page.find(key)) side->whole(max_frame_side + 1);
@@ -204,7 +206,7 @@ std::vector<Difference> beyond(const Comparison& comparison, const std::vector<s
     for (const Difference& d : comparison.differences)
         if (d.verdict == Verdict::worse && (std::fabs(d.change) > share || d.is_new) &&
             std::any_of(figures.begin(), figures.end(), [&](const std::string& name) {
-                // A '*' stands for one part of a name, as the MHz of a clock.
+                // A '*' matches one part of a name, such as the MHz of a clock.
                 const std::size_t star = name.find('*');
                 if (star == name.npos) return d.figure == name || d.figure.starts_with(name + ".");
                 const std::string head = name.substr(0, star), tail = name.substr(star + 1);

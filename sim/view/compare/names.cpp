@@ -1,4 +1,4 @@
-// What figures of reports are called in pages, and in which order people want them.
+// Names of figures in pages, and the figures that are listed first.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@ namespace rayclock {
 
 namespace {
 
-/// Parts of a name that say it otherwise than with blanks for the dashes below.
+/// Parts of a name that need other words. All other parts only replace dashes with blanks.
 const std::map<std::string, std::string>& words() {
     static const std::map<std::string, std::string> all{
         {"fps", "frames a second"},
@@ -51,7 +51,7 @@ std::string spoken(const std::string& part) {
     return text;
 }
 
-/// Causes of cycles and resources, which follow the word before them and are names of units.
+/// Returns true for a part that is followed by a unit or a resource.
 bool names_what_follows(const std::string& part) {
     constexpr std::array ones{"busy_with", "starved_by", "stalled", "bounds"};
     return std::find(ones.begin(), ones.end(), part) != ones.end();
@@ -63,7 +63,7 @@ std::string figure_name(const std::string& figure) {
     std::vector<std::string> parts = split(figure, '.');
     std::string clock;
     if (parts.size() > 2 && parts[0] == "clocks") {
-        // A clock that is no whole number has a point of its own.
+        // A clock with a fraction has a point of its own in the path.
         std::size_t used = 2;
         std::string mhz = parts[1];
         if (parts.size() > 3 && parts[2].find_first_not_of("0123456789") == std::string::npos)

@@ -1,3 +1,4 @@
+// Builds the page of a comparison.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +18,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// The cycles of a page's pixels: whole numbers in planes of bytes, the lowest first.
+/// The cycles of a page's pixels: integers stored as planes of bytes, the lowest byte first.
 class Cycles {
 public:
     Cycles(const NamedReport& report, std::size_t pixels) : pixels_(pixels) {
@@ -52,7 +53,7 @@ bool same_frame(const NamedReport& a, const NamedReport& b) {
            a.page.value("height", json()) == b.page.value("height", json());
 }
 
-/// The maps that both pages have, each as it was packed.
+/// Returns the maps that both pages have, still packed.
 ordered_json maps_json(const NamedReport& first, const NamedReport& last) {
     ordered_json maps = ordered_json::array();
     for (const json& a : first.page.at("maps"))

@@ -1,3 +1,4 @@
+// Formats a comparison as text and as JSON.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Why a pixel took as long as it did, and why its colour is what it is: a report for people and for programs.
+// Explains the cycles and the colour of one pixel, as text and as JSON.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -9,16 +9,17 @@
 
 namespace rayclock {
 
-/// A pixel's colour beside the reference's.
+/// A pixel's colour next to the reference's, with the cause of the difference.
 struct ColourFinding {
     glm::vec3 machine{0}, reference{0};   ///< linear
-    Hit hit, reference_hit;               ///< of the first camera ray
-    bool is_other = false;                ///< holds another primitive
-    std::optional<PixelCause> cause;      ///< `none` if it does not differ; nothing without a judge
-    std::string fault;                    ///< of a bug: what is wrong
+    Hit hit, reference_hit;               ///< hits of the first camera ray
+    bool is_other = false;                ///< the pixel shows another primitive
+    std::optional<PixelCause> cause;      ///< `none` if the colours agree; empty without a judgement
+    std::string fault;                    ///< for a bug: the fault
     std::vector<PixelStage> stages;
 };
 
+/// Everything that `explain` reports about one pixel.
 struct Explanation {
     const Config& config;
     const FrameCosts& costs;
@@ -26,20 +27,20 @@ struct Explanation {
     PixelStory story;
     std::optional<ColourFinding> colour;
 
-    std::uint64_t slower() const;   ///< pixels of the frame that took longer
+    std::uint64_t slower() const;   ///< Returns the number of pixels of the frame that took longer.
 };
 
 nlohmann::ordered_json pixel_cost_json(const FrameCosts& costs, const Explanation& explanation);
 nlohmann::ordered_json rays_json(const Explanation& explanation);
 nlohmann::ordered_json colour_json(const std::optional<ColourFinding>& colour);
 
-/// `steps`: with every visit, test and pass.
+/// Returns the explanation as text. `steps` adds every visit, test and pass.
 std::string explanation_text(const Explanation& explanation, bool steps);
 
-/// Why the colour differs, as a sentence; empty without a judge.
+/// Returns the reason for a different colour as a sentence; empty without a judgement.
 std::string cause_sentence(const ColourFinding& colour);
 
-/// Stays that belong together: those of one visit of a node, of one test of a primitive, of raygen or shade.
+/// The stays of one visit of a node, one test of a primitive, or one pass of raygen or shade.
 struct Step {
     enum class Kind : std::uint8_t { raygen, visit, test, end, shade } kind{};
     std::vector<const Stay*> stays;
@@ -49,7 +50,7 @@ struct Step {
     std::uint64_t cycles() const;
     std::uint64_t work() const;
     std::vector<Stay::Wait> waits() const;
-    const Stay* lookup() const;   ///< of a cache, or null
+    const Stay* lookup() const;   ///< the stay in a cache, or null
 };
 std::vector<Step> steps_of(const RayStory& ray);
 const char* step_name(Step::Kind kind);

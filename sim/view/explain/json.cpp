@@ -1,3 +1,4 @@
+// Converts an explanation to JSON.
 #include <algorithm>
 
 #include "sim/view/explain/explain.hpp"

@@ -1,3 +1,4 @@
+// Builds the page of one pixel from its explanation.
 #include "sim/view/explain/page.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// A visit with what the machine did for it: its own step, and those of its primitives.
+/// Returns a visit with the costs of its own step and of the steps of its primitives.
 ordered_json visit_json(const VisitValues& visit, const std::vector<const Step*>& steps) {
     std::uint64_t cycles = 0, work = 0;
     ordered_json waits = ordered_json::object();
@@ -78,7 +79,7 @@ std::string explanation_page(const ordered_json& json, const std::string& text, 
         const RayStory& ray = e.story.rays[i];
         const char* purpose = purpose_names[std::size_t(ray.values.purpose)];
         rays.push_back({{"purpose", purpose}, {"visits", visits_json(ray)}});
-        if (i >= 20) continue;   // the text has them all
+        if (i >= 20) continue;   // the text has all rays
         tables +=
             fmt::format("<details{}><summary>ray {}, {}</summary><div class=\"scroll\">{}</div></details>\n",
                         i ? "" : " open", i, purpose, steps_table(ray));

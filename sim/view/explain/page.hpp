@@ -1,11 +1,11 @@
 #pragma once
-// A pixel's story as one HTML file: the paths of its rays through the tree, as pictures.
+// The explanation of one pixel as an HTML file, with a drawing of each ray's path through the tree.
 #include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
 
-/// `json` is what explain writes, `text` what it prints with all steps. Throws UserError if the library that
-/// draws the charts is not installed.
+/// Returns the page. `json` is the output of explain --json, `text` its output with all steps. Throws
+/// UserError if the chart library is not installed.
 std::string explanation_page(const nlohmann::ordered_json& json, const std::string& text,
                              const Explanation& e,
                              const std::vector<std::pair<std::string, std::string>>& origin);

@@ -1,3 +1,4 @@
+// Groups the stays of a ray into steps.
 #include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
@@ -27,15 +28,15 @@ bool has(const Step& step, Unit unit) {
     return false;
 }
 
-/// The unit that decides a node, or xform, has had the line that was read.
+/// Returns true if a node unit or xform has received the line that the step reads.
 bool decides(const Step& step) {
     for (const Stay* stay : step.stays)
         if (takes_lines(Unit(stay->place))) return true;
     return false;
 }
 
-/// A stay that begins a new step: another kind; a node after a node; a primitive after a primitive, unless
-/// list only says that there is none left.
+/// Returns true if a stay begins a new step. That is a stay of another kind, a node after a node, or a
+/// primitive after a primitive. The end of a list, which list reports without another primitive, begins none.
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
     if (step.kind != kind_of(stay)) return true;
     if (stay.place == index(Unit::trav) && decides(step)) {
@@ -45,7 +46,7 @@ bool begins(const Step& step, const Stay& stay, const Stay* next) {
     return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;
 }
 
-/// A page of a list, which trav visits without asking for anything.
+/// Returns true for a page of a list, which trav visits without a request.
 bool leads_to_leaves(const RayStory& ray, const Step& step) {
     const Stay* next = step.stays.back() + 1;
     return next < ray.stays.data() + ray.stays.size() && next->by == Link::leaves;

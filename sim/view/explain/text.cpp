@@ -1,3 +1,4 @@
+// Formats an explanation as text tables.
 #include <fmt/format.h>
 
 #include "sim/view/explain/explain.hpp"

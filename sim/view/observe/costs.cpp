@@ -1,3 +1,4 @@
+// Sums and names for the costs of a frame.
 #include "sim/view/observe/costs.hpp"
 
 namespace rayclock {

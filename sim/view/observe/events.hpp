@@ -1,5 +1,5 @@
 #pragma once
-// The steps of rays in time, for those who tell a pixel's story or draw a timeline.
+// The steps of rays in time, the input of pixel stories and timelines.
 #include <array>
 #include <cstdint>
 
@@ -10,34 +10,34 @@
 
 namespace rayclock {
 
-/// Since the frame began, in one pipeline: of each link the cycles in which it was refused, of each cache the
-/// cycles by deed. Two of these tell what a ray has waited for between them.
+/// Counters of one pipeline since the frame began: refused cycles of each link, and cycles of each cache by
+/// deed. The difference of two such records shows what a ray waited for between them.
 struct WaitCounts {
     std::array<std::uint32_t, pipeline_links> refused{};
     std::array<std::array<std::uint32_t, cause_count>, ray_caches> deeds{};
-    std::array<std::uint32_t, pipeline_links> run{};   ///< cycles just before this one in which it was
-                                                       ///< refused
+    /// Length of the unbroken run of refused cycles that ends just before this cycle.
+    std::array<std::uint32_t, pipeline_links> run{};
 };
 
-/// A ray moved on a link, or a cache has looked up its request.
+/// A transfer of a ray on a link, or a cache's look-up of its request.
 struct RayEvent {
     enum class What : std::uint8_t { moved, looked_up };
     std::uint64_t cycle = 0;   ///< of the frame
     What what = What::moved;
-    Link link{};              ///< moved; of a look-up the one that the request came by
-    CacheDeed deed{};         ///< of a look-up: hit, miss or merge
-    std::uint32_t addr = 0;   ///< of requests
+    Link link{};              ///< the link of the transfer; for a look-up, the link of its request
+    CacheDeed deed{};         ///< for a look-up: hit, miss or merge
+    std::uint32_t addr = 0;   ///< address of a request
     int pipeline = 0;
     std::uint32_t context = 0;
     std::uint32_t pixel = 0;   ///< y * width + x
-    std::uint32_t ray = 0;     ///< of its pixel, from 0
+    std::uint32_t ray = 0;     ///< index in its pixel, from 0
     RayPurpose purpose{};
-    std::uint32_t first = 0;   ///< cycle in which the pixel began: tells two frames' pixels in a context
-                               ///< apart
-    const WaitCounts* waits = nullptr;   ///< this cycle included; only while the event is shown
+    /// The cycle in which the pixel began. It separates pixels of two frames in the same context.
+    std::uint32_t first = 0;
+    const WaitCounts* waits = nullptr;   ///< includes this cycle; valid only during the callback
 };
 
-/// The unit in which a ray is after it has moved on a link.
+/// Returns the unit that holds a ray after its transfer on a link.
 constexpr std::size_t place_after(Link link) {
     for (const NodeUnit& decides : node_units) {
         if (link == decides.req) return index(decides.unit);
@@ -60,18 +60,19 @@ constexpr std::size_t place_after(Link link) {
     }
 }
 
-/// Is shown steps of rays. The machine's cycles come in order, the steps of a cycle in the order of links.
+/// Receives the steps of rays. Cycles arrive in order, and the steps of one cycle in the order of the links.
 class EventSink {
 public:
     virtual ~EventSink() = default;
-    /// The frame begins.
+    /// Called when the frame begins.
     virtual void begins(const class Machine& machine) { (void)machine; }
-    /// Asked once for every pixel when it begins.
+    /// Called once for every pixel when it begins; returns true to receive its events.
     virtual bool wants(std::uint32_t pixel) = 0;
     virtual void event(const RayEvent& event) = 0;
-    /// Nothing that comes later is wanted. Asked in every cycle.
+    /// Returns true if no later event is needed. Called in every cycle.
     virtual bool done() const { return false; }
-    /// After every cycle's events; `accounts()` of the machine are those up to the next cycle.
+    /// Called after the events of every cycle. The machine's `accounts()` cover all cycles up to the next
+    /// one.
     virtual void cycle_done(std::uint64_t cycle, const class Machine& machine) { (void)cycle, (void)machine; }
 };
 

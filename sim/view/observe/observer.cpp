@@ -1,3 +1,4 @@
+// Attributes every transfer, cache look-up and memory request of a cycle to a pixel and a purpose.
 #include "sim/view/observe/observer.hpp"
 
 #include <bit>
@@ -159,14 +160,14 @@ void Observer::began(PipelineState& p, const Move& m) {
     tile.last = std::max(tile.last, now_ + 1);
 }
 
-/// The ray has moved: the time since its last move was spent where it was.
+/// Records a transfer of a ray. The time since its last transfer counts for the place that it leaves.
 void Observer::at(PipelineState& p, Context& context, Link link) {
     purpose(context).places[context.place] += now_ - context.since;
     context.since = now_;
     context.place = place_after(link);
     switch (link) {
         case Link::leaves:
-            if (!lists_) return;   // a page is visited without a request
+            if (!lists_) return;   // visits pages without a request
             [[fallthrough]];
         case Link::node_req:
             ++cost(context).visits;
@@ -212,7 +213,7 @@ void Observer::looked_up(int pipeline, std::size_t cache, CacheDeed deed) {
     ++cost(context).misses;
     ++(deed == CacheDeed::miss ? sums.misses : sums.merges)[cache];
     if (deed == CacheDeed::miss) queue.missing.push_back(id);
-    sums.places[context.place] += now_ - context.since;   // from here on it waits for the memory
+    sums.places[context.place] += now_ - context.since;   // from here on the context waits for memory
     context.since = now_;
     context.place = memory_place;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Watches a machine cycle by cycle and adds up what everything cost. The machine knows nothing of it.
+// Observes a machine cycle by cycle and sums the costs of a frame. The machine does not depend on the
+// observer.
 #include <deque>
 
 #include "model/machine/machine.hpp"
@@ -8,30 +9,31 @@
 
 namespace rayclock {
 
+/// Observes one frame. Call step() for each cycle, then finish() once.
 class Observer {
 public:
-    /// `sink` may be null; `window` cycles are a window, 0: none are wanted.
+    /// `sink` may be null. A window has `window` cycles; 0 records no windows.
     Observer(const Machine& machine, const Frame& frame, EventSink* sink, std::uint64_t window);
 
-    /// One clock cycle of the machine. The frame must have been started.
+    /// Runs one clock cycle of the machine. The frame must have been started.
     void step(Machine& machine);
-    /// After the last cycle.
+    /// Returns the costs. Call it after the last cycle.
     FrameCosts finish(const Machine& machine);
 
 private:
     struct Context {
         std::uint32_t pixel = 0, first = 0, ray = 0;
-        std::uint64_t since = 0;   ///< cycle in which it came to where it is
+        std::uint64_t since = 0;   ///< cycle in which the context came to `place`
         std::size_t place = 0;
         RayPurpose purpose{};
         bool in_use = false, watched = false;
         std::uint32_t addr[ray_caches]{};
     };
-    /// What is asked of a cache, in order.
+    /// Requests to a cache, in order.
     struct CacheQueue {
-        std::deque<std::uint32_t> requests;   ///< contexts whose look-up is to come
-        std::deque<std::uint32_t> missing;    ///< contexts whose lines' words are to be asked for
-        int words = 0;                        ///< of the first line
+        std::deque<std::uint32_t> requests;   ///< contexts whose look-up is pending
+        std::deque<std::uint32_t> missing;    ///< contexts whose missing lines have words to request
+        int words = 0;                        ///< words requested of the first missing line
     };
     struct PipelineState {
         std::vector<Context> contexts;
@@ -56,25 +58,25 @@ private:
 
     const Machine& machine_;
     EventSink* sink_;
-    std::uint64_t start_;   ///< the machine's cycle at the frame's beginning
+    std::uint64_t start_;   ///< the machine's cycle when the frame began
     std::uint64_t now_ = 0;
     std::uint64_t window_;
     int tile_bits_;
     bool has_l2_, shading_, lists_;
     std::array<int, ray_caches> line_words_;
     std::vector<PipelineState> pipelines_;
-    std::vector<std::int32_t> tile_spans_;   ///< [tile]: its place in costs_.tiles
+    std::vector<std::int32_t> tile_spans_;   ///< [tile]: index in costs_.tiles
     std::uint32_t tile_columns_;
-    /// Whose request is on the link to what all share.
+    /// The pixel and the purpose of the request on the shared link.
     struct Owner {
         std::uint32_t pixel = 0;
         RayPurpose purpose{};
     } owner_;
     std::deque<Owner> l2_requests_, l2_missing_;
     int l2_words_ = 0, l2_line_words_ = 1;
-    std::vector<RayEvent> pending_;   ///< of this cycle
+    std::vector<RayEvent> pending_;   ///< events of this cycle
     Window open_;
-    Accounts accounts_;   ///< before the frame
+    Accounts accounts_;   ///< accounts before the frame
     MemoryStats memory_;
     FrameCosts costs_;
 };

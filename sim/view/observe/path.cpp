@@ -1,3 +1,4 @@
+// Repeats the walks of one pixel's rays and records their nodes, tests and hits.
 #include "sim/view/observe/path.hpp"
 
 #include <bit>
@@ -11,7 +12,7 @@ namespace rayclock {
 
 namespace {
 
-/// Notes the rays of a pixel that is shaded, and whose rays they are.
+/// Records the rays of a shaded pixel and the parent of each.
 class Family final : public ShadeWatch {
 public:
     std::vector<RayValues> rays;
@@ -45,10 +46,11 @@ public:
 private:
     RayPurpose next_ = RayPurpose::camera;
     int depth_ = 0, surface_ = -1;
-    std::vector<int> at_depth_;   ///< the last camera ray or bounce of each depth
+    std::vector<int> at_depth_;   ///< the last camera ray or bounce at each depth
 };
 
-/// The visit whose node has this line among its children, which lie in a row; of a list the page before.
+/// Returns the visit whose node has this line among its children, which are contiguous. For a list, returns
+/// the previous page.
 int parent_of(const Decoder& decoder, const Config& config, const std::vector<VisitValues>& visits,
               std::uint32_t line) {
     if (config.is_list() || visits.empty()) return int(visits.size()) - 1;
@@ -60,7 +62,7 @@ int parent_of(const Decoder& decoder, const Config& config, const std::vector<Vi
     return int(visits.size()) - 1;
 }
 
-/// Walks a ray again and writes down what it meets.
+/// Repeats the walk of a ray and records its visits and tests.
 Closest note_visits(const Decoder& decoder, const Config& config, Walk& walk, RayValues& values) {
     walk.start_at(values.ray);
     for (bool done = false; !done;) {

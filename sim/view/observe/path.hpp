@@ -1,6 +1,6 @@
 #pragma once
-// What the rays of one pixel do, in values: where they go, which boxes and primitives they meet. When they do
-// it is the machine's business.
+// The values of one pixel's rays: their geometry, and the boxes and primitives that they meet. Timing is not
+// part of these values.
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
@@ -9,28 +9,32 @@
 
 namespace rayclock {
 
+/// The test of one primitive.
 struct TestValues {
     std::uint32_t half_line = 0;
-    std::uint32_t prim = 0;   ///< of the scene; of a test that is not closer: no_primitive
-    bool closer = false;      ///< it became the closest hit
-    std::uint32_t t = 0;      ///< of that hit
+    std::uint32_t prim = 0;   ///< index in the scene; no_primitive if the test found no closer hit
+    bool closer = false;      ///< the primitive became the closest hit
+    std::uint32_t t = 0;      ///< distance of that hit
 };
+/// The visit of one node.
 struct VisitValues {
     std::uint32_t line = 0;
-    int parent = -1;             ///< the visit from which this node was reached; -1: the first
-    int children = 0, met = 0;   ///< boxes in the node; those that the ray meets
+    int parent = -1;             ///< the visit that led to this node; -1 for the first
+    int children = 0, met = 0;   ///< boxes in the node, and boxes that the ray meets
     std::vector<TestValues> tests;
-    std::uint32_t dropped = 0;   ///< groups of siblings that lay behind the hit
+    std::uint32_t dropped = 0;   ///< groups of siblings dropped because they lie behind the hit
 };
+/// One ray of a pixel.
 struct RayValues {
     Ray ray;
     RayPurpose purpose{};
-    int parent = -1;   ///< the ray at whose hit this one begins or ends; -1: the pixel
+    int parent = -1;   ///< the ray whose hit is an end of this one; -1: the pixel
     int depth = 0;     ///< bounces
     Closest hit;
     std::vector<VisitValues> visits;
 };
 
+/// Returns all rays of pixel (x, y), in the order in which the machine traces them.
 std::vector<RayValues> rays_of_pixel(const MemoryImage& image, const Frame& frame, const Config& config,
                                      std::uint32_t x, std::uint32_t y);
 

@@ -1,3 +1,4 @@
+// Replays recorded frames on a machine under observation.
 #include "sim/view/observe/replay.hpp"
 
 #include <stdexcept>

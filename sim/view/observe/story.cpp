@@ -1,3 +1,4 @@
+// Divides the time of one pixel into stays, and each stay into work and waits with their causes.
 #include "sim/view/observe/story.hpp"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ std::size_t cache_index(Link request) {
     return request == Link::node_req ? 0 : request == Link::prim_req ? 1 : 2;
 }
 
-/// A stay as the events have it: begin, look-up if it is a cache's, end.
+/// The events of one stay: begin, optional look-up of a cache, end.
 struct Part {
-    std::size_t begin = 0, lookup = 0, end = 0;   ///< of the events
+    std::size_t begin = 0, lookup = 0, end = 0;   ///< indices of events
     bool has_lookup = false;
 };
 std::vector<Part> parts_of(const std::vector<RayEvent>& events) {
@@ -32,8 +33,7 @@ std::vector<Part> parts_of(const std::vector<RayEvent>& events) {
     return parts;
 }
 
-/// What a cache takes of a request that nobody is in the way of: to its look-up, and from there to its
-/// answer.
+/// The cycles that a cache needs without interference: up to the look-up, and from a hit to the answer.
 struct CacheTimes {
     std::uint64_t before = ~0ull, after = ~0ull;
 };
@@ -82,7 +82,7 @@ private:
         left -= cycles;
         stay.waits.push_back({std::move(cause), cycles});
     }
-    /// Of the link that ends a stay: the cycles in which it was refused.
+    /// Returns the refused cycles of the link that ends a stay.
     std::uint64_t refused(std::size_t from, std::size_t to, Link link) const {
         return mine_.waits[to].refused[index(link)] - mine_.waits[from].refused[index(link)];
     }

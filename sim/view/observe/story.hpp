@@ -1,5 +1,5 @@
 #pragma once
-// What happened to one pixel, cycle by cycle: where each of its rays was, and what it waited for.
+// The story of one pixel, cycle by cycle: the place of each ray and what it waited for.
 #include <string>
 #include <vector>
 
@@ -9,15 +9,15 @@
 
 namespace rayclock {
 
-/// From one transfer of a ray to its next: cycles in one unit. `work` is what the unit takes if nobody is in
-/// the way; the rest was waited for something.
+/// The time from one transfer of a ray to its next, spent in one unit. `work` is the time that the unit needs
+/// without interference. The other cycles are waits.
 struct Stay {
-    std::uint64_t first = 0, cycles = 0;   ///< of the frame
+    std::uint64_t first = 0, cycles = 0;   ///< cycles of the frame
     std::size_t place = 0;                 ///< unit
     Link by{};                             ///< the link by which the ray came
-    std::uint32_t addr = 0;                ///< of a cache: the line, or the half line of a primitive
+    std::uint32_t addr = 0;                ///< for a cache: the line, or the half line of a primitive
     bool is_lookup = false;
-    CacheDeed lookup{};   ///< of a cache
+    CacheDeed lookup{};   ///< for a cache
     std::uint64_t work = 0;
     struct Wait {
         std::string cause;
@@ -26,27 +26,29 @@ struct Stay {
     std::vector<Wait> waits;   ///< work and waits sum to cycles
 };
 
+/// The stays of one ray.
 struct RayStory {
     RayValues values;
-    std::uint64_t first = 0, cycles = 0;   ///< from the slot or the spawn to the next spawn or the pixel's
-                                           ///< end
+    /// From the slot or the spawn to the next spawn or to the end of the pixel.
+    std::uint64_t first = 0, cycles = 0;
     std::vector<Stay> stays;
     std::uint64_t misses = 0, merges = 0;
 };
 
+/// The rays of one pixel and their times.
 struct PixelStory {
     std::uint32_t x = 0, y = 0;
     int pipeline = 0;
     std::uint32_t context = 0;
     PixelCost cost;
-    std::uint64_t alone = 0;   ///< cycles that the pixel takes alone on the chip, with warm caches
+    std::uint64_t alone = 0;   ///< cycles of the pixel alone on the chip with warm caches
     std::vector<RayStory> rays;
-    /// All stays together, by unit and by cause; the longest first.
+    /// Sums of all stays by unit and by cause, the longest first.
     std::vector<Stay::Wait> places() const;
     std::vector<Stay::Wait> causes() const;
 };
 
-/// Keeps the steps of one pixel.
+/// Stores the steps of one pixel.
 class PixelEvents final : public EventSink {
 public:
     explicit PixelEvents(std::uint32_t pixel) : pixel_(pixel) {}
@@ -62,7 +64,7 @@ private:
     std::uint32_t pixel_;
 };
 
-/// From the pixel's steps in the frame, and the same pixel's alone on the chip.
+/// Builds the story from the pixel's events in the frame and from its events alone on the chip.
 PixelStory tell(const Job& job, const FrameTrace& frame, const FrameCosts& costs, const PixelEvents& in_frame,
                 const PixelEvents& alone);
 

@@ -1,3 +1,4 @@
+// Builds the JSON behind the page's charts: pixel maps, windows of time, links, tiles and causes.
 #include "sim/view/page/data.hpp"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ const std::vector<PixelMap>& pixel_maps() {
 
 namespace {
 
-/// Values of 1, 2 or 4 bytes, as many as the largest needs; all lowest bytes first, which compresses better.
+/// Packs a map's values in 1 to 4 bytes each, as the largest requires. All lowest bytes come first, which
+/// compresses better.
 ordered_json map_json(const PixelMap& map, const FrameCosts& costs) {
     std::uint32_t most = 0;
     std::uint64_t sum = 0;

@@ -1,12 +1,12 @@
 #pragma once
-// The figures of the page's charts.
+// JSON data of the page's charts.
 #include <nlohmann/json.hpp>
 
 #include "sim/view/page/page.hpp"
 
 namespace rayclock {
 
-/// A heat map: a figure of every pixel.
+/// A heat map: one value for each pixel.
 struct PixelMap {
     const char* key;
     const char* name;
@@ -14,10 +14,11 @@ struct PixelMap {
 };
 const std::vector<PixelMap>& pixel_maps();
 
-/// All that the scripts draw, the values of all pixels included.
+/// Returns all data that the scripts draw, including the values of all pixels.
 nlohmann::ordered_json page_data(const PageInput& input);
 
-/// A pixel's cause as a sentence says it; empty if it does not differ or nobody has judged.
+/// Returns the sentence that names a pixel's cause. Empty if the pixel does not differ or no judgement
+/// exists.
 std::string cause_of(const PageInput& input, std::size_t pixel);
 
 }   // namespace rayclock

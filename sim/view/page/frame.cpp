@@ -1,3 +1,4 @@
+// Assembles a page: head, style, Vega, body, data and scripts.
 #include "sim/view/page/frame.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #pragma once
-// What all pages have around their sections: head, style, Vega and scripts.
+// The frame that all pages share: head, style, Vega and scripts.
 #include <string>
 
 namespace rayclock {
 
-// Of the files beside this one; CMake makes them part of the program.
+// Contents of the style and script files in this folder. CMake embeds them in the program.
 extern const char* const page_viewer;
 extern const char* const page_charts;
 extern const char* const page_machine;
@@ -13,18 +13,18 @@ extern const char* const page_compare;
 extern const char* const page_explain;
 
 struct FramedPage {
-    std::string title;     ///< as text
+    std::string title;     ///< plain text
     std::string header;    ///< under the title
     std::string body;      ///< sections
-    std::string data;      ///< script elements with JSON; one is called data
-    std::string scripts;   ///< what draws, after what all pages share
-    bool trees = false;    ///< with Vega's trees
-    std::string far{};     ///< far_from_reference(): the page's first line, or empty
+    std::string data;      ///< script elements with JSON; one has the id `data`
+    std::string scripts;   ///< the page's own scripts, which run after the shared ones
+    bool trees = false;    ///< includes Vega's tree layouts
+    std::string far{};     ///< result of far_from_reference(), or empty: the page's first line
 };
-/// One HTML file. Throws UserError if the library that draws its charts is not installed.
+/// Returns the page as one HTML file. Throws UserError if the chart library is not installed.
 std::string framed(const FramedPage& page);
 
-/// Fails early (UserError) if the library is missing.
+/// Throws UserError if the chart library is missing, so that a command can fail before it starts its work.
 void check_page_library();
 
 }   // namespace rayclock

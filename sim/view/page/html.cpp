@@ -1,3 +1,4 @@
+// Escaping, tables, base64 and deflate for HTML pages.
 #include "sim/view/page/html.hpp"
 
 #include <stdexcept>
@@ -113,7 +114,7 @@ std::string inflated(std::string_view text, std::size_t size) {
         bits -= 8;
         packed += char(group >> bits & 255);
     }
-    // Deflate packs 1032 bytes into one at best: nothing is allocated for what cannot be there.
+    // Deflate expands by at most 1032, so a larger `size` is an error. The check precedes the allocation.
     constexpr std::size_t most_for_a_byte = 1032;
     if (size / most_for_a_byte > packed.size()) throw std::runtime_error("packed bytes are too few");
     std::string out(size, '\0');

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of an HTML page.
+// Building blocks of an HTML page.
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,30 +9,31 @@
 
 namespace rayclock::html {
 
-/// Text as it may stand in an element or in an attribute between double quotes.
+/// Escapes text for an element, or for an attribute in double quotes.
 std::string escaped(std::string_view text);
 
-/// JSON as it may stand in a script element: nothing in it ends the element.
+/// Returns a script element with JSON, escaped so that no text in it can end the element.
 std::string data_element(std::string_view id, const nlohmann::ordered_json& json);
 
-/// A table: the first `left` columns are words, the others numbers.
+/// Returns a table. The first `left` columns hold words, the others numbers.
 std::string table(std::string_view caption, const std::vector<std::string>& head,
                   const std::vector<std::vector<std::string>>& rows, std::size_t left = 1);
 
-/// A section with its heading; what is inside is HTML.
+/// Returns a section with its heading; `inside` is HTML.
 std::string section(const char* id, const char* title, const std::string& inside);
-/// The place where a script draws the chart of this name.
+/// Returns the placeholder where a script draws the chart with this id.
 std::string chart(const char* id, const char* label);
-/// A row of figures in boxes: what each is, and its value as text.
+/// Returns a row of boxes, each with a name and a value as text.
 std::string figures(const std::vector<std::pair<const char*, std::string>>& figures);
 
-/// The sentence of a report's `limits`, or nothing: a page begins with it.
+/// Returns the sentence in a report's `limits`, or an empty string. A page begins with it.
 std::string far_sentence(const nlohmann::ordered_json& report);
 
 std::string base64(std::string_view bytes);
-/// zlib's format; browsers know it as "deflate".
+/// Compresses to zlib's format, which browsers call "deflate".
 std::string deflated(std::string_view bytes);
-/// Back again. Throws std::runtime_error if the text is not of `size` bytes, or broken.
+/// Reverses base64() and deflated(). Throws std::runtime_error if the text is broken or does not expand to
+/// `size` bytes.
 std::string inflated(std::string_view text, std::size_t size);
 
 }   // namespace rayclock::html

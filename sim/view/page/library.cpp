@@ -1,5 +1,5 @@
-// Vega as Debian has it: a file for each of its modules, which ask for each other by require(). The page gets
-// those that its charts need, and a few lines that put them together.
+// Loads Vega from Debian's package, which has one file for each module. Modules refer to each other by
+// require(). A page gets the modules that its charts need, and a few lines that join them.
 #include "sim/view/page/library.hpp"
 
 #include <cstdlib>
@@ -13,14 +13,14 @@ namespace rayclock {
 
 namespace {
 
-/// What Vega's own entry point takes together, but for maps, trees, forces, words and regressions.
+/// The modules of Vega's own entry point, except maps, trees, forces, word clouds and regressions.
 constexpr const char* roots[] = {"vega-util",       "vega-dataflow",        "vega-format", "vega-transforms",
                                  "vega-encode",     "vega-view-transforms", "vega-parser", "vega-view",
                                  "vega-scenegraph", "vega-scale",           "vega-runtime"};
 
 std::filesystem::path file_of(const std::string& module) {
-    const std::string name = module == "vega-selections" ? "vega-selection" : module;   // the package is
-                                                                                        // called so
+    // Debian names the file of vega-selections "vega-selection".
+    const std::string name = module == "vega-selections" ? "vega-selection" : module;
     return chart_library_folder() / (name + ".min.js");
 }
 
@@ -34,7 +34,7 @@ std::vector<std::string> asked_for(const std::string& source) {
     return modules;
 }
 
-/// A module comes after those that it asks for.
+/// Appends a module after the modules that it requires.
 void add(const std::string& module, std::set<std::string>& seen, std::vector<LibraryModule>& modules) {
     if (!seen.insert(module).second) return;
     const std::string source = read_if_there(file_of(module));

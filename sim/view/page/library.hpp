@@ -5,16 +5,17 @@
 
 namespace rayclock {
 
+/// A JavaScript module of Vega.
 struct LibraryModule {
     std::string name, source;
 };
 
-/// The modules of Vega that the page's charts need, each after those that it asks for. From Debian's package
-/// libjs-vega (and with `trees` the one that lays out trees), or from the folder RAYCLOCK_VEGA. Throws
-/// UserError if one is missing.
+/// Returns the Vega modules that the page's charts need, each after the modules that it requires. Reads
+/// Debian's package libjs-vega, or the folder RAYCLOCK_VEGA. `trees` adds the module with tree layouts.
+/// Throws UserError if a module is missing.
 std::vector<LibraryModule> chart_library(bool trees);
 
-/// Where they are looked for.
+/// Returns the folder in which chart_library() looks for the modules.
 std::filesystem::path chart_library_folder();
 
 }   // namespace rayclock

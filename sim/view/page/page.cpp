@@ -1,3 +1,4 @@
+// Writes the page of one simulated frame: viewer, key figures, sections, tables and downloads.
 #include "sim/view/page/page.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ std::string picture_element(const char* id, const char* label, const Picture& pi
         id, label, picture.size.width, picture.size.height, html::base64(png_bytes(picture)), label);
 }
 
-/// The picture and what differs. Scripts put them, and the heat maps, under one slider.
+/// Returns the pictures: machine, reference and differences. Scripts put them and the heat maps under one
+/// slider.
 std::string viewer(const PageInput& input) {
     std::string pictures = picture_element("picture", "picture of the machine", input.picture);
     if (input.reference) pictures += picture_element("reference", "reference", *input.reference);
@@ -56,7 +58,8 @@ std::string key_figures(const PageInput& input) {
          {"is the bound", clock.at("bound").get<std::string>()}});
 }
 
-/// A choice of clocks, if there are several. What was watched pixel by pixel is that of the first.
+/// Returns a selector of clocks, or an empty string for a single clock. Observed data always belongs to the
+/// first clock.
 std::string clock_choice(const PageInput& input) {
     const auto& clocks = input.report.at("clocks");
     if (clocks.size() < 2) return {};
@@ -109,7 +112,7 @@ std::string body(const PageInput& input) {
                               config_table(input) + "</div></details>");
 }
 
-/// The texts of the slowest pixels, packed.
+/// Packs the explanations of the slowest pixels.
 nlohmann::ordered_json explanations_json(const PageInput& input) {
     if (input.explanations.empty()) return nullptr;
     nlohmann::ordered_json texts = nlohmann::ordered_json::object();

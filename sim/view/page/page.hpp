@@ -1,6 +1,5 @@
 #pragma once
-// A run as one HTML file that needs no network: pictures, heat maps, charts, tables, and every figure as
-// data.
+// Shows a run as one HTML file that needs no network: pictures, heat maps, charts, tables and all data.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -13,27 +12,28 @@
 namespace rayclock {
 
 struct PageInput {
-    const nlohmann::ordered_json& report;   ///< as simulate --json writes it
+    const nlohmann::ordered_json& report;   ///< the output of simulate --json
     const Config& config;
     int khz = 0;
     const FrameRun& run;
-    const FrameCosts& costs;   ///< of the same frame
+    const FrameCosts& costs;   ///< costs of the frame in `run`
     const Picture& picture;
-    const Picture* reference = nullptr;     ///< null: there is none
-    const Judgement* judgement = nullptr;   ///< likewise
-    std::string explain;                    ///< the command that explains a pixel, up to the pixel
-    std::vector<std::pair<std::uint32_t, std::string>> explanations;   ///< of the slowest pixels, as explain
-                                                                       ///< tells them
-    std::vector<std::pair<std::string, std::string>> origin;           ///< command line, versions, digest
+    const Picture* reference = nullptr;     ///< null without a reference
+    const Judgement* judgement = nullptr;   ///< null without a judgement
+    std::string explain;                    ///< the command that explains a pixel, without the pixel's
+                                            ///< coordinates
+    /// Output of `explain` for each of the slowest pixels.
+    std::vector<std::pair<std::uint32_t, std::string>> explanations;
+    std::vector<std::pair<std::string, std::string>> origin;   ///< command line, versions, digest
 };
 
-/// The page. Throws UserError if the library that draws its charts is not installed.
+/// Returns the page. Throws UserError if the chart library is not installed.
 std::string report_page(const PageInput& input);
 
-/// The pixels that took the most cycles, the slowest first.
+/// Returns the `most` pixels that took the most cycles, the slowest first.
 std::vector<std::uint32_t> slowest_pixels(const FrameCosts& costs, std::size_t most);
 
-/// Costs as JSON, for `work_by_kind` of the report.
+/// Returns the costs of each kind of ray, for `work_by_kind` of the report.
 nlohmann::ordered_json work_by_kind_json(const FrameCosts& costs);
 
 }   // namespace rayclock

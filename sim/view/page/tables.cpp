@@ -1,3 +1,4 @@
+// Builds the HTML tables of the page of one frame.
 #include "sim/view/page/tables.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ std::string accounts_table(const PageInput& input) {
         std::string causes;
         for (const auto* parts : {&a.busy_by, &a.starved_by, &a.stalled_by})
             for (const UnitAccount::Part& part : *parts)
-                if (2000 * part.cycles >= all && part.cycles > 0)   // JSON has the small ones as well
+                if (2000 * part.cycles >= all && part.cycles > 0)   // hides causes below 0.05 %; JSON has all
+                                                                    // of them
                     causes += fmt::format("{}{}{} {}", causes.empty() ? "" : ", ",
                                           parts == &a.busy_by      ? ""
                                           : parts == &a.starved_by ? "starved by "

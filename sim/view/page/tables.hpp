@@ -5,7 +5,7 @@
 
 namespace rayclock {
 
-/// The tables of the page, which can be read without scripts.
+/// HTML tables of the page, readable without scripts. Each function returns one section or table.
 std::string clock_section(const PageInput& input);
 std::string accounts_table(const PageInput& input);
 std::string kinds_table(const PageInput& input);

@@ -1,3 +1,4 @@
+// Chooses ranges and ticks of linear and logarithmic axes.
 #include "sim/view/plot/axis.hpp"
 
 #include <algorithm>
@@ -9,14 +10,14 @@ namespace rayclock::plot {
 
 namespace {
 
-/// 1,250,000 as 1.25M, 0.002 as it is.
+/// Formats 1,250,000 as 1.25M, 0.002 unchanged.
 std::string label_of(double value) {
     if (std::abs(value) >= 1e6) return fmt::format("{:g}M", value / 1e6);
     if (std::abs(value) >= 1e4) return fmt::format("{:g}k", value / 1e3);
     return fmt::format("{:g}", std::abs(value) < 1e-12 ? 0 : value);
 }
 
-constexpr double room = 0.06;   // of the side, beyond the outermost values
+constexpr double room = 0.06;   // margin beyond the outermost values, as a share of the side
 
 }   // namespace
 
@@ -39,9 +40,8 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_
 }
 
 void Scale::make_linear(double lo, double hi) {
-    const double middle = (lo + hi) / 2, least = std::max(std::abs(middle) * 0.002, 1e-9);   // equal values
-                                                                                             // are not torn
-                                                                                             // apart
+    // The least half width keeps nearly equal values close together.
+    const double middle = (lo + hi) / 2, least = std::max(std::abs(middle) * 0.002, 1e-9);
     const double half = std::max((hi - lo) / 2, least) / (1 - 2 * room);
     lo_ = middle - half;
     hi_ = middle + half;

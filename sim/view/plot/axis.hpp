@@ -4,14 +4,14 @@
 
 namespace rayclock::plot {
 
-/// Values along one side of a panel, linear or logarithmic.
+/// The scale of one side of a panel, linear or logarithmic.
 class Scale {
 public:
-    /// Covers the values with some room around. Logarithmic: the values above 0 do, and 0 gets a place of its
-    /// own below them.
+    /// Covers the values with a margin. A logarithmic scale covers the values above 0, and places 0 below
+    /// them.
     Scale(const std::vector<double>& values, bool logarithmic);
 
-    /// 0 at one end, 1 at the other.
+    /// Returns the position of a value: 0 at one end, 1 at the other.
     double place(double value) const;
 
     struct Tick {
@@ -25,8 +25,8 @@ private:
     void make_logarithmic(double lo, double hi, bool zero);
 
     bool logarithmic_;
-    double lo_ = 0, hi_ = 1;   ///< ends; logarithms if logarithmic
-    double zero_ = 0;          ///< where 0 lies, likewise
+    double lo_ = 0, hi_ = 1;   ///< ends of the scale, or their logarithms
+    double zero_ = 0;          ///< position of value 0 in the same units
     std::vector<Tick> ticks_;
 };
 

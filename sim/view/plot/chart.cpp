@@ -1,3 +1,4 @@
+// Draws panels with axes, points and labels.
 #include "sim/view/plot/chart.hpp"
 
 #include <algorithm>
@@ -95,8 +96,8 @@ private:
         taken_.push_back({at.x - r, at.y - r, at.x + r, at.y + r});
     }
 
-    /// A label lies beside its point, where it covers no point and no other label; if there is no such place
-    /// there is none, except for the knee.
+    /// Places a label next to its point, where it covers no point and no other label. If no such place exists
+    /// the label is omitted, except for the knee.
     void label(const Mark& m) {
         const Place at = place(m);
         const double size = m.is_knee ? label_size + 1.5 : label_size, wide = text_width(m.label, size),
@@ -137,7 +138,7 @@ private:
 
 namespace {
 
-/// The text in lines of this width. A word that is wider has a line of its own.
+/// Breaks text into lines of at most this width. A longer word has its own line.
 std::vector<std::string> lines_of(const std::string& text, double size, double width) {
     std::vector<std::string> lines{""};
     for (const std::string& word : split(text, ' ')) {

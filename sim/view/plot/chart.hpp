@@ -1,9 +1,10 @@
 #pragma once
-// Panels of points, for fronts: which configurations are worth having, and which is the knee.
+// Panels of points for Pareto fronts, with the front and its knee marked.
 #include "sim/view/plot/drawing.hpp"
 
 namespace rayclock::plot {
 
+/// A point with its label.
 struct Mark {
     double x = 0, y = 0;
     std::string label;
@@ -11,14 +12,16 @@ struct Mark {
     bool is_knee = false;
 };
 
+/// One diagram with two axes.
 struct Panel {
-    std::string title, x_label, y_label;   ///< labels with their units
-    bool log_y = false;                    ///< 0 gets a place of its own below
+    std::string title, x_label, y_label;   ///< axis labels include units
+    bool log_y = false;                    ///< logarithmic, with 0 below the other values
     std::vector<Mark> marks;
 };
 
-/// Panels side by side. Points of the front are dark and joined by a line, all others pale; the knee has a
-/// ring. Points of a front are always labelled if there is room at all, others if nothing is covered by it.
+/// Draws panels side by side. Points of the front are dark and joined by a line, all others pale; the knee
+/// has a ring. The knee gets its label first, then the other points of the front, then the rest. A label that
+/// would cover something is omitted, except the knee's.
 Drawing chart(const std::string& title, const std::string& note, const std::vector<Panel>& panels);
 
 }   // namespace rayclock::plot

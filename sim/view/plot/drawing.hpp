@@ -1,5 +1,5 @@
 #pragma once
-// A drawing as a list of shapes, and as an SVG file.
+// A drawing as a list of shapes, and its output as SVG and PDF.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rayclock::plot {
 
-/// Pixels from the top left corner.
+/// A position in pixels from the top left corner.
 struct Place {
     double x = 0, y = 0;
 };
@@ -32,17 +32,17 @@ struct Ring {
 };
 enum class Anchor { start, middle, end };
 struct Text {
-    Place base;         ///< of the baseline at the anchor
+    Place base;         ///< the anchor on the baseline
     std::string text;   ///< printable ASCII
-    double size = 12;   ///< height of a capital letter and a third
+    double size = 12;   ///< about 4/3 of a capital letter's height
     Colour colour{};
     Anchor anchor = Anchor::start;
-    bool upright = false;   ///< reads from below to above
+    bool upright = false;   ///< turned to read upwards
 };
-/// Filled rectangles of one colour: thousands take little more place in a file than one.
+/// Filled rectangles of one colour. One shape for all keeps files with thousands of rectangles small.
 struct Boxes {
     struct Box {
-        double x = 0, y = 0, width = 0, height = 0;   ///< from the top left corner
+        double x = 0, y = 0, width = 0, height = 0;   ///< (x, y) is the top left corner
     };
     std::vector<Box> boxes;
     Colour colour{};
@@ -51,18 +51,19 @@ using Shape = std::variant<Line, Disc, Ring, Text, Boxes>;
 
 struct Drawing {
     double width = 0, height = 0;
-    std::vector<Shape> shapes;   ///< later ones cover earlier ones
+    std::vector<Shape> shapes;   ///< later shapes cover earlier ones
 };
 
-/// How wide a text is drawn.
+/// Returns the width of a text in pixels.
 double text_width(const std::string& text, double size);
 
-/// As a whole SVG file. Texts are texts, set to the width that text_width() says.
+/// Returns the drawing as an SVG file. Texts stay texts, stretched to the width of text_width().
 std::string svg(const Drawing& drawing);
 
-/// Writes NAME.svg, whole or not at all. Throws UserError.
+/// Writes `name` if it ends in .svg or .pdf, else `name`.svg. The file is complete or absent. Throws
+/// UserError.
 void write_plot(const std::string& name, const Drawing& drawing);
-/// Fails early (UserError) if write_plot() could not write it.
+/// Throws UserError if write_plot() could not write this file, so that a command can fail early.
 void check_plot_path(const std::string& name);
 
 }   // namespace rayclock::plot

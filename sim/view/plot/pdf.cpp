@@ -1,4 +1,4 @@
-// A drawing as PDF, by librsvg's program.
+// Converts SVG to PDF with librsvg's program.
 #include "sim/view/plot/pdf.hpp"
 
 #include <chrono>
@@ -18,7 +18,7 @@ namespace rayclock::plot {
 
 namespace {
 
-/// A file without a name, which other programs open by its path.
+/// An anonymous file in memory that other programs open by its path.
 class NamelessFile {
 public:
     explicit NamelessFile(std::string_view text = {}) : file_(memfd_create("plot", MFD_CLOEXEC)) {
@@ -59,7 +59,7 @@ void check_pdf(const std::string& path) {
 
 std::string pdf(const std::string& svg) {
     const NamelessFile in(svg), out;
-    // The time that stands in a PDF is always the same, so that the same plot has the same bytes.
+    // A constant date, so that the same plot has the same bytes.
     Process process({{"env", "SOURCE_DATE_EPOCH=0", pdf_program, "-f", "pdf", "-o", out.path(), in.path()},
                      {},
                      "/dev/null",

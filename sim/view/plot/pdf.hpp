@@ -3,12 +3,12 @@
 
 namespace rayclock::plot {
 
-/// The program that makes PDFs, of Debian's librsvg2-bin.
+/// The program that writes PDFs, from Debian's librsvg2-bin.
 constexpr const char* pdf_program = "rsvg-convert";
 
-/// An SVG file as PDF. Throws std::runtime_error.
+/// Converts an SVG file to PDF. Throws std::runtime_error if the program fails.
 std::string pdf(const std::string& svg);
-/// Throws UserError if what makes PDFs is not installed; `path` is what was to be one.
+/// Throws UserError if the program is not installed. `path` is the PDF that was requested.
 void check_pdf(const std::string& path);
 
 }   // namespace rayclock::plot

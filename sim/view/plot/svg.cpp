@@ -1,3 +1,4 @@
+// Writes drawings as SVG.
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,8 +12,8 @@ namespace rayclock::plot {
 
 namespace {
 
-// How wide the letters from '!' to '~' are, in sevenths of a capital's height. The file demands these widths
-// of whatever font shows it, so that labels lie where they were put.
+// Widths of the letters '!' to '~', in sevenths of a capital's height. The file prescribes these widths for
+// any font, so that labels stay where they were placed.
 constexpr std::string_view widths =
     "02444402244130444444444440144444444444442444445"
     "45444444444242441444443440131444443434444442024";
@@ -77,7 +78,7 @@ struct Element {
     }
 };
 
-/// What a plot of this name is written to.
+/// Returns the file to which a plot of this name is written.
 std::string plot_path(const std::string& name) {
     return name.ends_with(".svg") || name.ends_with(".pdf") ? name : name + ".svg";
 }

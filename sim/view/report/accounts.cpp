@@ -1,3 +1,4 @@
+// Derives unit accounts, cache hit rates, lower bounds and bottlenecks from the counters of a frame.
 #include "sim/view/report/accounts.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace rayclock {
 
 namespace {
 
-/// Cycles in which a unit is busy with a piece of work, and rests before the next.
+/// Returns the cycles that a unit is occupied by one piece of work, including the pause before the next.
 int interval_of(const Config& config, Unit unit) {
     switch (unit) {
         case Unit::raygen: return config.raygen_interval;
@@ -24,7 +25,7 @@ int interval_of(const Config& config, Unit unit) {
     }
 }
 
-/// Transfers that bring a unit its work: docs/report.md has the link of each.
+/// Returns the number of transfers that bring a unit its work. docs/report.md lists the link of each unit.
 std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
     switch (unit) {
         case Unit::trav: return run.visits;
@@ -70,7 +71,7 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run
 }
 
 CacheAccount cache_account(const FrameRun& run, Unit cache) {
-    const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
+    const CauseCounts& c = run.accounts.units[index(cache)];   // indexed by CacheDeed: hit, miss, merge
     return {c[0] + c[1] + c[2], c[0], c[2]};
 }
 
@@ -84,13 +85,13 @@ double peak_bytes_per_second(const Config& config, int khz) {
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     Bound bound;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
-    // They rest busily.
+    // The busy counts of node units include the pauses between two nodes.
     std::uint64_t nodes = run.visits;
     for (const NodeUnit& u : node_units) nodes = std::max(nodes, run.accounts.units[index(u.unit)][0]);
     bound.nodes = double(nodes) / config.pipelines;
     bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;
     bound.rays = double(run.accounts.units[index(Unit::raygen)][0]) / config.pipelines;
-    // The screen takes its share of the memory's time; what the chip and its pixels ask for needs the rest.
+    // Scan-out takes its share of the memory's bandwidth. Reads and pixel writes must fit in the rest.
     const double screen = config.scan_out ? FrameBuffer::screen_bytes_per_second : 0;
     const double peak = peak_bytes_per_second(config, khz);
     bound.memory = double(64 * (run.memory.reads - run.memory.scanned + run.memory.pixel_writes)) /
@@ -121,7 +122,7 @@ std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
                   : "the memory's data bus limits this frame";
     std::string text =
         fmt::format("{}, and the frame reaches {:.0f} % of that limit", limit, bound.reached * 100);
-    // What keeps the unit that bounds it from working in every cycle.
+    // List the reasons for which the limiting unit does not work in every cycle.
     const std::string unit = bound.unit == "trav" ? "box" : bound.unit;
     std::vector<UnitAccount::Part> losses;
     std::uint64_t cycles = 0;

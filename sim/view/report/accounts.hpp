@@ -1,4 +1,5 @@
 #pragma once
+// Accounts of a frame: how units spend their cycles, cache hit rates, lower bounds and the bottleneck.
 #include <string>
 #include <vector>
 
@@ -6,8 +7,7 @@
 
 namespace rayclock {
 
-/// What a unit did in every cycle of a frame, summed over the pipelines: busy + starved + stalled = instances
-/// * cycles.
+/// The cycles of a unit in a frame, summed over the pipelines: busy + starved + stalled = instances * cycles.
 struct UnitAccount {
     struct Part {
         std::string cause;
@@ -15,39 +15,40 @@ struct UnitAccount {
     };
     std::string unit;
     int instances = 1;
-    std::uint64_t count = 0;   ///< pieces of work done
+    std::uint64_t count = 0;   ///< completed pieces of work
     std::uint64_t busy = 0, starved = 0, stalled = 0;
     std::vector<Part> busy_by, starved_by, stalled_by;
 };
 std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run);
 
-/// Look-ups of a cache.
+/// The look-ups of a cache.
 struct CacheAccount {
     std::uint64_t accesses = 0, hits = 0;
-    std::uint64_t merged = 0;   ///< of the others: the line was on its way already
+    std::uint64_t merged = 0;   ///< look-ups that missed while the line was already in flight
     double hit_rate() const { return accesses ? double(hits) / double(accesses) : 0; }
 };
 CacheAccount cache_account(const FrameRun& run, Unit cache);
 
-/// The least cycles that the machine can need for a frame's work: a node, a triangle and a pass of shade a
-/// cycle in each pipeline, or one every box_interval(), tri_interval and shade_interval cycles, a ray every
-/// raygen_interval cycles, and what the
-/// memory's data bus can carry.
+/// A lower bound for the cycles of a frame's work, and the unit that sets it. A pipeline handles one node
+/// every box_interval() cycles and one triangle every tri_interval cycles. It handles one pass of shade every
+/// shade_interval cycles and one ray every raygen_interval cycles. The memory is limited by the bandwidth of
+/// its data bus.
 struct Bound {
     double nodes = 0, triangles = 0, passes = 0, rays = 0, memory = 0;   ///< cycles
-    std::string unit;     ///< "trav", "tri", "shade", "raygen" or "memory": the largest of the five
-    double cycles = 0;    ///< of it
+    std::string unit;     ///< the unit with the largest bound: "trav", "tri", "shade", "raygen" or "memory"
+    double cycles = 0;    ///< the largest of the five bounds
     double reached = 0;   ///< bound / cycles of the frame
 };
 Bound bound_of(const Config& config, int khz, const FrameRun& run);
-/// The memory's peak, bytes per second; 64 bytes every mem_interval cycles for the ideal one.
+/// Returns the memory's peak bandwidth in bytes per second. The ideal memory has 64 bytes every mem_interval
+/// cycles.
 double peak_bytes_per_second(const Config& config, int khz);
 
-/// What limits a frame, in words.
+/// Returns a sentence that names the limit of a frame and the losses of the limiting unit.
 std::string bottleneck(const Config& config, int khz, const FrameRun& run);
 
 inline std::uint64_t bytes_read(const FrameTiming& run) { return run.memory.reads * 64; }
-/// Frames, what the host does before each included.
+/// Returns frames per second, including the host's work before each frame.
 inline double per_second(const FrameTiming& run, int khz) {
     return run.cycles ? khz * 1e3 / double(run.all_cycles()) : 0;
 }

@@ -1,3 +1,4 @@
+// Shows the progress of RTL builds on standard error.
 #include "sim/view/report/builds.hpp"
 
 #include <cstdio>
@@ -12,7 +13,7 @@ namespace rayclock {
 
 namespace {
 
-/// A line that is drawn again and again, and gone in the end.
+/// Draws a line that replaces itself and disappears when the build ends.
 void draw(const BuildStep& step) {
     const std::string left = step.left ? fmt::format(", about {:.0f} s left", *step.left) : "";
     if (step.stage.empty())

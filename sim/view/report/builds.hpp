@@ -1,5 +1,5 @@
 #pragma once
-// What people see while RTL is built, which takes longer than anything else that the program does.
+// Progress output for RTL builds, the slowest work of the program.
 #include <map>
 #include <optional>
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace rayclock {
 
-/// Builds as lines for a log: one when a build begins, and one after each minute of it with its stage.
+/// Formats builds as lines for a log: one when a build begins, then one a minute with the current stage.
 class BuildLines {
 public:
-    /// The line for a step, if it has one.
+    /// Returns the line for a step, or nothing if the step has no line.
     std::optional<std::string> line(const BuildStep& step);
 
 private:
-    std::map<std::string, int> minutes_;   // of each build that is under way, as far as they are told
+    std::map<std::string, int> minutes_;   // minutes already reported of each running build
 };
 
-/// From now on builds of RTL are told on standard error: a line that moves on a terminal, otherwise
+/// Reports all later builds of RTL on standard error: as a moving line on a terminal, otherwise by
 /// BuildLines.
 void show_builds();
 

@@ -1,3 +1,4 @@
+// Converts results to the JSON of reports.
 #include "sim/view/report/json.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-// Reports as JSON; every key is explained in docs/report.md.
+// Reports as JSON. docs/report.md explains every key.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -12,7 +12,8 @@
 
 namespace rayclock {
 
-/// The frames that a machine made at one clock. Reports are of the last, when caches are warm.
+/// The frames that a machine rendered at one clock. Reports describe the last frame, when the caches are
+/// warm.
 struct ClockRun {
     int khz = 0;
     std::vector<FrameRun> frames;
@@ -20,17 +21,17 @@ struct ClockRun {
     bool partial() const { return frames.back().partial; }
 };
 
-/// How a machine's frame differs from the reference's.
+/// The differences between a machine's frame and the reference.
 struct FrameError {
     std::uint64_t pixels = 0, pixels_other_primitive = 0;
     double psnr_db = 0;
-    std::uint64_t depth_pixels = 0;   ///< hold a primitive, the same one in both pictures, and no plane
-                                      ///< further away than the chip can say
-    double max_abs_depth = 0;   ///< over these, scene units; of pixels with several samples the first one's
-    double max_relative_depth = 0;   ///< likewise, as a share of the reference's depth
+    /// Pixels with the same primitive in both pictures, without planes beyond the chip's range of depth.
+    std::uint64_t depth_pixels = 0;
+    double max_abs_depth = 0;        ///< over depth_pixels, scene units; uses the first sample of a pixel
+    double max_relative_depth = 0;   ///< over depth_pixels, relative to the reference's depth
 };
 FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference);
-/// The same for pictures that were made otherwise.
+/// Compares frames whose pictures are already rendered.
 FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitFrame& reference,
                        const Picture& reference_picture);
 
@@ -43,7 +44,7 @@ nlohmann::ordered_json work_json(const FrameRun& run);
 nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
 nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);
 nlohmann::ordered_json memory_json(const Config& config, int khz, const FrameRun& run);
-/// What was judged, what was wrong, and what it cost; null without a judge.
+/// Returns what was judged, what was wrong and the judge's cost; null without a judgement.
 nlohmann::ordered_json judge_json(const std::optional<Judgement>& judgement);
 nlohmann::ordered_json error_json(const std::optional<FrameError>& error,
                                   const std::optional<Judgement>& judgement);
@@ -51,10 +52,10 @@ nlohmann::ordered_json causes_json(const PixelCauses& causes);
 nlohmann::ordered_json divergence_json(const std::optional<Divergence>& divergence);
 nlohmann::ordered_json counter_json(const std::optional<CounterDifference>& difference);
 
-/// JSON has no infinity: equal pictures give null.
+/// Returns null for infinity, the PSNR of equal pictures, because JSON has no infinity.
 nlohmann::ordered_json decibel(double psnr_db);
 
-/// 64 bits as 16 hexadecimal digits.
+/// Returns 64 bits as 16 hexadecimal digits.
 std::string digest_text(std::uint64_t digest);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Compares errors with the limits and words the sentence for frames beyond them.
 #include "sim/view/report/limits.hpp"
 
 #include <algorithm>

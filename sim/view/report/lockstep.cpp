@@ -1,3 +1,4 @@
+// Words the result of a lockstep comparison.
 #include "sim/view/report/lockstep.hpp"
 
 #include <fmt/format.h>

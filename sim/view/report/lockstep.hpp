@@ -5,7 +5,7 @@
 
 namespace rayclock {
 
-/// What a comparison of model and RTL found, for people: one line, and more if they differ.
+/// Returns the result of a comparison of model and RTL as text: one line if they agree, more if they differ.
 std::string lockstep_lines(const LockstepResult& result);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Formats reports as text tables.
 #include "sim/view/report/tables.hpp"
 
 #include <algorithm>

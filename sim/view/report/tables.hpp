@@ -1,5 +1,5 @@
 #pragma once
-// Reports as text for people: the same figures as in JSON.
+// Reports as text, with the same values as the JSON.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace rayclock {
 
-/// "12 triangles, 3 spheres, 1 plane".
+/// Returns counts in words: "12 triangles, 3 spheres, 1 plane".
 std::string primitives_text(const PrimitiveCounts& counts);
 std::string primitives_text(const Scene& scene);
 std::string heading(const Scene& scene, FrameSize size, const Job& job);
 std::string work_table(const Config& config, const ClockRun& run);
 std::string clock_table(const Config& config, const std::vector<ClockRun>& runs);
-/// What every unit did, a column per clock.
+/// Returns how every unit spent its cycles, with one column for each clock.
 std::string unit_table(const Config& config, const std::vector<ClockRun>& runs);
 std::string error_line(const char* who, const FrameError& error);
-/// Why pixels differ, and what the oracle says.
+/// Returns why pixels differ, and the oracle's verdicts.
 std::string cause_lines(const Judgement& judgement);
 
 }   // namespace rayclock

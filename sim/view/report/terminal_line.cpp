@@ -1,3 +1,4 @@
+// Draws and wipes the progress line under a mutex.
 #include "sim/view/report/terminal_line.hpp"
 
 #include <chrono>

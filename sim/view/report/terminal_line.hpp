@@ -3,12 +3,11 @@
 
 namespace rayclock {
 
-/// The one line on standard error that is drawn again and again while somebody waits at a terminal. Any
-/// thread may draw it.
+/// Draws the progress line on standard error, replacing its text. Any thread may call it.
 void draw_line(const std::string& text);
 void wipe_line();
 
-/// Since it was drawn or wiped last.
+/// Returns the seconds since the line was last drawn or wiped.
 double seconds_since_line();
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Draws the progress of long work on a terminal and writes text files.
 #include "sim/view/report/text.hpp"
 
 #include <chrono>
@@ -17,8 +18,8 @@ namespace rayclock {
 
 namespace {
 
-/// Work as people who wait for it see it: drawn whenever it is told of, and once a second by a thread of its
-/// own, because one step of it may take long, and because not all work is told of.
+/// The progress of current work. It redraws on every report, and a thread of its own redraws once a second.
+/// The thread is needed because one step can take long and some work reports no progress.
 class WorkLine {
 public:
     WorkLine() : ticker_([this] { tick(); }) {}
@@ -38,13 +39,13 @@ public:
         const std::lock_guard lock(mutex_);
         if (const std::string_view work = what.substr(0, what.find(',')); work_ != work)
             work_ = work, start_ = now, drawn_ = {};
-        else if (!is_under_way_ && done < total)   // the same once more
+        else if (!is_under_way_ && done < total)   // the same work starts again
             start_ = now;
         is_under_way_ = done < total;
         if (!is_under_way_) {
             wipe_line();
             shown_ = false;
-            start_ = now;   // of what nobody tells of
+            start_ = now;   // the start of work that reports no progress
         } else if (now - drawn_ >= std::chrono::milliseconds(100)) {
             what_ = what;
             share_ = double(done) / double(total);
@@ -69,7 +70,7 @@ private:
     }
 
     void tick() {
-        constexpr double silence = 0.95;   // a build of RTL draws the line, too
+        constexpr double silence = 0.95;   // in seconds; RTL builds draw the same line
         std::unique_lock lock(mutex_);
         while (!wake_.wait_for(lock, std::chrono::seconds(1), [&] { return ended_; }))
             if (seconds_since_line() > silence) draw(Clock::now());
@@ -81,7 +82,7 @@ private:
     double share_ = 0;
     Clock::time_point start_ = Clock::now(), drawn_;
     bool is_under_way_ = false, shown_ = false, ended_ = false;
-    std::thread ticker_;   // the last, because it uses the others
+    std::thread ticker_;   // declared last because it uses the other members
 };
 
 }   // namespace
@@ -94,7 +95,7 @@ Progress terminal_progress() {
 
 void write_file(const std::string& path, const std::string& text) {
     if (path == "-") {
-        write_output(text);   // main() sees whether it arrives
+        write_output(text);   // main() checks for write errors
         return;
     }
     write_bytes(path, text);

@@ -6,11 +6,13 @@
 
 namespace rayclock {
 
-/// Draws progress with the time that is left on standard error, if that is a terminal; otherwise does
-/// nothing. What comes after a comma in `what` is shown, and is not part of the name of the work.
+/// Returns a callback that draws progress and the remaining time on standard error if it is a terminal.
+/// Otherwise the callback does nothing. Text after a comma in `what` is shown, but does not belong to the
+/// name of the work.
 Progress terminal_progress();
 
-/// write_bytes() of sim/files/output.hpp; "-" is standard output. Throws UserError if it cannot.
+/// Writes a file with write_bytes() of sim/files/output.hpp; "-" is standard output. Throws UserError if the
+/// file cannot be written.
 void write_file(const std::string& path, const std::string& text);
 
 }   // namespace rayclock

@@ -1,5 +1,4 @@
-// A timeline as a waveform: what every unit did and where every context's ray was, as text that needs no
-// table of names.
+// Writes a timeline as a waveform. All values are text, so viewers need no translation tables.
 #include <filesystem>
 #include <algorithm>
 #include <map>
@@ -21,7 +20,7 @@ std::string unit_scope(int pipeline) {
 }
 std::string context_scope(const TimelineRay& ray) { return fmt::format("context_{}", ray.context); }
 
-/// Where a context is, and for whom.
+/// The signals of one context: its ray, its place, its wait and its pixel.
 struct ContextSignals {
     FstWriter::Signal ray = 0, place = 0, waits_for = 0, pixel = 0;
 };
@@ -52,7 +51,7 @@ public:
     }
 
 private:
-    /// Signals of a pipeline lie in one scope.
+    /// Declares the signals of each pipeline in one scope.
     void declare_units() {
         std::map<int, std::vector<Unit>> by_pipeline;
         for (const UnitSpan& span : timeline_.units) {
@@ -88,7 +87,7 @@ private:
     void at(std::uint64_t cycle, FstWriter::Signal signal, std::string text) {
         changes_[cycle][signal] = std::move(text);
     }
-    /// What ends in a cycle may be followed by what begins in it.
+    /// Marks the end of a value. A value that begins in the same cycle replaces the mark.
     void ends(std::uint64_t cycle, FstWriter::Signal signal) { changes_[cycle].emplace(signal, "-"); }
 
     void show(const TimelineRay& ray) {

@@ -1,3 +1,4 @@
+// Writes a timeline in the format Kanata 0004.
 #include <map>
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@ namespace rayclock {
 
 namespace {
 
-/// The commands of each cycle; they must come in the order of time.
+/// The commands of each cycle, because the format requires them in order of time.
 using Commands = std::map<std::uint64_t, std::string>;
 
 void add_ray(Commands& at, const Timeline& timeline, std::size_t id, const TimelineRay& ray) {

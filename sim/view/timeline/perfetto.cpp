@@ -1,5 +1,5 @@
-// Messages of Perfetto's TrackEvent in protobuf's wire format. A dozen fields are written, so no generated
-// code is needed; the numbers are those of perfetto/protos/perfetto/trace.
+// Writes a timeline as Perfetto's TrackEvent messages in protobuf's wire format. It writes about a dozen
+// fields, so it needs no generated code. The field numbers are those of perfetto/protos/perfetto/trace.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -105,7 +105,7 @@ private:
         thread(context_uuid(ray), ray_process(ray.pipeline), ray_process(ray.pipeline) * 1000 + ray.context,
                fmt::format("context {}", ray.context));
     }
-    /// Each track once.
+    /// Writes the descriptor of each track once.
     void describe(std::uint64_t uuid, const Message& descriptor) {
         if (std::find(described_.begin(), described_.end(), uuid) != described_.end()) return;
         described_.push_back(uuid);
@@ -113,7 +113,8 @@ private:
     }
     static std::string packet_of(const Message& packet) { return Message().message(1, packet).bytes(); }
 
-    /// `depth`: an inner slice begins after and ends before the one that holds it, if in the same cycle.
+    /// `depth` orders slices that share a cycle: an inner slice begins after the slice that holds it, and
+    /// ends before it.
     void slice(std::uint64_t uuid, std::uint64_t first, std::uint64_t last, const std::string& name,
                const char* category, int depth = 0, const std::vector<Message>& annotations = {}) {
         Message begin = Message().number(event::type, event::begin).number(event::track, uuid);
@@ -156,7 +157,8 @@ private:
     }
 
     std::string in_order() {
-        // In a cycle ends come first, inner ones before outer ones; then begins, outer ones first.
+        // Within a cycle ends precede begins. Inner slices end before outer ones, and outer slices begin
+        // before inner ones.
         std::stable_sort(packets_.begin(), packets_.end(), [](const Packet& a, const Packet& b) {
             return a.cycle != b.cycle ? a.cycle < b.cycle : a.rank < b.rank;
         });

@@ -1,3 +1,4 @@
+// Collects the stays of rays and the accounts of units within the chosen cycles.
 #include "sim/view/timeline/timeline.hpp"
 
 #include <algorithm>
@@ -48,7 +49,8 @@ void Timeline::event(const RayEvent& event) {
     open.lookup.reset();
 }
 
-/// The stay that is open ends before `cycle`; `end` is the move that ended it, or null at the end of all.
+/// Closes the open stay before `cycle`. `end` is the transfer that ended the stay, or null at the end of the
+/// timeline.
 void Timeline::close(Open& open, std::uint64_t cycle, const RayEvent* end) {
     const RayEvent& begin = open.begin;
     const std::uint64_t first = std::max(begin.cycle, choice_.first), last = std::min(cycle, choice_.last);

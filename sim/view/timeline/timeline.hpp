@@ -1,5 +1,5 @@
 #pragma once
-// A stretch of a frame's time: where every ray was, and what every unit did, in each cycle.
+// A timeline: the place of every ray and the state of every unit in each cycle of a part of a frame.
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,38 +10,42 @@
 
 namespace rayclock {
 
-/// What of a frame is wanted: cycles first..last-1 of the frame, and of these the pixels and rays asked for.
+/// The chosen part of a frame: the cycles first..last-1, and the pixels and the kinds of rays to show.
 struct TimelineChoice {
     std::uint64_t first = 0, last = ~0ull;
-    bool whole_frame = true;   ///< no cycles were named; units are shown only of cycles that were
-    std::uint32_t x0 = 0, y0 = 0, x1 = ~0u, y1 = ~0u;   ///< corners, both included
+    bool whole_frame = true;   ///< no cycles were chosen; units are shown only for chosen cycles
+    std::uint32_t x0 = 0, y0 = 0, x1 = ~0u, y1 = ~0u;   ///< corners, inclusive
     std::array<bool, 4> purposes{true, true, true, true};
 };
 
-/// A ray in a unit, within the cycles that are wanted.
+/// The time of a ray in a unit, clipped to the chosen cycles.
 struct TimelineStay {
     std::size_t place = 0;
-    std::uint64_t first = 0, last = 0;   ///< cycle after the last
-    std::uint64_t wait_first = 0;        ///< from here on it waited; last: it did not
-    std::string waits_for;               ///< unit
-    std::optional<CacheDeed> lookup;     ///< of a cache
-    std::uint32_t addr = 0;              ///< likewise
+    std::uint64_t first = 0, last = 0;   ///< half open: `last` is the cycle after the last one
+    /// The cycle in which the ray began to wait; equal to `last` if it did not wait.
+    std::uint64_t wait_first = 0;
+    std::string waits_for;             ///< name of the unit
+    std::optional<CacheDeed> lookup;   ///< for a cache
+    std::uint32_t addr = 0;            ///< for a cache
 };
+/// The stays of one ray.
 struct TimelineRay {
     std::uint32_t pixel = 0, ray = 0;
     RayPurpose purpose{};
     int pipeline = 0;
     std::uint32_t context = 0;
-    int sender = -1;   ///< the pixel's ray before it, if that is there as well
+    int sender = -1;   ///< index of the pixel's previous ray in Timeline::rays, -1 if the timeline lacks it
     std::vector<TimelineStay> stays;
 };
+/// A run of cycles in which a unit had the same state.
 struct UnitSpan {
-    int pipeline = -1;   ///< -1: of what all share
+    int pipeline = -1;   ///< -1: a unit that all pipelines share
     Unit unit{};
     std::size_t code = 0;   ///< cause
     std::uint64_t first = 0, last = 0;
 };
 
+/// Records a timeline. Call finish() after the last cycle, then read `rays` and `units`.
 class Timeline final : public EventSink {
 public:
     Timeline(const Config& config, FrameSize size, const TimelineChoice& choice);
@@ -51,14 +55,14 @@ public:
     void event(const RayEvent& event) override;
     void cycle_done(std::uint64_t cycle, const Machine& machine) override;
     bool done() const override { return now_ >= choice_.last || (!choice_.whole_frame ? false : left_ == 0); }
-    /// After the last cycle.
+    /// Closes all open stays. Call it after the last cycle.
     void finish();
 
     const Config& config() const { return config_; }
     int width() const { return size_.width; }
-    /// In the order in which they began.
+    /// The rays in the order in which they began.
     std::vector<TimelineRay> rays;
-    std::vector<UnitSpan> units;   ///< of a unit in the order of time
+    std::vector<UnitSpan> units;   ///< the spans of each unit are in the order of time
 
 private:
     struct Open {
@@ -66,12 +70,13 @@ private:
         RayEvent begin;
         std::optional<CacheDeed> lookup;
         std::uint64_t looked_up = 0;
-        int at = -1, before = -1;   ///< in `rays`: this ray, the pixel's ray before it
+        int at = -1, before = -1;   ///< indices in `rays`: this ray, and the pixel's previous ray
     };
     Open& open_of(const RayEvent& event) {
         return open_[std::size_t(event.pipeline) * std::size_t(config_.contexts) + event.context];
     }
-    /// Of every unit: from here on its next cycles count; before that, the last one is a span's if `seen`.
+    /// Stores the accounts of every unit as the base of the next cycle. If `seen`, first appends the last
+    /// cycle to a span.
     void note_accounts(const Machine& machine, bool seen);
     void close(Open& open, std::uint64_t cycle, const RayEvent* end);
     void see_unit(int pipeline, Unit unit, const CauseCounts& now, const CauseCounts& before);
@@ -79,29 +84,30 @@ private:
     Config config_;
     FrameSize size_;
     TimelineChoice choice_;
-    std::uint64_t now_ = 0, left_ = 0;   ///< cycles done; pixels that are wanted and not done
+    std::uint64_t now_ = 0, left_ = 0;   ///< cycles done; chosen pixels that are not done
     std::vector<Open> open_;
-    std::vector<Accounts> before_;   ///< of each pipeline, then of all
+    std::vector<Accounts> before_;   ///< accounts of each pipeline, then of the shared units
     std::vector<std::array<int, unit_count>> last_span_;
 };
 
-/// As text in the format Kanata 0004, which the viewer Konata reads: a ray is an instruction, units are the
-/// stages of lane 0, waits those of lane 1, and a ray depends on the one that was sent before it.
+/// Writes the text format Kanata 0004, which the viewer Konata reads. A ray is an instruction, units are the
+/// stages of lane 0, and waits are the stages of lane 1. A ray depends on the ray that the pixel sent before
+/// it.
 std::string kanata(const Timeline& timeline);
 
-/// As a trace of Perfetto: protobuf messages of TrackEvent. A cycle is a nanosecond.
+/// Writes a Perfetto trace: protobuf messages of TrackEvent. A cycle is a nanosecond.
 std::string perfetto(const Timeline& timeline);
 
-/// As a waveform in the format FST: of every unit what it did, of every context whose ray it has, where that
-/// is and what it waits for, all as text. A cycle is ten nanoseconds. And the save file that GTKWave opens it
-/// with.
+/// Writes a waveform in the format FST, with text values. Each unit has its state; each context has its ray,
+/// its place and what it waits for. A cycle is ten nanoseconds. fst_view() returns the save file with which
+/// GTKWave opens the waveform.
 std::string fst(const Timeline& timeline);
 std::string fst_view(const Timeline& timeline, const std::string& path);
 
-/// The writer for a file's ending, .kanata, .pftrace or .fst. Throws UserError.
+/// Returns the writer for a file's extension: .kanata, .pftrace or .fst. Throws UserError for any other.
 std::function<std::string(const Timeline&)> timeline_writer(const std::string& path);
 
-/// "box", "starved by memory".
+/// Returns the name of a cause, such as "box" or "starved by memory".
 std::string cause_name(Unit unit, std::size_t code);
 
 }   // namespace rayclock

@@ -1,6 +1,6 @@
-/* What GTKWave's fstapi.c writes with, since it looks at no error itself: a file that is cut by a full disk would
-   look whole to whoever made it, and a mapping of what the disk does not hold ends the program (SIGBUS). It is
-   included in front of fstapi.c, in the program and in the library of RTL that writes waveforms. */
+/* Replaces the output functions of GTKWave's fstapi.c, which checks no errors itself. Without these a file cut by
+   a full disk would look complete, and a mapping beyond the disk's space would end the program (SIGBUS). The program
+   and the RTL library that writes waveforms include this file before fstapi.c. */
 #ifndef RC_FST_IO_H
 #define RC_FST_IO_H
 
@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-/* The first error since somebody set it to 0. */
+/* The first error since the variable was last set to 0. */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -61,7 +61,7 @@ static int rc_fst_gzclose(gzFile file) {
     rc_fst_note(result != Z_OK);
     return result;
 }
-/* The disk holds all of it, or it is memory that nobody keeps. */
+/* Reserves the space on disk before it maps the file. On failure returns anonymous memory that is discarded. */
 static void* rc_fst_mmap(void* at, size_t size, int protection, int flags, int file, off_t offset) {
     const int error = protection & PROT_WRITE ? posix_fallocate(file, offset, (off_t)size) : 0;
     if (error == 0) return mmap(at, size, protection, flags, file, offset);

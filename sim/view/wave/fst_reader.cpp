@@ -1,3 +1,4 @@
+// Reads FST files with fstapi.
 #include <gtkwave/fstapi.h>
 
 #include "model/base/error.hpp"
@@ -8,7 +9,7 @@ namespace rayclock {
 
 namespace {
 
-/// Verilator leaves a blank before the range.
+/// Removes the blank that Verilator leaves before a range.
 std::string name_of(std::string name) {
     if (const std::size_t blank = name.find(' '); blank != std::string::npos) name.erase(blank, 1);
     return name;
@@ -43,7 +44,7 @@ void read_fst(const std::string& path, const FstVisitor& visitor) {
     };
     const auto bits = [](void* user, std::uint64_t time, fstHandle signal, const unsigned char* value) {
         static_cast<const FstVisitor*>(user)->change(
-            time, signal, reinterpret_cast<const char*>(value));   // it ends with a zero
+            time, signal, reinterpret_cast<const char*>(value));   // terminated by a zero
     };
     fstReaderIterBlocks2(reader.get(), bits, text, const_cast<FstVisitor*>(&visitor), nullptr);
 }

@@ -1,3 +1,4 @@
+// Writes FST files with fstapi, and reports full disks.
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -26,7 +27,7 @@ constexpr int nanoseconds = -9;
 
 }   // namespace
 
-/// GTKWave's writer needs a file, beside which it makes others.
+/// The temporary file that GTKWave's writer needs. The writer puts further files next to it.
 struct FstWriter::File {
     TemporaryFolder folder{"rayclock-wave"};
     std::string path = folder.path() / "wave.fst";
@@ -62,7 +63,7 @@ FstWriter::FstWriter() : file_(std::make_unique<File>()) {
     fstWriterSetPackType(file_->writer, FST_WR_PT_LZ4);
     fstWriterSetTimescale(file_->writer, nanoseconds);
     fstWriterSetVersion(file_->writer, "rayclock");
-    fstWriterSetDate(file_->writer, "-");   // the same run gives the same file
+    fstWriterSetDate(file_->writer, "-");   // a constant date, so that equal runs give equal files
 }
 
 FstWriter::~FstWriter() {

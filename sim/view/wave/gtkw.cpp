@@ -1,3 +1,4 @@
+// Writes GTKWave save files.
 #include "sim/view/wave/gtkw.hpp"
 
 #include <fmt/format.h>
@@ -6,10 +7,10 @@ namespace rayclock {
 
 namespace {
 
-// GTKWave's flags of a line, hexadecimal.
+// GTKWave's flags of a line; the file has them in hexadecimal.
 constexpr unsigned right_aligned = 0x20, hexadecimal = 0x2, decimal = 0x4, binary = 0x8, ascii = 0x10,
                    blank = 0x200, group_begin = 0x800000, group_end = 0x1000000, closed = 0x400000;
-constexpr int cycles_zoom = -6;   // some hundred nanoseconds, ten cycles and more, fill the window
+constexpr int cycles_zoom = -6;   // the window shows a few hundred nanoseconds, at least ten cycles
 
 unsigned flags_of(GtkwSignal::As as) {
     switch (as) {

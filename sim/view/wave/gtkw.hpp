@@ -5,23 +5,24 @@
 
 namespace rayclock {
 
-/// What GTKWave shows of a waveform when it opens.
+/// One signal in GTKWave's window.
 struct GtkwSignal {
     enum class As { bits, decimal, hexadecimal, text } as = As::bits;
-    std::string name;   ///< with all scopes, "TOP.rc_chip.clk_i"; of several bits with its range, "x[3:0]"
+    std::string name;   ///< full name with scopes, "TOP.rc_chip.clk_i"; several bits have a range, "x[3:0]"
 };
 struct GtkwGroup {
     std::string name;
     std::vector<GtkwSignal> signals;
     bool is_open = true;
 };
+/// The state of GTKWave's window when it opens a waveform.
 struct Gtkw {
     std::string waveform;                  ///< file name, in the same folder
-    std::uint64_t marker = 0, first = 0;   ///< times: of the marker, at the left edge
+    std::uint64_t marker = 0, first = 0;   ///< time of the marker, and time at the left edge
     std::vector<GtkwGroup> groups;
 };
 
-/// The save file that GTKWave opens.
+/// Returns the text of the save file.
 std::string gtkw_text(const Gtkw& gtkw);
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// Entries of the cache of figures.
+// Fuzzes entries of the cache of figures.
 #include "sim/files/json_value.hpp"
 #include "sim/files/cache/results.hpp"
 #include "tests/fuzz/program/targets.hpp"
@@ -9,7 +9,7 @@ void cache(std::string_view bytes) {
     using Json = nlohmann::ordered_json;
     const std::string path = file("frame-0.json").string(), key = "the key";
     const auto value = jobs::entry_value(path, std::string(bytes), key);
-    // Once more under its key and with a check that fits, which nobody finds by chance.
+    // Try again with the right key and checksum, which mutation would never find.
     if (!passes([&] { parse_json(path, bytes); })) return demand(!value, "an entry is sound JSON");
     auto json = Json::parse(bytes, nullptr, false);
     if (!json.is_object() || !json.contains("value")) return demand(!value, "an entry has a value");

@@ -1,4 +1,4 @@
-// Configuration files.
+// Fuzzes configuration files.
 #include <nlohmann/json.hpp>
 
 #include "sim/run/memory/memory_file.hpp"

@@ -1,7 +1,7 @@
 // rc_fuzz: libFuzzer around the target that RC_FUZZ_TARGET names.
 //
-// RC_FUZZ_LARGE=BYTES blows every input up: a part of it is repeated until there are so many bytes. So a
-// small input stands for a large file, and what takes a time that grows with the square is found.
+// RC_FUZZ_LARGE=BYTES enlarges every input: it repeats a part until the input has this size. So a small input
+// stands for a large file, and reveals algorithms with quadratic time.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -44,8 +44,8 @@ void (*chosen)(std::string_view) = nullptr;
 std::size_t large = 0;
 
 std::string blown_up(std::string_view bytes) {
-    // Lines, or what stands between commas: so a list grows, and is often still a list. Which, follows from
-    // the bytes themselves.
+    // Repeats lines or text between commas, so that a list grows and often stays a list. The bytes select the
+    // part.
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < bytes.size(); ++i)
         if (bytes[i] == ',' || bytes[i] == '\n') ends.push_back(i);
@@ -60,8 +60,7 @@ std::string blown_up(std::string_view bytes) {
     return all += rest;
 }
 
-/// libFuzzer's own limit is by the clock on the wall, which says little on a machine that does other things
-/// as well.
+/// libFuzzer's own limit is wall-clock time, which depends on other jobs on the machine.
 constexpr double most_seconds = 10;
 
 double processor_seconds() {

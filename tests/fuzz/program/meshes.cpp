@@ -1,4 +1,4 @@
-// OBJ with MTL, PLY, STL and glTF.
+// Fuzzes OBJ with MTL, PLY, STL, glTF and the other mesh formats.
 #include "sim/load/gunzip.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "tests/fuzz/program/scenes.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
-/// As load_mesh_file() does it.
+/// Reads a mesh as load_mesh_file() does.
 void check_mesh(Read read, const std::string& name, std::string_view bytes, Finite finite) {
     check_reader(
         bytes, [&](Loading& loading) { return read(file(name), std::string(bytes), loading); }, finite);
@@ -31,7 +31,7 @@ void gz(std::string_view bytes) {
 }
 void gltf(std::string_view bytes) { check_mesh(read_gltf, "fuzzed.gltf", bytes, Finite::checked); }
 
-/// Every block is given to a triangle, so that its values are judged.
+/// Assigns every material to a triangle, so that its values are checked.
 void mtl(std::string_view bytes) {
     check_reader(
         bytes,

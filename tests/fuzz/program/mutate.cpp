@@ -1,6 +1,6 @@
-// Every second mutation takes a number in the text for another, so that what has been found stays sound in
-// all but one value. The others are libFuzzer's own: of a hundred of these to a text in JSON hardly one can
-// still be parsed.
+// Every second mutation replaces a number in the text by another. So an input that was found stays valid
+// except for one value. The others are libFuzzer's own: after a hundred of these a JSON text can hardly ever
+// be parsed.
 #include <array>
 #include <cctype>
 #include <cstdint>

@@ -1,8 +1,8 @@
-// The command line: main() of the program and the options that commands share, with commands that only read
-// them.
+// Fuzzes the command line: main() of the program and the options that commands share, with commands that only
+// read them.
 //
-// An input has a word in each line. Whatever a command would do after it has read its options is left out, so
-// that nothing is written, built or drawn.
+// An input has one word per line. Commands do nothing after they have read their options, so nothing is
+// written, built or drawn.
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -27,7 +27,7 @@ namespace rayclock {
 
 namespace {
 
-/// The options that commands share, and those of single commands whose values are read from text.
+/// The options that commands share, and those of single commands with values parsed from text.
 struct Options {
     std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
                        max_error = "0.1%", max_work = "0%", max_other = "1%";
@@ -70,7 +70,7 @@ void declare(Parser& parser, Options& o) {
 
 int clock_khz(const std::string& text) { return parse_clocks(text).at(0); }
 
-/// All options are read; each refusal must be a sentence, and the last one is thrown.
+/// Reads all options. Each refusal must be a sentence; throws the last one.
 int read_options(const Options& o) {
     std::string refused;
     const auto read = [&](const auto& part) {
@@ -157,7 +157,7 @@ COMMAND(doctor)
 
 void show_builds() {}
 
-// The streams stay as libFuzzer has them.
+// The streams stay as libFuzzer uses them.
 void guard_streams() {}
 void write_output(std::string_view) {}
 std::string finish_output() { return {}; }

@@ -1,4 +1,4 @@
-// What this program reads back of its own reports: parts of sweeps, reports and pages of simulate.
+// Fuzzes the reports that this program reads back: parts of sweeps, reports and pages of simulate.
 #include <nlohmann/json.hpp>
 
 #include "sim/view/compare/compare.hpp"
@@ -11,7 +11,7 @@
 
 namespace rayclock {
 
-// Of the whole program alone.
+// Only the whole program has this function.
 const char* sweep::program_stamp() { return "fuzzed"; }
 
 namespace fuzz {

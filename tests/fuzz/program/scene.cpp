@@ -1,4 +1,4 @@
-// Scenes in JSON, with the files that they refer to.
+// Fuzzes scenes in JSON, with the files to which they refer.
 #include "sim/load/json_scene.hpp"
 #include "tests/fuzz/program/scenes.hpp"
 #include "tests/fuzz/program/targets.hpp"

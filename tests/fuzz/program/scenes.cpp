@@ -11,10 +11,10 @@
 
 namespace rayclock {
 
-/// No pictures are decoded here: load_scene() is not fuzzed.
+/// Pictures are not decoded, because load_scene() is not fuzzed.
 glm::vec4 average_colour(const std::string&) { throw std::runtime_error("pictures are not read here"); }
 
-/// No other program is started here.
+/// No other program is started.
 bool assimp_reads(const std::string&) { return false; }
 std::string assimp_glb(const std::filesystem::path& file, std::uint64_t, const std::optional<std::string>&) {
     throw UserError(file.string() + ": is not read here");
@@ -25,7 +25,7 @@ std::string assimp_glb(const std::filesystem::path& file, std::uint64_t, const s
 namespace rayclock::fuzz {
 namespace {
 
-/// What a call gives, or the sentence of its refusal.
+/// The result of a call, or the sentence of its refusal.
 struct Answer {
     Scene scene;
     std::string refusal;

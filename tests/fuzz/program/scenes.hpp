@@ -1,4 +1,4 @@
-// What must hold of a scene that a reader has let pass.
+// Requirements on a scene that a reader accepts.
 #pragma once
 #include <functional>
 #include <string_view>
@@ -7,17 +7,18 @@
 
 namespace rayclock::fuzz {
 
-/// Small files may ask for a million times their size. So that an input takes a fraction of a second, they
-/// get less here; tests/load/hostile_test.cpp tries the full allowance, and RC_FUZZ_LARGE has it as well.
+/// Small files may request a million times their size. The allowance is smaller here, so that an input takes
+/// a fraction of a second. tests/load/hostile_test.cpp tests the full allowance, and RC_FUZZ_LARGE also has
+/// it.
 constexpr Allowance small_allowance{std::uint64_t{1} << 20, 256};
 
 enum class Finite {
-    always,   ///< coordinates are 32-bit floats as they stand in the file
-    checked   ///< they were transformed; check_scene() refuses the rest
+    always,   ///< coordinates are the 32-bit floats of the file
+    checked   ///< coordinates were transformed; check_scene() refuses infinite ones
 };
 
-/// Reads; of every eighth length once more, which must give the same. What passes must have its indices in
-/// range, whatever check_scene() says, and once that has passed it, it can be lit and seen.
+/// Reads the bytes. One in eight lengths is read twice and must give the same result. An accepted scene must
+/// have valid indices, whatever check_scene() says. After check_scene() accepts it, it can be lit and seen.
 void check_reader(std::string_view bytes, const std::function<Scene(Loading&)>& read, Finite finite);
 
 }   // namespace rayclock::fuzz

@@ -1,5 +1,5 @@
 #pragma once
-// For parsers that read a file by its name.
+// Temporary files for parsers that read a file by name.
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rayclock::fuzz {
 
-/// A file with these bytes, in memory, so that no disk is worn.
+/// Writes a file with these bytes in memory, to spare the disk.
 inline std::string scratch_file(const std::string& name, std::string_view bytes) {
     const std::string file = "/dev/shm/rc_fuzz-" + std::to_string(::getpid()) + "-" + name;
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

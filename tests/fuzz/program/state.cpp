@@ -1,4 +1,4 @@
-// The state of a stress run.
+// Fuzzes the state of a stress run.
 #include <nlohmann/json.hpp>
 
 #include "sim/files/json_value.hpp"
@@ -42,7 +42,7 @@ void check_state(std::string_view text) {
 
 void state(std::string_view bytes) {
     check_state(bytes);
-    // Once more with a check that fits, which nobody finds by chance.
+    // Try again with a correct checksum, which mutation would never find.
     if (!passes([&] { parse_json("fuzzed.json", bytes); })) return;
     auto json = nlohmann::ordered_json::parse(bytes, nullptr, false);
     if (!json.is_object() || !json.contains("batches") || !json.contains("counts")) return;

@@ -1,7 +1,7 @@
-// What is fuzzed: parsers by name, each with what must hold of all that it lets pass.
+// The fuzz targets: parsers by name, each with the requirements on everything that it accepts.
 //
-// A parser may throw UserError and nothing else. Any other exception, a sanitizer's finding, a broken demand,
-// too much time or too much memory is a finding of libFuzzer, which keeps the input.
+// A parser may throw UserError and nothing else. Any other exception, a sanitizer's finding, a failed
+// requirement, or excessive time or memory is a finding of libFuzzer, which keeps the input.
 #pragma once
 #include <exception>
 #include <filesystem>
@@ -31,16 +31,16 @@ void yosys(std::string_view bytes);
 void nextpnr(std::string_view bytes);
 void options(std::string_view bytes);
 
-/// The name of a fuzzed file, in a folder that holds what such a file may refer to.
+/// Returns the path of a fuzzed file, in a folder with the files to which it may refer.
 std::filesystem::path file(const std::string& name);
 
-/// Ends the program unless it holds.
+/// Ends the program unless `holds` is true.
 void demand(bool holds, const char* claim);
 
-/// One sentence, fit for a terminal.
+/// Requires a single sentence that is safe for a terminal.
 void check_sentence(const std::string& sentence);
 
-/// False if what is called refuses its input, with a proper sentence.
+/// Returns false if the call refuses its input with a proper sentence.
 template <class Call> bool passes(const Call& call) {
     try {
         call();

@@ -1,4 +1,4 @@
-// What tools write: counts and faces of Yosys; clocks, delays and logs of nextpnr.
+// Fuzzes the output of tools: counts and faces of Yosys; clocks, delays and logs of nextpnr.
 #include "sim/silicon/chip/harness.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/silicon/chip/route.hpp"
@@ -35,7 +35,7 @@ void nextpnr(std::string_view bytes) {
     try {
         for (const chip::Path& path : chip::slowest_paths(text, 5, [](const chip::Path& p) { return p.to; }))
             demand(!path.to.empty(), "a path ends somewhere");
-    } catch (const std::runtime_error&) {   // its caller says that the file is not whole
+    } catch (const std::runtime_error&) {   // the caller reports that the file is incomplete
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Requests for the tri of a chip that shades, every kind of ray and primitive, and the verdict of exact
-// geometry on its answers.
+// Requests for the tri of a shading chip, with every kind of ray and primitive, and the judgement of its
+// answers by exact geometry.
 #include "model/unit/isect/any.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "sim/judge/oracle/ball.hpp"
@@ -8,8 +8,8 @@
 
 namespace rayclock::test {
 
-/// Formats by name, each with all kinds of primitives unless `kinds` says which: both that ship, a narrow
-/// lattice, the widest, one with a finer distance than any other.
+/// Returns a format by name, with the primitives in `kinds`. The names cover both shipped formats, a narrow
+/// lattice, the widest, and one with finer distances than any other.
 inline Config any_format(const std::string& name, const std::string& kinds = "sphere plane") {
     Config c = format(name == "fine" ? "wide" : name);
     c.shading = 1;
@@ -19,8 +19,8 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     if (name == "wide") c.origin_bits = 10;
     if (name == "fine") c.origin_bits = 10, c.t_frac_bits = 6, c.bary_bits = 19;
     if (c.spheres)
-        c.tri_queue = 64;   // the door lets a request in every cycle only if the queue is as long as the
-                            // pipeline
+        // The door accepts a request in every cycle only if the queue is as long as the pipeline.
+        c.tri_queue = 64;
     c.horizon = c.planes && c.origin_bits >= far_drop;
     c.name = name + " " + kinds;
     return c;
@@ -39,12 +39,13 @@ inline Wide narrow(const oracle::Int& x) {
            oracle::Int(x & ~std::uint64_t(0)).convert_to<std::uint64_t>();
 }
 
-// ---- What a request is in the scene: lattice steps, t = num / det.
+// ---- A request in the scene's units: lattice steps, t = num / det.
 inline bool is_shadow(const TriReq& r) { return RayKind(r.kind) == RayKind::shadow; }
 inline bool leaves(const TriReq& r) {
     return RayKind(r.kind) == RayKind::bounce || RayKind(r.kind) == RayKind::away;
 }
-/// From beyond the lattice: its origin counts 2^far_drop times as much, and it asks planes alone.
+/// Returns true for a ray from beyond the lattice. Its origin is in units of 2^far_drop, and it tests only
+/// planes.
 inline bool is_far(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce && r.partial != 0; }
 inline bool is_sphere(const TriReq& r, const Config& c) {
     return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
@@ -70,7 +71,7 @@ inline std::optional<oracle::Crossing> flat_crossing(const TriReq& r, const Conf
     if (is_plane(r, c))
         return oracle::plane_crossing(origin_of(r, c), place(r.d), place(p.a), place(p.b), place(p.c));
     if (is_far(r)) return std::nullopt;
-    // Moved by (e, e^2, e^3), the origin may as well be moved so many steps of 2^-B: all in that unit.
+    // The origin moves by (e, e^2, e^3), so it may as well move in steps of 2^-B: everything is in that unit.
     const auto scaled = [&](const Vec3i& v) {
         return oracle::Point{oracle::Int(v[0]) << c.origin_bits, oracle::Int(v[1]) << c.origin_bits,
                              oracle::Int(v[2]) << c.origin_bits};
@@ -93,15 +94,15 @@ inline int side_of_ray(const TriReq& r) {
     return sum > 0 ? 1 : sum < 0 ? -1 : 0;
 }
 
-// ---- Verdict.
+// ---- Judgement.
 
-/// t's units in a distance of 1.
+/// Returns the units of t in a distance of 1.
 inline oracle::Rational unit_of(const Config& c) {
     return oracle::power_of_two(c.dir_bits - 1 + c.t_frac_bits);
 }
 inline oracle::Int most_t(const Config& c) { return (oracle::Int(1) << c.t_bits()) - 1; }
 
-/// The most that t of a sphere may be too large, as model/unit/isect/any.hpp states it.
+/// Returns the largest permitted excess of t for a sphere, as stated in model/unit/isect/any.hpp.
 inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c) {
     const oracle::Rational unit = unit_of(c), a = ball.speed_squared();
     const oracle::Rational radius = sqrt(oracle::ceil(ball.radius_squared * unit * unit / a)) + 1;
@@ -117,7 +118,7 @@ inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
         return r.inside ? oracle::meets_from_its_surface(ball) : oracle::Meets::no;
     return oracle::meets(ball);
 }
-/// From the line's end, which lies outside of the sphere, the way back to its beginning meets it.
+/// Returns true if the way back from the line's end, outside the sphere, to its beginning meets the sphere.
 inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
     oracle::Ball back = ball;
     for (std::size_t k = 0; k < 3; ++k) back.o[k] += end * back.d[k], back.d[k] = -back.d[k];
@@ -177,7 +178,7 @@ inline void judge_flat(const TriReq& r, const TriRsp& alone, const Config& c) {
     REQUIRE(alone.u == coordinate(at->u));
     REQUIRE(alone.v == coordinate(at->v));
 }
-/// The answer is what the geometry says, and against a hit to beat what its own fraction says.
+/// Requires that the answer is the geometry's, and against a hit to beat that of its own fraction.
 inline void judge_any(const TriReq& r, const TriRsp& rsp, const Config& c) {
     REQUIRE(rsp.ray == r.ray);
     if (ends_at_any(r.kind)) {
@@ -204,7 +205,7 @@ inline void judge_any(const TriReq& r, const TriRsp& rsp, const Config& c) {
 
 // ---- Requests.
 
-/// A hit to beat: none, anything, exactly as far as this one's own in another fraction, or a hair nearer or
+/// Draws a hit to beat: none, any, exactly as far as its own (as another fraction), or slightly nearer or
 /// farther.
 inline Best any_best(Draw& draw, const Config& c, const TriRsp& own, std::uint32_t prim) {
     Best best;
@@ -228,7 +229,7 @@ inline Best any_best(Draw& draw, const Config& c, const TriRsp& own, std::uint32
     return best;
 }
 
-/// The nearest of n bits.
+/// Clamps x to n bits.
 inline std::int32_t clip(std::int64_t x, int n) {
     const std::int64_t most = (std::int64_t(1) << (n - 1)) - 1;
     return std::int32_t(std::clamp(x, -most - 1, most));
@@ -263,8 +264,8 @@ inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
     return p;
 }
 
-/// Most rays are aimed at a corner, an edge, the inside, or past a sphere's rim; origins and ends often lie
-/// on the primitive.
+/// Most rays aim at a corner, an edge, the inside, or past a sphere's rim. Origins and ends often lie on the
+/// primitive.
 inline TriReq random_any_req(Draw& draw, const Config& c) {
     const int n = c.coord_bits, b = c.origin_bits;
     TriReq r;
@@ -278,8 +279,8 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     if (!c.spheres) r.self = r.inside = 0;
     const bool is_bounce = RayKind(r.kind) == RayKind::bounce;
     r.partial = c.planes && (ends_at_any(r.kind) || (is_bounce && c.horizon)) && draw.percent(30);
-    // Where the ray goes through, in units of 2^-B: weights of the corners, or the centre and as far beside
-    // it as it likes.
+    // The target of the ray in units of 2^-B: a weighted point of the corners, or the centre with a random
+    // offset.
     Vec3l at{};
     const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2},
                               {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}, {9, -4, -1}};
@@ -307,7 +308,7 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     if (is_far(r) && draw.coin()) r.o = draw.vector(n + b);
     if (leaves(r) && !draw.percent(10)) {
         if (draw.coin())
-            r.o = point(at);   // from the primitive itself
+            r.o = point(at);   // starts at the primitive itself
         else
             for (auto& x : r.o) x = clip(x + draw.between(0, (1 << b) - 1), n + b);
     }

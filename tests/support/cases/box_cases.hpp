@@ -1,19 +1,18 @@
 #pragma once
-// Requests for box, and the verdict of exact geometry on its answers.
+// Requests for box, and the judgement of its answers by exact geometry.
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 
-/// A request, and the direction that its reciprocals were made of. If the chip shades, the origin has
-/// fraction bits.
+/// A request, and the direction of its reciprocals. If the chip shades, the origin has fraction bits.
 struct BoxCase {
     BoxReq req;
     Vec3i d{};
-    bool is_long = false;   ///< d fills ray_dir_bits, as a shadow ray's, and not only dir_bits
+    bool is_long = false;   ///< d fills ray_dir_bits, like a shadow ray's, instead of dir_bits
 };
 
-/// Fills in neg, recip and len as raygen promises them.
+/// Sets neg, recip and len as raygen guarantees them.
 inline void set_direction(BoxCase& c, const Vec3i& d, const Config& config) {
     c.d = d;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -25,7 +24,7 @@ inline void set_direction(BoxCase& c, const Vec3i& d, const Config& config) {
     }
 }
 
-/// In steps of 2^-frac.
+/// Returns the child's box in steps of 2^-frac.
 inline oracle::Box child_box(const Node& node, std::size_t child, int frac = 0) {
     oracle::Box box;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -37,7 +36,7 @@ inline oracle::Box child_box(const Node& node, std::size_t child, int frac = 0) 
     return box;
 }
 
-/// A node with `inner` inner children and then leaves, `children` in all.
+/// Draws a node with `children` children: first the inner ones, then leaves.
 inline Node random_node(Draw& draw, const Config& config, const Vec3i& o) {
     Node node;
     const int reach = 1 << draw.below(config.coord_bits);
@@ -59,8 +58,8 @@ inline Node random_node(Draw& draw, const Config& config, const Vec3i& o) {
     return node;
 }
 
-/// Half of the rays are aimed at a corner, an edge, a face or the inside of a child; some start there. If the
-/// chip shades, they are camera rays, bounces and shadow rays.
+/// Half of the rays aim at a corner, an edge, a face or the inside of a child; some start there. If the chip
+/// shades, they are camera rays, bounces and shadow rays.
 inline BoxCase random_box_case(Draw& draw, const Config& config) {
     BoxCase c;
     const int frac = config.origin_frac();
@@ -84,8 +83,8 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
                                hi = box.hi[k].convert_to<std::int64_t>();
             const std::int64_t places[] = {lo, hi, lo + (hi - lo) / 2, lo - 1, hi + 1};
             const std::int64_t target = places[draw.below(5)], grid = 1 << (config.origin_width() - 1);
-            const std::int64_t parts = c.is_long ? 1 : 1 << frac;   // a short direction has no room for the
-                                                                    // fraction
+            // A short direction has no room for the fraction.
+            const std::int64_t parts = c.is_long ? 1 : 1 << frac;
             if (kind != RayKind::shadow && draw.below(8) == 0 && target >= -grid && target < grid)
                 c.req.o[k] = std::int32_t(target);
             d[k] = std::int32_t(std::clamp((target - c.req.o[k]) * factor / parts, -most - 1, most));
@@ -96,15 +95,15 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
     return c;
 }
 
-/// What the answer says of the child at `offset`, if anything.
+/// Returns t_near of the child at `offset`, if the answer contains it.
 inline std::optional<std::uint32_t> reported(const BoxRsp& rsp, std::uint32_t offset) {
     for (std::size_t i = 0; i < rsp.inner + rsp.leaves; ++i)
         if (rsp.offset[i] == offset) return rsp.t_near[i];
     return std::nullopt;
 }
 
-/// No child that the ray meets is missing, t_near is never beyond the entry, and no child is there without
-/// the licence.
+/// Requires that no child that the ray meets is missing and that t_near is never beyond the entry. Any other
+/// child must be within the permitted tolerance.
 inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     const Node& node = c.req.node;
     const auto o = oracle::point(c.req.o), d = oracle::point(c.d);
@@ -115,7 +114,7 @@ inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& confi
     std::uint32_t inner = 0, triangles = 0, found = 0;
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) inner += node.kind[i] == 1;
     for (std::size_t i = 0; i < std::size_t(config.node_width) && node.kind[i] != 0; ++i) {
-        // A block: a line for each inner child, then the triangles, two to a line.
+        // Layout of a block: one line for each inner child, then the triangles, two to a line.
         const auto offset = node.kind[i] == 1 ? std::uint32_t(2 * i) : 2 * inner + triangles;
         triangles += node.kind[i] - 1;
         const oracle::Box box = child_box(node, i, frac);
@@ -132,8 +131,8 @@ inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& confi
     REQUIRE(found == rsp.inner + rsp.leaves);
 }
 
-/// Counts and order: inner children first, each part by (t_near, offset), zeros behind; ray and base come
-/// back.
+/// Requires counts and order: inner children first, each part sorted by (t_near, offset), then zeros. Ray and
+/// base are unchanged.
 inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     REQUIRE(rsp.ray == c.req.ray);
     REQUIRE(rsp.base == c.req.node.base);
@@ -153,7 +152,7 @@ inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& confi
     }
 }
 
-/// Every leaf that is reported has its number of triangles.
+/// Requires that every reported leaf has its number of triangles.
 inline void judge_counts(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     std::uint32_t at = 0;
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) at += 2 * (c.req.node.kind[i] == 1);

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes in which primitives coincide.
+// Scenes with coincident primitives.
 #include <algorithm>
 #include <random>
 
@@ -7,8 +7,8 @@
 
 namespace rayclock::test {
 
-/// Every triangle twice more, its corners turned and in the other order, with corners of their own; in an
-/// order of their own.
+/// Adds two copies of every triangle with vertices of their own: one with rotated corners, one with reversed
+/// order. The triangles are shuffled.
 inline Scene tripled(Scene scene, std::uint32_t seed, std::vector<std::uint32_t>& original) {
     const std::size_t count = scene.triangles.size();
     std::vector<Triangle> all;
@@ -33,7 +33,7 @@ inline Scene tripled(Scene scene, std::uint32_t seed, std::vector<std::uint32_t>
     return scene;
 }
 
-/// The lowest number of what is the same as `number`.
+/// Returns the lowest number of a primitive that coincides with `number`.
 inline std::uint32_t lowest(const std::vector<std::uint32_t>& original, std::uint32_t number) {
     return std::uint32_t(std::find(original.begin(), original.end(), original[number]) - original.begin());
 }

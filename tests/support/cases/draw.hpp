@@ -1,5 +1,5 @@
 #pragma once
-// Seeded random operands, half of them from the corners, where comparisons and overflow go wrong.
+// Seeded random operands. Half of them are corner cases, where comparisons and overflow go wrong.
 #include <algorithm>
 #include <array>
 #include <random>
@@ -18,7 +18,7 @@ public:
     bool percent(int p) { return below(100) < p; }
     bool coin() { return bits(1) != 0; }
 
-    /// Signed number of n bits.
+    /// Draws a signed number of n bits.
     std::int64_t number(int n) {
         const std::int64_t most = std::int64_t((std::uint64_t(1) << (n - 1)) - 1), least = -most - 1;
         std::int64_t value = std::int64_t(bits(n) << (64 - n)) >> (64 - n);
@@ -31,22 +31,22 @@ public:
         }
         return last_ = value;
     }
-    /// Unsigned number of n bits.
+    /// Draws an unsigned number of n bits.
     std::uint64_t natural(int n) {
         const std::uint64_t most = n == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << n) - 1;
         if (coin()) return bits(n);
         const std::uint64_t corners[] = {0, 1, most, most - 1, std::uint64_t(1) << below(n), natural_};
         return natural_ = std::min(corners[below(int(std::size(corners)))], most);
     }
-    /// Three signed numbers of n bits; one time in four a pair is equal, one in eight opposite where that
-    /// fits.
+    /// Draws three signed numbers of n bits. In one of four vectors a pair is equal, in one of eight opposite
+    /// if that fits.
     Vec3i vector(int n) {
         Vec3i v;
         for (auto& x : v) x = std::int32_t(number(n));
         if (below(4) == 0) v[std::size_t(below(3))] = v[std::size_t(below(3))];
         return v;
     }
-    /// A lattice point near p, inside n bits.
+    /// Draws a lattice point near p, within n bits.
     Vec3i near(const Vec3i& p, int reach, int n) {
         const int most = (1 << (n - 1)) - 1;
         Vec3i q;
@@ -60,7 +60,7 @@ private:
     std::uint64_t natural_ = 0;
 };
 
-/// Fills every field of a payload with random bits: for tests of what only carries it.
+/// Fills every field of a payload with random bits, for tests of units that only pass it on.
 class FillVisitor {
 public:
     explicit FillVisitor(Draw& draw) : draw_(draw) {}

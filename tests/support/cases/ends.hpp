@@ -1,10 +1,10 @@
 #pragma once
-// Operands from the ends of their widths alone, and small ones.
+// Small operands and operands at the ends of their widths.
 #include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {
 
-/// Signed number of n bits, at most two away from an end or from nought.
+/// Draws a signed number of n bits, at most two away from an end or from zero.
 inline std::int64_t at_an_end(Draw& draw, int n) {
     const std::int64_t most = std::int64_t((std::uint64_t(1) << (n - 1)) - 1), least = -most - 1;
     const std::int64_t ends[] = {least, 0, 0, most};

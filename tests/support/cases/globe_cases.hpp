@@ -1,5 +1,5 @@
 #pragma once
-// Requests for globe, and the verdict of exact geometry on its answers.
+// Requests for globe, and the judgement of its answers by exact geometry.
 #include <algorithm>
 #include <cmath>
 
@@ -11,13 +11,13 @@
 
 namespace rayclock::test {
 
-/// A request, and the ray that it was made of.
+/// A request, and the ray from which it was made.
 struct GlobeCase {
     GlobeReq req;
     Ray ray;
 };
 
-/// Half of the rays are aimed at a globe's middle, or at what is about its radius away from that.
+/// Half of the rays aim at a globe's centre, or at about its radius away from it.
 inline GlobeCase random_globe_case(Draw& draw, const Config& config) {
     GlobeCase c;
     const int n = config.coord_bits, frac = config.origin_frac();
@@ -61,8 +61,8 @@ inline GlobeCase random_globe_case(Draw& draw, const Config& config) {
     return c;
 }
 
-/// The same with small operands and those at both ends of their widths alone: radii of nought and one, and as
-/// long as they can be; moments of either sign; directions that round up to a power of two.
+/// Draws only small operands and operands at both ends of their widths. Radii are zero, one or as large as
+/// possible; moments have either sign; directions round up to a power of two.
 inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     GlobeCase c;
     const int frac = config.origin_frac();
@@ -70,7 +70,7 @@ inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     node.base = std::uint32_t(draw.natural(config.addr_bits));
     node.org = vector_at_ends(draw, config.coord_bits);
     node.exp = std::uint32_t(draw.coin() ? 0 : draw.below(config.coord_bits - globe_bits + 2));
-    const auto end = [&] {   // of a natural number
+    const auto end = [&] {   // of an unsigned number
         return std::uint32_t(at_an_end(draw, globe_bits)) & ((1u << globe_bits) - 1);
     };
     const auto width = std::uint32_t(config.node_width), inner = std::uint32_t(draw.below(int(width) + 1));
@@ -83,7 +83,7 @@ inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     const int bits = kind == RayKind::shadow ? config.ray_dir_bits() : config.dir_bits;
     Vec3i o = vector_at_ends(draw, config.coord_bits), d = vector_at_ends(draw, bits);
     for (auto& x : o) x = x * (1 << frac) + (kind == RayKind::bounce ? int(draw.natural(frac)) : 0);
-    if (draw.coin())   // all but a power of two
+    if (draw.coin())   // one less than a power of two
         for (auto& x : d) x = ((1 << draw.below(bits)) - 1) * (draw.coin() ? 1 : -1);
     if (d == Vec3i{}) d[0] = -1;
     c.ray = make_ray(o, d, config, kind);
@@ -93,22 +93,22 @@ inline GlobeCase globe_case_at_ends(Draw& draw, const Config& config) {
     return c;
 }
 
-/// Of a globe and a ray, in fractions: the way v from the origin to the centre.
+/// A globe and a ray in fractions: v is the vector from the origin to the centre.
 struct GlobeSight {
     oracle::Rational dd = 0, dv = 0, vv = 0, radius = 0;
-    double unit = 0, away = 0, step = 0;   ///< of t for a ray of length 1; sum of |v|; 2^exp
+    double unit = 0, away = 0, step = 0;   ///< units of t for a ray of length 1; sum of |v|; 2^exp
 
-    /// The ray has a point in a globe whose radius is so much larger, s >= 0.
+    /// Returns true if the ray has a point with s >= 0 in the globe enlarged by `more`.
     bool is_met(const oracle::Rational& more = 0) const {
         const oracle::Rational r = radius + more, c = vv - r * r;
         return c <= 0 || (dv >= 0 && dv * dv >= dd * c);
     }
-    /// t is not after the first such point, which is there: sqrt(dv^2 - dd c) <= dv - dd s.
+    /// Returns true if s is not after the first such point, which exists: sqrt(dv^2 - dd c) <= dv - dd s.
     bool is_before(const oracle::Rational& s) const {
         const oracle::Rational c = vv - radius * radius, rest = dv - dd * s;
         return s == 0 || (rest >= 0 && dv * dv - dd * c <= rest * rest);
     }
-    /// About when the ray comes to a globe whose radius is so much larger.
+    /// Returns the approximate entry of the ray into the globe enlarged by `more`.
     double enters(double more) const {
         const double d = dd.convert_to<double>(), v = dv.convert_to<double>(),
                      r = radius.convert_to<double>() + more, c = vv.convert_to<double>() - r * r;
@@ -132,9 +132,9 @@ inline GlobeSight sight_of(const GlobeCase& c, std::size_t i, const Config& conf
     return sight;
 }
 
-/// No globe that the ray meets is missing, t_near is never beyond the entry, and both are not much looser
-/// than the roundings explain. Inner children come first, each part by (t_near, offset); what is beyond is
-/// zero.
+/// Requires that no globe that the ray meets is missing, that t_near is never beyond the entry, and that
+/// neither is looser than the roundings explain. Inner children come first, each part sorted by (t_near,
+/// offset). The rest is zero.
 inline void judge(const GlobeCase& c, const BoxRsp& rsp, const Config& config, bool is_tight = true) {
     using oracle::Rational;
     const GlobeNode& node = c.req.node;

@@ -1,12 +1,12 @@
 #pragma once
-// Chips whose registers are tested alone.
+// Configurations for tests of the host's registers alone.
 #include <string>
 
 #include "model/core/config.hpp"
 
 namespace rayclock::test {
 
-/// "small", and "shaded", with two pipelines.
+/// Returns "small", or "shaded", which has two pipelines.
 inline Config host_config(const std::string& name) {
     Config config = named_config("small");
     if (name == "small") return config;

@@ -1,5 +1,5 @@
 #pragma once
-// Configurations of chips that shade, and random passes of their unit shade: every event, every kind of
+// Configurations of shading chips, and random passes of the unit shade with every event and every kind of
 // surface.
 #include "model/unit/shade/bounce.hpp"
 #include "model/unit/shade/pass.hpp"
@@ -8,11 +8,10 @@
 
 namespace rayclock::test {
 
-/// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow"
-/// and "broad" are at the ends of the lattice, "short" has directions shorter than a unit vector's
-/// components.
-/// Also as "everyK:..." of a chip whose shade makes a pass every K cycles, as "fast:...", and as "levels:..."
-/// with instances.
+/// Returns a format by name. "all" has every unit of default, "plain" only shading, "mirror" all but
+/// refraction. "narrow" and "broad" are at the ends of the lattice. "short" has directions shorter than a
+/// unit vector's components. Prefixes: "everyK:..." makes a pass every K cycles, "fast:..." has the paths of
+/// a fast chip, "levels:..." has instances.
 inline Config shaded_format(const std::string& name) {
     if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
         Config c = shaded_format(name.substr(colon + 1));
@@ -59,7 +58,7 @@ inline Vec3i draw_unit(Draw& draw) {
     return unit_vector(v);
 }
 
-/// Sides of the panes; mostly none is crossed, so that a light's are often the path's.
+/// Draws the sides of panes. Mostly none is crossed, so a light's sides often equal the path's.
 inline std::uint32_t random_cell(Draw& draw, const Config& c) {
     return c.panes == 0 || draw.coin() ? 0 : std::uint32_t(draw.natural(c.panes));
 }
@@ -70,8 +69,8 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     s.depth = std::uint32_t(draw.below(16));
     s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits + 1) >> draw.below(18);
     if (draw.percent(30))
-        s.threshold = 3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many
-                                                                // bounces
+        // A threshold that no weight reaches after this many bounces.
+        s.threshold = 3 * std::uint32_t(draw.between(1, 15));
     s.side = c.supersampling ? std::uint32_t(draw.between(1, 8)) : 1;
     s.contrast = draw.coin() ? 0 : share_up_to(draw, unit_bits);
     s.share = share_up_to(draw, unit_bits), s.first_share = share_up_to(draw, unit_bits);
@@ -88,7 +87,7 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     return frame;
 }
 
-inline Vec3i draw_place(Draw& draw, const Config& c) {   // a point that o can say
+inline Vec3i draw_place(Draw& draw, const Config& c) {   // a point that o can represent
     Vec3i o{};
     for (auto& x : o)
         x = std::int32_t(
@@ -144,8 +143,8 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
     return hit;
 }
 
-/// Puts a point beyond the lattice so that the ray that it sends, now or to a light beyond, comes near a
-/// point of the lattice.
+/// Moves a point beyond the lattice so that the ray from it passes near a point of the lattice. The ray
+/// starts now, or later towards a light beyond the lattice.
 inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
     const Vec3i within = draw_place(draw, c);
     const bool is_light = s.event == std::uint32_t(ShadeEvent::light);
@@ -172,7 +171,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
         s.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
         if (draw.percent(25) && frame.shade.side > 1) s.sample = 3;
         for (std::size_t k = 0; k < 3; ++k) {
-            s.sum[k] = s.sample << unit_bits;   // the most: all have been white
+            s.sum[k] = s.sample << unit_bits;   // the maximum: all samples were white
             if (draw.below(4) != 0) s.sum[k] = std::uint32_t(draw.below(int(s.sum[k] + 1)));
             s.least[k] = share_up_to(draw, unit_bits), s.most[k] = share_up_to(draw, unit_bits);
         }
@@ -211,7 +210,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     return s;
 }
 
-/// What lies beyond the lattice, a plane, is of no instance that is moved.
+/// A plane beyond the lattice never belongs to a transformed instance.
 inline Placement pass_placement(Draw& draw, const Config& c, const ShadeState& state) {
     Placement p = random_placement(draw, c);
     if (!state.far && draw.percent(70)) return p;

@@ -1,10 +1,11 @@
 #pragma once
-// Random maps of instances: a row's sizes sum to 1 at most, so a point stays within the lattice.
+// Random maps of instances. Each row's absolute values sum to at most 1, so points stay within the lattice.
 #include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {
 
-/// A row of a map: sizes that sum to 1 at most, which they often do; 1 itself, and the least step.
+/// Draws a row of a map whose absolute values sum to at most 1, and often exactly to 1. Includes 1 itself and
+/// the smallest step.
 inline std::array<std::int32_t, 3> row_of(Draw& draw, int frac) {
     const std::int64_t one = std::int64_t(1) << frac;
     std::array<std::int64_t, 3> part{};
@@ -24,7 +25,7 @@ inline std::array<std::int32_t, 3> row_of(Draw& draw, int frac) {
     return row;
 }
 
-/// An instance whose map keeps every point of the lattice within the lattice.
+/// Draws an instance whose map keeps every point of the lattice within the lattice.
 inline Placement random_placement(Draw& draw, const Config& c) {
     Placement p;
     const std::int64_t one = std::int64_t(1) << c.map_frac(),

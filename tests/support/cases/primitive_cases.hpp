@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of all primitive tests share: configurations, a closed sphere, and rays aimed at it.
+// Shared by the tests of all primitive tests: configurations, a closed sphere, and rays aimed at it.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ inline TriRsp ask(const Config& config, const Vec3i& o, const Vec3i& d, const Pr
     return rsp;
 }
 
-/// A closed sphere around the lattice's middle; all triangles turn the same way.
+/// Returns a closed sphere around the lattice's centre; all triangles have the same orientation.
 inline std::vector<PrimData> sphere(int size, double radius) {
     const Scene scene = make_builtin("icosphere:" + std::to_string(size));
     std::vector<PrimData> all;
@@ -40,7 +40,8 @@ inline std::vector<PrimData> sphere(int size, double radius) {
     return all;
 }
 
-/// A point at least so far from the middle, and a direction from there to `target`, as long as M bits allow.
+/// Draws a point at least this far from the centre. towards() returns a direction to `target`, as long as M
+/// bits allow.
 inline Vec3i far_origin(Draw& draw, int coord_bits, double distance) {
     const int most = (1 << (coord_bits - 1)) - 1;
     for (;;) {
@@ -59,15 +60,15 @@ inline Vec3i towards(const Vec3i& o, const std::array<double, 3>& target, int di
     return d;
 }
 
-/// A weighted point of a triangle.
+/// Returns a weighted point of a triangle.
 inline std::array<double, 3> inside(const PrimData& t, double b, double c) {
     std::array<double, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = t.a[k] + b * (t.b[k] - t.a[k]) + c * (t.c[k] - t.a[k]);
     return p;
 }
 
-/// The triangles of a closed sphere that take a ray aimed at a corner, an edge or anywhere. From outside, so
-/// that all lie ahead.
+/// Returns the number of triangles that accept a ray. The ray comes from outside the closed sphere, so all of
+/// them lie ahead.
 inline int crossings(const Config& config, const std::vector<PrimData>& all, const Vec3i& o, const Vec3i& d) {
     return int(std::count_if(all.begin(), all.end(),
                              [&](const PrimData& t) { return ask(config, o, d, t).closer != 0; }));

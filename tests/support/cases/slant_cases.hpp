@@ -1,15 +1,15 @@
 #pragma once
-// Requests for slant, and the verdict of exact geometry on its answers.
+// Requests for slant, and the judgement of its answers by exact geometry.
 #include "model/engine/bsp/slant.hpp"
 #include "tests/support/cases/treelet_cases.hpp"
 
 namespace rayclock::test {
 
-/// A request, and the direction as raygen had it.
+/// A request, and the direction that raygen received.
 struct SlantCase {
     SlantReq req;
     Vec3i d{};
-    bool is_long = false;   ///< as of TreeletCase
+    bool is_long = false;   ///< as in TreeletCase
 };
 
 inline std::int64_t across(const Vec3i& n, const Vec3i& x) {
@@ -21,7 +21,7 @@ inline Vec3i normal_of(const Slant& slant, std::size_t plane) {
     return {slant.normal[3 * plane], slant.normal[3 * plane + 1], slant.normal[3 * plane + 2]};
 }
 
-/// Fills in what follows from the ray's direction.
+/// Sets all fields that follow from the ray's direction.
 inline void set_direction(SlantCase& c, const Vec3i& d, const Config& config) {
     c.d = d;
     set_reciprocals(c, config);
@@ -31,8 +31,8 @@ inline void set_direction(SlantCase& c, const Vec3i& d, const Config& config) {
     c.req.along = aligned(ray, config);
 }
 
-/// Planes through points near the ray's, and rays in them, from them, and towards edges where two of them
-/// meet.
+/// Planes through points near the ray's origin. Rays lie in them, start on them, or aim at edges where two
+/// planes meet.
 inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     SlantCase c;
     const int frac = config.origin_frac(), n = config.coord_bits;
@@ -46,7 +46,7 @@ inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     Slant& s = c.req.slant;
     s.base = std::uint32_t(draw.natural(max_addr_bits));
     const auto planes = std::size_t(config.planes_of_node());
-    const Vec3i meet = draw.near(near, reach, n);   // of many planes
+    const Vec3i meet = draw.near(near, reach, n);   // common to many planes
     for (std::size_t i = 0; i < planes; ++i) {
         Vec3i normal{};
         const int what = draw.below(8);
@@ -76,7 +76,7 @@ inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     const int factor = 1 << draw.below(4);
     switch (draw.below(4)) {
         case 0: take([&](std::size_t k) { return (std::int64_t(meet[k]) - near[k]) * factor; }); break;
-        case 1:   // along an edge, or in a plane
+        case 1:   // along an edge, or within a plane
             take([&](std::size_t k) {
                 const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
                 return (std::int64_t(a[i]) * b[j] - std::int64_t(a[j]) * b[i]) * factor;
@@ -89,8 +89,8 @@ inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     return c;
 }
 
-/// The same with small operands and those at both ends of their widths alone: dividends and divisors of a few
-/// units, or as long as they can be, rays in planes and beside them, in the middle and in corners of the
+/// Draws only small operands and operands at both ends of their widths. Dividends and divisors have a few
+/// units or full length. Rays lie in planes and next to them, in the middle and in the corners of the
 /// lattice.
 inline SlantCase slant_case_at_ends(Draw& draw, const Config& config) {
     SlantCase c;
@@ -125,7 +125,7 @@ inline ExitTimes exit_times(const SlantCase& c, std::size_t exit, const Config& 
     const Slant& s = c.req.slant;
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
-    // 4 of a quotient of at least 2^16 - 2; and rounding to whole units.
+    // 4 parts of a quotient of at least 2^16 - 2, and rounding to whole units.
     const Rational part(4, (1 << (crossing_bits - 2)) - 2);
     return exit_times(c, s, config, [&](ExitTimes& times, auto&&) {
         for_each_plane(exit, config, [&](std::size_t plane, bool upper) {

@@ -1,6 +1,6 @@
 #pragma once
-// Formats so small that every operand can be tried. They lie below what check_config lets a user choose; the
-// units' formulas hold for them all the same.
+// Formats so small that every operand can be tested. They are below the limits of check_config(), but the
+// units' formulas hold for them too.
 #include <functional>
 
 #include "sim/judge/oracle/overlap.hpp"
@@ -22,8 +22,8 @@ inline Config small_format(int coord_bits, int dir_bits, int recip_bits, int t_f
     return config;
 }
 
-/// stream() at full rate, without its checks and messages, which cost more than the unit: `count` requests
-/// from make(), each handed with its answer to judge(request, answer).
+/// Streams `count` requests from make() at full rate. Calls judge(request, answer) for each. Omits the checks
+/// and messages of stream(), which cost more time than the unit.
 template <class Dut, class Make, class Judge>
 void pour(Dut& dut, std::uint64_t count, Make make, Judge judge) {
     using Req = typename Dut::Unit::Req;
@@ -47,16 +47,16 @@ void pour(Dut& dut, std::uint64_t count, Make make, Judge judge) {
     }
 }
 
-// ---- Boxes. On one axis: origin, the node's corner and exponent, and a direction; then planes lo <= hi of a
-// child.
+// ---- Boxes. On one axis: origin, the node's corner and exponent, and a direction; then the planes lo <= hi
+// of a child.
 struct AxisCase {
     std::int32_t o = 0, org = 0, d = 0;
     std::uint32_t exp = 0;
-    bool is_long = false;   ///< d fills ray_dir_bits; of all three axes or of none
+    bool is_long = false;   ///< d fills ray_dir_bits, on all three axes or on none
 };
 using PlanePair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Everything that fits the format; exponents up to the largest that a node needs, and one more.
+/// Returns all cases that fit the format. Exponents go to the largest that a node needs, and one more.
 inline std::vector<AxisCase> all_axis_cases(const Config& c) {
     std::vector<AxisCase> all;
     const int n = 1 << (c.coord_bits - 1), from = 1 << (c.origin_width() - 1), m = 1 << (c.dir_bits - 1);
@@ -67,7 +67,7 @@ inline std::vector<AxisCase> all_axis_cases(const Config& c) {
                     all.push_back({o, org, d, std::uint32_t(e)});
     return all;
 }
-/// The same with the directions of shadow rays, from lattice points.
+/// Returns all cases with directions of shadow rays, from lattice points.
 inline std::vector<AxisCase> all_shadow_cases(const Config& c) {
     std::vector<AxisCase> all;
     const int n = 1 << (c.coord_bits - 1), m = 1 << (c.ray_dir_bits() - 1);
@@ -85,13 +85,13 @@ inline std::vector<PlanePair> all_planes(const Config& c) {
     return all;
 }
 
-/// What is tried: the product of the three axes' cases and of their planes.
+/// The cases of a test: the product of the three axes' cases and of their planes.
 struct BoxSpace {
     std::array<std::vector<AxisCase>, 3> axes;
     std::array<std::vector<PlanePair>, 3> planes;
     std::size_t children() const { return planes[0].size() * planes[1].size() * planes[2].size(); }
 };
-/// The axes in `which` (bit k) go through everything; on the others the ray stands still inside every box.
+/// The axes in `which` (bit k) take all values. On the others the ray is constant inside every box.
 inline BoxSpace box_space(const Config& c, unsigned which) {
     BoxSpace space;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -102,7 +102,7 @@ inline BoxSpace box_space(const Config& c, unsigned which) {
     return space;
 }
 
-/// Makes the requests of a space one by one, up to eight children in each, all of them inner nodes.
+/// Makes the requests of a space one by one, each with up to eight children, all inner nodes.
 class BoxRequests {
 public:
     BoxRequests(BoxSpace space, const Config& config) : space_(std::move(space)), config_(config) {
@@ -162,19 +162,19 @@ private:
 
     BoxSpace space_;
     Config config_;
-    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2> recip_;   // of short and of long
-                                                                                  // directions
+    // Of short and of long directions.
+    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2> recip_;
     std::array<std::size_t, 3> at_{};
     std::size_t child_ = 0;
 };
 
-/// What came of it. A box is lost if the ray meets it and the answer has it not; late if t_near is beyond the
-/// entry.
+/// The counts of a test. A box is lost if the ray meets it and the answer lacks it. It is late if t_near is
+/// beyond the entry.
 struct BoxVerdict {
     std::uint64_t boxes = 0, met = 0, taken = 0, lost = 0, late = 0;
 };
 inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& config, BoxVerdict& verdict) {
-    const std::int64_t parts = std::int64_t(1) << config.origin_frac();   // all lengths in steps of 2^-B
+    const std::int64_t parts = std::int64_t(1) << config.origin_frac();   // all lengths are in steps of 2^-B
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     std::array<std::int64_t, max_width> said;
     said.fill(-1);
@@ -201,14 +201,14 @@ inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& confi
 
 // ---- Triangles.
 
-/// The `number`-th vector of n-bit components.
+/// Returns the `number`-th vector of n-bit components.
 inline Vec3i vector_of(std::uint64_t number, int n) {
     const auto part = [&](int k) {
         return std::int32_t(number >> (n * k) & ((1u << n) - 1)) - (1 << (n - 1));
     };
     return {part(0), part(1), part(2)};
 }
-/// The `number`-th request of all: b, c, o, d, and a last.
+/// Returns the `number`-th of all requests: b, c, o, d, and a last.
 inline TriReq tri_request(std::uint64_t number, const Config& config) {
     const int n = config.coord_bits;
     const auto take = [&](int bits) {

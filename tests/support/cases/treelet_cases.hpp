@@ -1,19 +1,19 @@
 #pragma once
-// Requests for treelet, and the verdict of exact geometry on its answers and on those of slant.
+// Requests for treelet, and the judgement of its answers and of slant's by exact geometry.
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 
-/// A request, and the direction that its reciprocals were made of.
+/// A request, and the direction of its reciprocals.
 struct TreeletCase {
     TreeletReq req;
     Vec3i d{};
-    bool is_long = false;   ///< d fills ray_dir_bits, as a shadow ray's, and not only dir_bits
+    bool is_long = false;   ///< d fills ray_dir_bits, like a shadow ray's, instead of dir_bits
 };
 
-/// What raygen tells of the direction.
+/// Sets the reciprocals that raygen computes from the direction.
 template <class Case> void set_reciprocals(Case& c, const Config& config) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int d = c.d[k];
@@ -24,7 +24,7 @@ template <class Case> void set_reciprocals(Case& c, const Config& config) {
     }
 }
 
-/// Half of the rays are aimed at planes, their edges and corners.
+/// Half of the rays aim at planes, their edges and corners.
 inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
     TreeletCase c;
     const int frac = config.origin_frac(), n = config.coord_bits;
@@ -53,7 +53,7 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
         if (kind != RayKind::bounce) continue;
         c.req.o[k] += int(draw.natural(frac));
         const auto i = std::size_t(draw.below(config.node_width - 1));
-        if (draw.below(4) == 0 && t.axis[i] == k)   // on a plane
+        if (draw.below(4) == 0 && t.axis[i] == k)   // starts on a plane
             c.req.o[k] = t.at[i] * (1 << frac);
     }
     if (draw.percent(60)) {
@@ -65,7 +65,7 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
             d[k] = std::int32_t(std::clamp(way * factor, -most - 1, most));
         }
     }
-    if (draw.below(4) == 0) d[std::size_t(draw.below(3))] >>= draw.below(bits);   // of any length
+    if (draw.below(4) == 0) d[std::size_t(draw.below(3))] >>= draw.below(bits);   // any length
     if (draw.below(3) == 0) d[std::size_t(draw.below(3))] = 0;
     c.d = d;
     set_reciprocals(c, config);
@@ -73,9 +73,9 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
     return c;
 }
 
-/// The same with small operands and those at both ends of their widths alone: planes on the ray's origin and
-/// a step beside it, rays that rest on an axis, ways and reciprocals that are short or as long as they can
-/// be.
+/// Draws only small operands and operands at both ends of their widths. Planes lie at the ray's origin or a
+/// step next to it. Rays do not move along some axes. Distances and reciprocals are short or as long as
+/// possible.
 inline TreeletCase treelet_case_at_ends(Draw& draw, const Config& config) {
     TreeletCase c;
     const int frac = config.origin_frac(), n = config.coord_bits;
@@ -103,14 +103,15 @@ inline TreeletCase treelet_case_at_ends(Draw& draw, const Config& config) {
     return c;
 }
 
-/// Where a ray is in an exit's closed cell: times of t's unit. `grown` as much as rounding may grow it.
+/// The times at which a ray is in an exit's closed cell, in units of t. The `grown` times include the largest
+/// rounding errors.
 struct ExitTimes {
     bool there = true;
-    oracle::Rational enter = 0, leave = -1, grown_enter = 0, grown_leave = -1;   ///< -1: never
+    oracle::Rational enter = 0, leave = -1, grown_enter = 0, grown_leave = -1;   ///< -1 means never
 
-    /// A side of a plane: `num` before the origin, which the ray comes nearer by `den` a unit of its
-    /// direction; a distance from the upper side. `unit`: such units in one of t. `loose`: what rounding may
-    /// add to a time.
+    /// Cuts the times by one side of a plane. The plane is `num` ahead of the origin, and the ray approaches
+    /// it by `den` per unit of its direction; `upper` selects the side. `unit` is the number of such units in
+    /// one of t. `loose_of` returns what rounding may add to a time.
     template <class Loose> void cut(const oracle::Rational& num, const oracle::Int& den, bool upper,
                                     const oracle::Rational& unit, Loose&& loose_of) {
         if (den == 0) {
@@ -118,7 +119,7 @@ struct ExitTimes {
             return;
         }
         const oracle::Rational time = num / den * unit, loose = loose_of(time);
-        if (upper == (den < 0)) {   // the side that the ray is on first
+        if (upper == (den < 0)) {   // the side that the ray enters first
             if (time <= 0) there = false;
             if (leave < 0 || time < leave) leave = time;
             if (grown_leave < 0 || time + loose < grown_leave) grown_leave = time + loose;
@@ -128,14 +129,13 @@ struct ExitTimes {
         }
     }
     bool is_met() const { return there && leave != 0 && (leave < 0 || enter <= leave); }
-    /// Beyond the largest time all are the same.
+    /// Times beyond the largest one are all equal.
     bool may_be_met(const oracle::Int& beyond) const {
         return there && (grown_leave < 0 || grown_enter <= grown_leave || grown_leave >= beyond);
     }
 };
 
-/// `planes` is called with the times, to cut them, and with side(), which cuts them by a plane across an
-/// axis.
+/// Calls `planes` with the times, to cut them, and with side(), which cuts them by a plane across an axis.
 template <class Case, class Line, class Planes>
 ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&& planes) {
     using oracle::Rational;
@@ -146,8 +146,8 @@ ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&
             Rational(oracle::Int(at)) - Rational(oracle::Int(c.req.o[k]), oracle::Int(1) << frac);
         const oracle::Int d = c.d[k];
         const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
-        // A step more or less of the way, and 1 of a reciprocal of R bits; and rounding to whole units. The
-        // end of the side that is left counts a step as up to two, and is rounded twice (docs/planes.md).
+        // The tolerance: one step of distance, 1 of a reciprocal of R bits, and rounding to whole units. The
+        // side that the ray leaves counts a step as up to two, and is rounded twice (docs/planes.md).
         const int most = upper == (d < 0) ? 2 : 1;
         times.cut(way, d, upper, unit, [&](const Rational& time) {
             const Rational step = unit / abs(d);
@@ -160,7 +160,7 @@ ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&
     return times;
 }
 
-/// Planes on the way to an exit, and on which side of them it is.
+/// Visits the planes on the path to an exit, and the exit's side of each.
 template <class See> void for_each_plane(std::size_t exit, const Config& config, See&& see) {
     std::size_t plane = 0;
     for (std::size_t half = std::size_t(config.node_width) / 2; half > 0; half /= 2) {
@@ -179,9 +179,9 @@ inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config
     });
 }
 
-/// No exit that the ray meets is missing, t_near is never beyond the entry, and no exit is there that exact
-/// planes, moved by what rounding may move them, would not meet. Inner exits come first, each part by
-/// (t_near, offset); what is beyond is zero.
+/// Requires that no exit that the ray meets is missing, and that t_near is never beyond the entry. Every
+/// other exit must meet exact planes moved by the rounding errors. Inner exits come first, each part sorted
+/// by (t_near, offset). The rest is zero.
 template <class Case, class Line>
 void judge(const Case& c, const Line& t, const BoxRsp& rsp, const Config& config) {
     const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;

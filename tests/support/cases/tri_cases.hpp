@@ -1,5 +1,5 @@
 #pragma once
-// Requests for tri, and the verdict of exact geometry on its answers.
+// Requests for tri, and the judgement of its answers by exact geometry.
 #include "model/unit/isect/sheared.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
@@ -11,8 +11,8 @@ inline std::optional<oracle::Crossing> crossing(const TriReq& req) {
                             oracle::point(req.triangle.b), oracle::point(req.triangle.c));
 }
 
-/// A hit to beat: none, anything, exactly as far as the crossing at t (in another fraction), or a hair nearer
-/// or farther.
+/// Draws a hit to beat: none, any, exactly as far as the crossing at t (as another fraction), or slightly
+/// nearer or farther.
 inline Best random_best(Draw& draw, const Config& config, const std::optional<oracle::Rational>& t,
                         std::uint32_t prim) {
     Best best;
@@ -38,7 +38,7 @@ inline Best random_best(Draw& draw, const Config& config, const std::optional<or
     return best;
 }
 
-/// Where the ray meets the triangle, in the units in which the test compares.
+/// Returns the ray's crossing of the triangle, in the units in which the test compares.
 inline std::optional<oracle::Rational> crossing_to_beat(const TriReq& req, const Config& config) {
     if (config.is_sheared()) {
         const TriRsp rsp = tri(req, config);
@@ -48,7 +48,7 @@ inline std::optional<oracle::Rational> crossing_to_beat(const TriReq& req, const
     return at ? std::optional(at->t) : std::nullopt;
 }
 
-/// Most rays are aimed at a corner, the middle of an edge or the inside; some backwards.
+/// Most rays aim at a corner, the middle of an edge or the inside. Some run backwards.
 inline TriReq random_tri_req(Draw& draw, const Config& config) {
     const int n = config.coord_bits;
     TriReq req;
@@ -78,7 +78,7 @@ inline TriReq random_tri_req(Draw& draw, const Config& config) {
     return req;
 }
 
-/// The answer is exactly what the geometry says.
+/// Requires that the answer is exactly the geometry's.
 inline void judge(const TriReq& req, const TriRsp& rsp, const Config& config) {
     const auto at = crossing(req);
     bool closer = at.has_value();

@@ -1,3 +1,4 @@
+// Walks points through an image of slants in exact integers.
 #include "tests/support/check/bsp_check.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace rayclock {
 namespace {
 
 constexpr std::size_t most_complaints = 20;
-constexpr int parts = 6;   // of an edge: points are in units of a sixth of a step
+constexpr int parts = 6;   // parts of an edge: points are in units of a sixth of a step
 
 class Reader {
 public:
@@ -40,7 +41,7 @@ public:
         }
     }
 
-    /// Whether a leaf whose cell holds x / parts has the primitive.
+    /// Returns true if a leaf whose cell contains x / parts has the primitive.
     bool holds(std::uint32_t line, const Vec3l& x, std::uint32_t prim) const {
         const WideSlant wide = widen(unpack<Slant>(image_.line(line), config_), config_.node_width);
         for (std::size_t k = 0; k < 3 && !wide.open; ++k)
@@ -96,7 +97,7 @@ std::vector<std::string> check_slants(const MemoryImage& image, const std::vecto
     if (report.nodes != reader.nodes || report.leaves != reader.leaves || report.depth != reader.depth ||
         report.references != reader.references)
         reader.complain(0, "the report says another number of nodes, leaves or primitives, or another depth");
-    if (!reader.wrong.empty()) return reader.wrong;   // it may not even end
+    if (!reader.wrong.empty()) return reader.wrong;   // reading such an image might not terminate
     for (const PrimData& prim : prims) {
         if (PrimKind(prim.kind) == PrimKind::sphere) continue;
         const int step = PrimKind(prim.kind) == PrimKind::plane ? parts : 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads an image of planes in any direction back.
+// Reads an image of planes in any direction and checks it.
 #include <string>
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace rayclock {
 
-/// What is wrong with an image: lines that are reached twice or do not exist, counts that differ from the
-/// report's, and points of `prims` that no leaf with their primitive holds. Of a triangle 28 points are
-/// tried, all whose barycentric coordinates are sixths; of an infinite plane its three corners. All in whole
-/// numbers: cells are closed, and the boxes of slants on the way must hold the point as well. Empty if
-/// nothing is wrong.
+/// Returns the faults of an image: lines that are reached twice or do not exist, counts that differ from the
+/// report's, and points of `prims` that no leaf with their primitive contains. Tests 28 points of a triangle,
+/// all whose barycentric coordinates are sixths, and the three corners of an infinite plane. All computation
+/// is in whole numbers. Cells are closed, and the boxes of slants on the path must also contain the point.
+/// Empty if there are no faults.
 std::vector<std::string> check_slants(const MemoryImage& image, const std::vector<PrimData>& prims,
                                       const Config& config);
 

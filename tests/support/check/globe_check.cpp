@@ -1,3 +1,4 @@
+// Reads an image of globes from its root down.
 #include "tests/support/check/globe_check.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_complaints = 20;
 
-/// A globe as it is written, in lattice steps.
+/// A globe as stored, in lattice steps.
 struct Written {
     Vec3l centre{};
     std::int64_t radius = 0;
@@ -38,7 +39,7 @@ struct Written {
 
 private:
     static Vec3l wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
-    /// |p - centre| + more <= radius; exact if `more` is 0.
+    /// Returns true if |p - centre| + more <= radius; exact if `more` is 0.
     bool holds(const Vec3l& p, double more) const {
         std::int64_t square = 0;
         for (std::size_t k = 0; k < 3; ++k) square += (p[k] - centre[k]) * (p[k] - centre[k]);
@@ -52,7 +53,7 @@ class Reader {
 public:
     Reader(const MemoryImage& image, const Config& config) : image_(image), config_(config) {}
 
-    /// Below a node: all primitives. `see` is given each child's globe and what is below it.
+    /// Returns all primitives below a node. Calls `see` with each child's globe and the primitives below it.
     using See = std::function<void(std::uint32_t line, std::size_t child, const Written& globe,
                                    const std::vector<PrimData>& prims)>;
     std::vector<PrimData> read(std::uint32_t line, int depth, const See& see) {

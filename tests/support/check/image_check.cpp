@@ -1,3 +1,4 @@
+// Reads an image's nodes from the root down, then bounds them from the leaves up.
 #include "tests/support/check/image_check.hpp"
 
 #include <unordered_map>
@@ -25,7 +26,7 @@ public:
         claim(0, 2, 0);
         nodes_.push_back({});
         for (std::size_t i = 0; i < nodes_.size() && !full(); ++i) read(i);
-        if (full()) return complaints_;   // what was not reached would only be noise
+        if (full()) return complaints_;   // faults of unreached lines would only be noise
         for (std::size_t i = nodes_.size(); i-- > 0;) bound(i);
         leftovers();
         report();
@@ -35,10 +36,10 @@ public:
 
 private:
     struct Visit {
-        std::uint32_t line = 0, parent = 0, child = 0;   ///< child: which of its parent's
+        std::uint32_t line = 0, parent = 0, child = 0;   ///< `child` is the index in its parent
         int depth = 1, need = 0;
         Node node{};
-        std::array<LatticeBox, max_width> real{};   ///< of each child
+        std::array<LatticeBox, max_width> real{};   ///< bounds of each child
     };
 
     bool full() const { return complaints_.size() >= most_complaints; }
@@ -46,7 +47,8 @@ private:
         if (!full()) complaints_.push_back("node in line " + std::to_string(line) + ": " + what);
     }
 
-    /// Half lines from `first` belong to the block of the node in `owner`; false if they are not to be had.
+    /// Assigns half lines from `first` to the block of the node in `owner`. Returns false if they are not
+    /// available.
     bool claim(std::uint64_t first, std::uint64_t count, std::uint32_t owner) {
         for (std::uint64_t i = first; i < first + count; ++i) {
             if (i < used_.size() && !used_[i]) {
@@ -126,7 +128,7 @@ private:
             }
     }
 
-    /// Children are bounded before their parents: nodes_ has parents first.
+    /// Bounds children before their parents: nodes_ has parents first.
     void bound(std::size_t index) {
         Visit& at = nodes_[index];
         LatticeBox all;
@@ -187,8 +189,8 @@ private:
         if (image_.report.triangles != scene.triangles.size()) complain(0, "the report is of another scene");
     }
 
-    /// Collinear: Lagrange's identity |u|^2 |v|^2 = (u . v)^2, another road than the compiler's cross
-    /// product.
+    /// Returns true for collinear corners. Uses Lagrange's identity |u|^2 |v|^2 = (u . v)^2, a different
+    /// method than the compiler's cross product.
     static bool flat(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
         __extension__ using Wide = __int128;
         Wide uu = 0, vv = 0, uv = 0;
@@ -203,8 +205,8 @@ private:
 
     const MemoryImage& image_;
     const Config& config_;
-    std::vector<bool> used_;         // half lines
-    std::int32_t lowest_, margin_;   // margin_: what a triangle's box is larger
+    std::vector<bool> used_;         // by half line
+    std::int32_t lowest_, margin_;   // margin_: the enlargement of a triangle's box
     std::vector<Visit> nodes_;
     std::unordered_map<std::uint32_t, PrimData> triangles_;
     std::uint64_t leaves_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Checks a memory image from its bytes alone: a damaged image gives complaints, never undefined behaviour.
+// Checks a memory image from its bytes alone. A damaged image gives complaints, never undefined behaviour.
 #include <string>
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace rayclock {
 
-/// What is wrong with an image, one sentence each; empty if nothing is. Every child's dequantised box holds
-/// all triangles below it; every line is reached once, blocks do not overlap, and what nothing uses is zero;
-/// kinds are in order; the report's figures are true. With the scene: its triangles, snapped, are there
-/// exactly once, except for those without area (sheared: with two equal corners). Stops after 20 complaints.
+/// Returns the faults of an image, one sentence each. Every child's dequantised box contains all triangles
+/// below it. Every line is reached once, blocks do not overlap, and unused lines are zero. Kinds are in
+/// order, and the report's figures are correct. With the scene, its snapped triangles must each be there
+/// exactly once, except those without area (sheared: with two equal corners). Stops after 20 faults.
 std::vector<std::string> check_image(const MemoryImage& image, const Config& config,
                                      const Scene* scene = nullptr);
 

@@ -1,12 +1,12 @@
 #pragma once
-// The caches' two machines behind one face, and the shapes they are tried in.
+// One interface for the model and the RTL of the caches, and the shapes in which they are tested.
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 
-/// What lies in memory at an address of 64 bytes: a function of the address.
+/// Returns the memory's content at an address in units of 64 bytes: a function of the address.
 inline Line line_at(std::uint32_t addr) {
     Rng rng{addr};
     Line line;
@@ -63,14 +63,14 @@ struct SharedCache {
     static Rsp answer(const Req& req, const Config&) { return {req.id, line_at(req.addr)}; }
 };
 
-/// What both machines of a cache show.
+/// The links of a cache's model and RTL.
 template <class K> struct CacheLinks {
     using Kind = K;
     Wire<typename K::Req> req;
     Wire<typename K::Rsp> rsp;
     Wire<typename K::Miss> miss;
     std::optional<typename K::Fill> fill;
-    CacheDeed deed = CacheDeed::starved;   ///< the model's is known after commit(), the RTL's after eval()
+    CacheDeed deed = CacheDeed::starved;   ///< known after commit() in the model, after eval() in the RTL
 };
 
 template <class K> class CacheModel : public CacheLinks<K> {
@@ -97,7 +97,7 @@ public:
 private:
     Config config_;
     Cache cache_;
-    std::vector<typename K::Req> asked_;   // by id: what the cache has been asked last
+    std::vector<typename K::Req> asked_;   // by id: the last request
 };
 
 template <class K> class CacheRtl : public CacheLinks<K> {
@@ -128,7 +128,7 @@ private:
     RtlLinks links_;
 };
 
-/// Shapes that the caches are tried in; all three of a configuration have the same.
+/// Returns a shape for tests of the caches; all three caches of a configuration have the same.
 inline Config cache_config(const std::string& name) {
     Config c = named_config(name == "four" ? "small" : "default");
     c.name = name;

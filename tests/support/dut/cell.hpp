@@ -1,6 +1,6 @@
 #pragma once
-// A pipelined arithmetic cell without a door: valid and operands in, the answer a fixed number of cycles
-// later.
+// Tests a pipelined arithmetic cell without a door: valid and operands go in, the answer comes a fixed number
+// of cycles later.
 #include <catch2/catch.hpp>
 #include <deque>
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace rayclock::test {
 
-/// Hands `count` operands to a cell, with idle cycles between them if `idle`, and compares in every cycle:
-/// the answer must come after exactly `stages` cycles, one in each cycle if asked so, and stay until the next
-/// one (a stage works only if valid). make(draw) gives operands, drive(rtl, operands) sets them,
-/// answer(operands) is what must come out of `port`.
+/// Sends `count` operands to a cell, with idle cycles in between if `idle`, and compares in every cycle. The
+/// answer must come after exactly `stages` cycles, one per cycle at full rate. It must stay until the next
+/// one, because a stage works only if valid. make(draw) returns operands, drive(rtl, operands) sets them, and
+/// answer(operands) is the expected value of `port`.
 template <class Make, class Drive, class Answer>
 void check_cell(const Config& config, const char* module, const char* port, int stages, unsigned seed,
                 int count, bool idle, Make make, Drive drive, Answer answer) {

@@ -1,6 +1,6 @@
 #pragma once
-// One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval()
-// before the clock edge, commit() for the edge.
+// One interface for a unit's model and RTL, so that one test body runs on both: links with offer and ready,
+// eval() before the clock edge, commit() for the edge.
 #include <cstring>
 #include <deque>
 #include <optional>
@@ -17,15 +17,14 @@
 
 namespace rayclock::test {
 
-/// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the other way
-/// round.
+/// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the reverse.
 template <class P> struct Wire {
     std::optional<P> offer;
     bool ready = false;
     bool fires() const { return offer && ready; }
 };
 
-/// What came on a link some cycles ago: a fast chip's units look at it that much later.
+/// A link delayed by some cycles: the units of a fast chip process it that much later.
 template <class P> class Late {
 public:
     explicit Late(int cycles) : kept_(std::size_t(cycles)) {}
@@ -42,7 +41,7 @@ private:
     std::deque<std::optional<P>> kept_;
 };
 
-/// The ray of a payload, if there is one.
+/// Returns the ray of a payload, if there is one.
 template <class P> OnLink ray_of(const std::optional<P>& payload) {
     return {payload.has_value(), payload ? payload->ray : 0};
 }
@@ -58,7 +57,7 @@ template <class P> bool same(const Wire<P>& a, const Wire<P>& b, const Config& c
     return a.ready == b.ready && same(a.offer, b.offer, config);
 }
 
-// ---- The units that are a pure function behind a door.
+// ---- Units that are a pure function behind a door.
 
 struct RaygenUnit {
     using Req = Slot;
@@ -120,7 +119,7 @@ struct TriUnit {
     static TriRsp answer(const TriReq& req, const Frame&, const Config& c) { return tri(req, c); }
 };
 
-/// Cycles from a request that a unit takes to the next, at least.
+/// Returns the least number of cycles between two requests to a unit.
 template <class U> int interval_of(const Config& config) {
     if constexpr (requires { U::interval(config); })
         return U::interval(config);
@@ -167,7 +166,7 @@ public:
     template <class P> void drive_in(const char* name, const Wire<P>& link) {
         const RcPort& port = rtl_.port(name);
         *port.valid = link.offer.has_value();
-        // Other data when there are none: nobody may look at what was there before.
+        // Drives other data when invalid, because no unit may read stale data.
         set_data(port, link.offer ? *link.offer : P{}, config_);
     }
     template <class P> void drive_listen(const char* name, const std::optional<P>& seen) {
@@ -182,16 +181,16 @@ public:
         link.ready = *rtl_.port(name).ready != 0;
     }
     template <class P> void read_out(const char* name, Wire<P>& link) const { read_told(name, link.offer); }
-    /// An output that is always accepted.
+    /// Reads an output that is always accepted.
     template <class P> void read_told(const char* name, std::optional<P>& told) const {
         const RcPort& port = rtl_.port(name);
         told.reset();
         if (!*port.valid) return;
-        Words words((port.bytes + 3) / 4);   // a narrow port is less than a word, and anywhere
+        Words words((port.bytes + 3) / 4);   // a narrow port is smaller than a word and unaligned
         std::memcpy(words.data(), port.data, port.bytes);
         told = unpack<P>(words.data(), config_);
     }
-    /// A plain output of at most 32 bits.
+    /// Reads a plain output of at most 32 bits.
     std::uint32_t plain(const char* name) const {
         const RcPort& port = rtl_.port(name);
         std::uint32_t value = 0;
@@ -202,16 +201,17 @@ public:
     void settle() { rtl_.settle(); }
     void clock() { rtl_.clock(); }
 
-    /// The edge, as soon as it is known what the cycle after it offers: a fast chip is told that before it.
+    /// Delays the edge until the offers of the following cycle are known, because a fast chip receives them
+    /// one cycle early.
     void clock_later() { is_due_ = true; }
-    /// Before anything is driven: `tell` drives what the unit is told, and the edge that is due passes.
+    /// Runs the delayed edge before anything else is driven; `tell` drives the early inputs.
     template <class Tell> void pass_edge(const Tell& tell) {
         if (!std::exchange(is_due_, false)) return;
         tell();
         settle();
         clock();
     }
-    /// Whose ray comes to the head of a queue by the edge.
+    /// Drives the ray that the edge brings to the head of a queue.
     template <class P> void drive_next(const char* name, const Wire<P>& link) {
         drive_listen(name, link.offer ? std::optional(Done{link.offer->ray}) : std::nullopt);
     }
@@ -255,13 +255,12 @@ private:
     RtlLinks links_;
 };
 
-/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions,
-/// the widest; each also as "sheared:..." with that primitive test, one whose reciprocals are longer than its
-/// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, as
-/// "samples:..." of one with several samples in a pixel and triangles only, and as "fast:..." with its paths
-/// cut for a fast clock, as "every2:..." or "every4:..." of one whose tri takes a primitive every so many
-/// cycles, as "lanes1:..." to "lanes4:..." of one whose box tests so many children at once,
-/// and as "rays2:..." to "rays8:..." of one whose raygen begins a ray every so many cycles.
+/// Returns a format for tests of the arithmetic units: the two shipped formats, a narrow lattice with long
+/// directions, the widest, one whose reciprocals are longer than its slopes, and one of coarse reciprocals.
+/// Prefixes: "sheared:..." selects that primitive test; "shading:..." a shading chip with all primitives;
+/// "samples:..." several samples per pixel and triangles only; "fast:..." paths cut for a fast clock.
+/// "every2:..." or "every4:..." sets the interval of tri, "lanes1:..." to "lanes4:..." the children that box
+/// tests at once, and "rays2:..." to "rays8:..." the interval of raygen.
 inline Config format(const std::string& name) {
     if (name.starts_with("every2:") || name.starts_with("every4:")) {
         Config config = format(name.substr(7));

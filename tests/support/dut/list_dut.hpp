@@ -6,8 +6,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of list show. `start`, `ray` and `leaves` are only listened to. A triangle from memory
-/// goes on to tri, and a finished ray to its hit, in the same cycle.
+/// The links of list's model and RTL. `start`, `ray` and `leaves` are only observed. A triangle from memory
+/// goes to tri in the same cycle, and a finished ray to its hit.
 struct ListLinks {
     std::optional<Start> start;
     std::optional<Ray> ray;
@@ -21,7 +21,7 @@ struct ListLinks {
     Wire<Closest> closest;
 };
 
-/// List says when, the RayTests of each context what.
+/// List decides when, the RayTests of each context what.
 class ListModel : public ListLinks {
 public:
     explicit ListModel(const Config& config, int = 1)

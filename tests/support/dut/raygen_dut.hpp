@@ -5,8 +5,7 @@
 
 namespace rayclock::test {
 
-/// What both machines of raygen show, if the chip shades: rays that shade asks for and new pixels, on one
-/// door.
+/// The links of raygen's model and RTL, if the chip shades: shade's rays and new pixels share one door.
 struct RaygenLinks {
     Wire<Spawn> spawn;
     Wire<Slot> slot;
@@ -40,7 +39,7 @@ private:
     Frame frame_;
     Merge merge_;
     bool second_ = false;
-    int rest_ = 0;   // cycles in which it begins no ray
+    int rest_ = 0;   // cycles left in which it starts no ray
     Pipe<Ray> pipe_;
     std::uint64_t now_ = 0;
 };

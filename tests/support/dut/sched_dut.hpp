@@ -5,14 +5,14 @@
 
 namespace rayclock::test {
 
-/// What both machines of sched show. A tile comes only where there is room; a finished ray's hit passes
+/// The links of sched's model and RTL. A tile comes only if there is room. A finished ray's hit passes
 /// through in the same cycle.
 struct SchedLinks {
     Wire<Tile> tile;
     Wire<Slot> slot;
     Wire<Pixel> pixel;
     Wire<HitOut> hit;
-    std::optional<std::uint32_t> cause;   ///< what it did in the cycle, if this machine tells
+    std::optional<std::uint32_t> cause;   ///< the cause of the cycle, if this machine reports it
 };
 
 class SchedModel : public SchedLinks {
@@ -80,7 +80,7 @@ private:
     RtlLinks links_;
 };
 
-/// What both machines of dispatch show: who wants a tile (the test sets it), who gets it, and which.
+/// The links of dispatch's model and RTL: the requests for tiles (set by the test), the grants, and the tile.
 struct DispatchLinks {
     std::uint32_t want = 0;
     std::uint32_t fires = 0;

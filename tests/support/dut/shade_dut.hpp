@@ -7,8 +7,7 @@
 
 namespace rayclock::test {
 
-/// What both machines of shade show. `slot` and `ray` are only listened to; `surf_waits` is said by the
-/// cache.
+/// The links of shade's model and RTL. `slot` and `ray` are only observed; the cache drives `surf_waits`.
 struct ShadeLinks {
     std::optional<Slot> slot;
     std::optional<Ray> ray;
@@ -21,7 +20,7 @@ struct ShadeLinks {
     std::uint32_t cause = 0;
 };
 
-/// Shade says when, pass() what.
+/// Shade decides when, pass() what.
 class ShadeModel : public ShadeLinks {
 public:
     ShadeModel(const Config& config, const Frame& frame, int = 1)
@@ -111,8 +110,9 @@ private:
     RtlLinks links_;
 };
 
-/// What lies around shade: contexts get pixels, rays are sent and answered, surfaces come from memory, in the
-/// order asked for. All at random, `idle` and `stall` percent of the cycles without.
+/// The environment of shade: contexts receive pixels, rays are sent and answered, and surfaces come from
+/// memory in the order of the requests. Everything is random; `idle` and `stall` percent of the cycles are
+/// without.
 class ShadeWorld {
 public:
     ShadeWorld(const Config& config, const Frame& frame, int idle, int stall, unsigned seed)
@@ -127,7 +127,7 @@ public:
     }
     int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
 
-    /// What goes in, in this cycle.
+    /// Drives the inputs of this cycle.
     void offer(ShadeLinks& in) {
         in.slot.reset(), in.ray.reset();
         if (before_) flying_.push_back(*before_);
@@ -157,7 +157,7 @@ public:
         in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_),
         in.pixel.ready = !draw_.percent(stall_);
     }
-    /// What has come of it.
+    /// Processes the outputs of the cycle.
     void take_over(const ShadeLinks& out) {
         if (out.surf_rsp.fires()) surface_.reset();
         if (out.surf_req.fires()) asked_.push_back(out.surf_req.offer->ray);
@@ -193,8 +193,9 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;                // what the context's ray has hit
-    std::optional<std::uint32_t> sent_, before_;   // of this cycle, the last: no ray is answered at once
+    std::vector<Surface> surfaces_;                // the surface that the context's ray hit
+    std::optional<std::uint32_t> sent_, before_;   // rays sent in this cycle and in the last: no ray is
+                                                   // answered at once
     std::vector<std::uint32_t> flying_;
     std::vector<Ray> made_;
     std::deque<std::uint32_t> asked_;

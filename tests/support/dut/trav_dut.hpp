@@ -5,8 +5,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of trav show. `start` is only listened to, and `leaves` are always accepted. A node's
-/// answer goes on to box in the same cycle, and box's answer, if it has leaves to be tested, to list.
+/// The links of trav's model and RTL. `start` is only observed, and `leaves` are always accepted. A node's
+/// answer goes to box in the same cycle. Box's answer, if it has leaves to test, goes to list.
 struct TravLinks {
     std::optional<Start> start;
     Wire<Ray> ray;
@@ -20,7 +20,7 @@ struct TravLinks {
     std::uint32_t cause = 0;
 };
 
-/// Trav says when, a Stack for each context where to.
+/// Trav decides when; a Stack for each context decides where.
 class TravModel : public TravLinks {
 public:
     TravModel(const Frame& frame, const Config& config, int = 1)
@@ -63,13 +63,13 @@ public:
                         Context& c = contexts_[number];
                         const Turn turn = c.stack.decide(c.tested, c.children);
                         c.addr = turn.addr;
-                        c.children = {};   // in another turn there are no new ones
+                        c.children = {};   // another turn has no new children
                         return turn.flags();
                     });
         if (boxed) {
             Context& c = contexts_[boxed->ray];
             c.children = children_of(*boxed);
-            c.tested = {boxed->ray, 0, c.reach};   // if it is not told otherwise
+            c.tested = {boxed->ray, 0, c.reach};   // the default if no other answer comes
         }
         boxed_.clock(box_rsp.offer);
         if (tested.fires()) {
@@ -90,7 +90,7 @@ private:
         Children children;
         Tested tested;
         Stack stack;
-        std::uint32_t addr;    // of the next node
+        std::uint32_t addr;    // address of the next node
         std::uint32_t reach;   // the distance to beat
     };
     Config config_;

@@ -1,3 +1,4 @@
+// Traces the tiles of a picture in parallel.
 #include "tests/support/levels/picture.hpp"
 
 #include <mutex>

@@ -1,5 +1,5 @@
 #pragma once
-// What the camera rays of a picture hit, walked in two levels: what, without when.
+// Traces the camera rays of a picture through two levels, without timing.
 #include "model/compile/levels/levels.hpp"
 #include "model/scene/hit.hpp"
 #include "tests/support/levels/walk.hpp"
@@ -9,11 +9,11 @@ namespace rayclock {
 struct LevelsPicture {
     Frame frame;
     HitFrame hits;
-    std::vector<Closest> answers;   ///< the same, as a machine would give them
+    std::vector<Closest> answers;   ///< the same hits in the machine's form
     LevelCounts counts;
 };
 
-/// `threads` 0 for all cores; the same for any number of them.
+/// Traces a picture. The result does not depend on `threads`; 0 uses all cores.
 LevelsPicture trace_levels(const LevelsImage& levels, const Camera& camera, FrameSize size,
                            const Config& config, int threads = 0, const Progress& progress = {});
 

@@ -1,19 +1,20 @@
 #pragma once
-// A ray's walk through two levels, as Walk does it, with what it took.
+// Walks rays through two levels like Walk, and counts the steps.
 #include "model/trace/walk.hpp"
 
 namespace rayclock {
 
-/// What rays took.
+/// The work of rays.
 struct LevelCounts {
-    std::uint64_t visits = 0, changes = 0, tests = 0;   ///< nodes of both levels; instances; primitives
+    std::uint64_t visits = 0, changes = 0, tests = 0;   ///< nodes of both levels; entered instances; tested
+                                                        ///< primitives
     LevelCounts& operator+=(const LevelCounts& other) {
         visits += other.visits, changes += other.changes, tests += other.tests;
         return *this;
     }
 };
 
-/// Rays, one after the other.
+/// Walks rays one after the other.
 class LevelWalk {
 public:
     LevelWalk(const Frame& frame, const Decoder& decoder, const Config& config)
@@ -24,10 +25,10 @@ public:
         walk_.run(*this);
         return walk_.closest();
     }
-    const Best& best() const { return walk_.best(); }   ///< of the last
+    const Best& best() const { return walk_.best(); }   ///< of the last ray
     const LevelCounts& counts() const { return counts_; }
 
-    // As a watch of its own walk.
+    // Called by its own walk.
     template <class Steps> void visit(const Steps& steps) {
         counts_.changes += steps.enters();
         counts_.visits += !steps.enters();

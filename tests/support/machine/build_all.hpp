@@ -1,5 +1,5 @@
 #pragma once
-// The RTL that tests load, built before any of them runs: two modules at a time, with a line for each.
+// Builds the RTL that tests load before any of them runs: two modules at a time, with a line for each.
 #include <cstdio>
 #include <exception>
 #include <mutex>
@@ -12,11 +12,11 @@
 namespace rayclock::test {
 
 struct RtlJob {
-    std::string module, name;   ///< The name is that of the configuration, for the reader.
+    std::string module, name;   ///< name of the configuration, for the reader
     Config config;
 };
 
-/// Builds those that are not there; throws the first failure after all have been tried.
+/// Builds the missing modules. Throws the first failure after all were tried.
 inline void build_all(const std::vector<RtlJob>& jobs) {
     std::mutex mutex;
     std::exception_ptr failed;

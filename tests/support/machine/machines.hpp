@@ -29,7 +29,8 @@ inline Job small_job(const char* scene, FrameSize size, const Config& config) {
                     size, config);
 }
 
-/// Shapes that differ in when, not in what: memories, contexts, pipelines, caches. For `small`'s format.
+/// Returns shapes that change only timing, not results: memories, contexts, pipelines, caches. They fit the
+/// format of `small`.
 inline const std::vector<Values>& shapes() {
     static const std::vector<Values> all{
         {},

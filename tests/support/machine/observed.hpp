@@ -1,6 +1,6 @@
 #pragma once
-// What the units' signals really are while rays are walked: the RTL's stages written down once more, from the
-// links' payloads.
+// The actual values of the units' signals while rays are walked: the stages of the RTL, written again from
+// the links' payloads.
 #include <map>
 #include <string>
 
@@ -11,7 +11,7 @@
 
 namespace rayclock::test {
 
-/// Extremes by "unit.signal", in the names of sim/explore/fit/ranges.hpp.
+/// The extremes by "unit.signal", with the names of sim/explore/fit/ranges.hpp.
 class Observed {
 public:
     using Wide = fit::Wide;
@@ -78,7 +78,7 @@ private:
         }
     }
 
-    /// rc_slab, stage by stage, for every child.
+    /// Repeats rc_slab stage by stage, for every child.
     void slab(std::size_t k, const Ray& ray, const Node& node) {
         const bool neg = ray.d[k] < 0, zero = ray.len[k] == 0;
         const Wide distance = neg ? Wide(ray.o[k]) - node.org[k] : Wide(node.org[k]) - ray.o[k];
@@ -136,7 +136,7 @@ private:
     }
     static Wide dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-    /// rc_edges, rc_tri and rc_hitdiv. Steps the walk.
+    /// Repeats rc_edges, rc_tri and rc_hitdiv, and steps the walk.
     void triangle(const Ray& ray, const PrimData& t, const Best& best, Walk& walk) {
         const auto minus = [](const Vec3i& a, const Vec3i& b) {
             return Vec{Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};

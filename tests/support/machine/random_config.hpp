@@ -9,8 +9,8 @@
 
 namespace rayclock::test {
 
-/// How large a value is drawn, of those that are legal: no larger than a small frame can tell, or Verilator
-/// takes gladly.
+/// Returns the largest value to draw among the legal ones: larger ones make no difference in a small frame,
+/// or are slow in Verilator.
 inline int most_of(const Parameter& p) {
     const std::string key = p.key;
     const std::pair<const char*, int> most[] = {
@@ -24,9 +24,10 @@ inline int most_of(const Parameter& p) {
     return p.hi;
 }
 
-/// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on
-/// one pipeline. One pipeline, or one time in four two; a shared cache one time in three; two levels every
-/// other time where they can be, of any two structures.
+/// Draws a legal configuration; every other value is a corner of its range. `single` draws one that does not
+/// shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. It has a shared
+/// cache in one of three cases, and two levels in half of the cases where they are possible, with any two
+/// structures.
 inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
@@ -46,7 +47,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
                 p.member != &Config::raygen_interval && p.member != &Config::panes &&
                 p.member != &Config::horizon)
                 config.*p.member = draw(p, most_of(p));
-        // Not below what the scenes need; from a source of their own.
+        // Not below the scenes' needs, and from a separate generator.
         Rng widths(seed * 31 + 7);
         config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));
         config.prim_bits = 16 + widths.below(max_prim_bits - 15);
@@ -57,7 +58,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         config.raygen_interval = 1 << widths.below(4);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
-        // Two in three do not shade. The others have what the scenes need at least: spheres, planes and
+        // Two of three do not shade. The others have at least what the scenes need; spheres, planes and
         // samples are as drawn.
         config.shading = !single && seed % 3 == 0;
         if (config.shading)
@@ -73,7 +74,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
             check_config(config, config.name);
             return config;
         } catch (const UserError&) {
-            continue;   // widths that do not go together
+            continue;   // widths that are not a legal combination
         }
     }
 }

@@ -7,8 +7,8 @@
 
 namespace rayclock::test {
 
-/// The words of the ray that `walk` has started on, as Trace describes them, put together from what Walk says
-/// step by step.
+/// Appends the words of the ray on which `walk` has started, as described in Trace, assembled from Walk's
+/// steps.
 inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
     for (bool done = false; !done;) {
         const std::size_t head = words.size();

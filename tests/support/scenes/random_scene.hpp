@@ -1,6 +1,6 @@
 #pragma once
-// Small scenes drawn at random, to set the machine's rules against the reference's: spheres, planes and
-// meshes of every material, nested and touching, with lights and the eye on any side of them.
+// Small random scenes that compare the machine with the reference: spheres, planes and meshes of every
+// material, nested and touching, with lights and the eye on any side of them.
 #include <array>
 #include <cmath>
 #include <random>
@@ -94,7 +94,7 @@ private:
     }
     std::uint32_t material() { return std::uint32_t(dice_.below(int(out_.placed.own.materials.size()))); }
 
-    /// A third of them are concentric with the one before, or touch it.
+    /// Draws a sphere. A third of them are concentric with the previous one, or touch it.
     void draw_sphere() {
         std::vector<Sphere>& spheres = out_.placed.own.spheres;
         Sphere s{dice_.point(2), dice_.number(0.25, 1.5), material()};
@@ -106,7 +106,7 @@ private:
             else
                 s.radius = other.radius * dice_.number(0.25, 0.75);
         }
-        for (const Sphere& other : spheres)   // the same points twice: either is right
+        for (const Sphere& other : spheres)   // for equal spheres either answer would be right
             if (other.centre == s.centre && other.radius == s.radius) return;
         spheres.push_back(s);
     }
@@ -119,7 +119,7 @@ private:
                                           glm::cross(n, u) * dice_.number(0.25, 2), material()});
     }
 
-    /// An octahedron or a cube of side 2, its normals radial if it is smooth.
+    /// Returns an octahedron or a cube of side 2, with radial normals if it is smooth.
     SharedMesh solid(bool is_cube, bool smooth) {
         SharedMesh mesh;
         if (is_cube) {
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// Anywhere, also within spheres; a few far away.
+    /// Draws a light anywhere, also inside spheres; a few are far away.
     void draw_light() {
         Light light{dice_.point(dice_.percent(20) ? 200 : 4), glm::dvec3(dice_.number(0.25, 1))};
         if (const auto& spheres = out_.placed.own.spheres; !spheres.empty() && dice_.percent(15))

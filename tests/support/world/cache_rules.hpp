@@ -21,7 +21,7 @@ template <class K> std::vector<std::string> other_shapes() {
 }
 template <class Dut> constexpr bool is_model = std::is_same_v<Dut, CacheModel<typename Dut::Kind>>;
 
-/// Asks for a lone line and returns the ids of its words, when memory has been asked for all of them.
+/// Requests a single line. Returns the ids of its words after all of them were requested from memory.
 template <class Dut>
 std::vector<std::uint32_t> send_for(CacheBench<Dut>& bench, std::uint32_t id, std::uint32_t addr) {
     std::vector<std::uint32_t> words;
@@ -40,7 +40,7 @@ template <class Dut> void check_hit_latency(const Config& config) {
     for (const std::uint32_t line : {0u, 5u, 77u}) {
         bench.get(bench.addr(line));
         for (std::uint32_t part = 0; part < bench.parts(); ++part) {
-            bench.dut.rsp.ready = part % 2 == 0;   // whether or not somebody waits for it
+            bench.dut.rsp.ready = part % 2 == 0;   // with and without a ready receiver
             REQUIRE(bench.ask(0, bench.addr(line, part)).req.fires());
             const auto looked_up = bench.cycle();
             REQUIRE(looked_up.deed == CacheDeed::hit);
@@ -65,7 +65,8 @@ template <class Dut> void check_miss_latency(const Config& config) {
         REQUIRE(looked_up.deed == CacheDeed::miss);
         REQUIRE_FALSE(looked_up.miss.offer);
         std::vector<std::uint32_t> ids;
-        for (std::uint32_t word = 0; word < words; ++word) {   // from 2 cycles after on, one a cycle
+        for (std::uint32_t word = 0; word < words; ++word) {   // requests start after 2 cycles, one in each
+                                                               // cycle
             for (int refused = draw.below(3); refused > 0; --refused) {
                 bench.dut.miss.ready = false;
                 REQUIRE(bench.cycle().miss.offer->addr == line * words + word);
@@ -78,7 +79,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
             ids.push_back(seen.miss.offer->id);
         }
         REQUIRE_FALSE(bench.cycle().miss.offer);
-        while (!ids.empty()) {   // words in any order
+        while (!ids.empty()) {   // words arrive in any order
             for (int pause = draw.below(4); pause > 0; --pause) REQUIRE_FALSE(bench.cycle().rsp.offer);
             const auto at = ids.begin() + draw.below(int(ids.size()));
             REQUIRE_FALSE(bench.cycle({}, *at).rsp.offer);
@@ -112,7 +113,7 @@ template <class Dut> void check_throughput_of_hits(const Config& config) {
         REQUIRE(bench.right(seen.rsp.offer, received % ids, addr(received)));
         ++received;
     }
-    // A place for an answer is taken for three cycles: two places give two hits in three cycles.
+    // A place for an answer is occupied for three cycles, so two places give two hits in three cycles.
     REQUIRE(cycle == (bench.shape.queue >= 4 ? int(n) + 3 : int(n) * 3 / 2 + 2));
 }
 
@@ -137,8 +138,7 @@ template <class Dut> void check_hit_under_miss(const Config& config) {
     REQUIRE(bench.right(bench.cycle().rsp.offer, ids - 1, bench.addr(9)));
 }
 
-/// `more` requests for a line that is on its way; the last of them is accepted `late` cycles after the line's
-/// last word.
+/// Sends `more` requests for a line in flight. The last is accepted `late` cycles after the line's last word.
 template <class Dut> void check_merge(const Config& config, std::uint32_t more, int late) {
     CacheBench<Dut> bench{config};
     const auto ids = std::uint32_t(Dut::Kind::ids(config));
@@ -196,7 +196,7 @@ template <class Dut> void check_eviction(const Config& config) {
     REQUIRE(hits < 1300);
 }
 
-/// The pseudo-oldest way waits for a line: another line may not drive it out.
+/// The pseudo-oldest way waits for a line, so no other line may evict it.
 template <class Dut> void check_waiting_way_stays(const Config& config) {
     CacheBench<Dut> bench{config};
     if (bench.shape.ways < 2 || bench.shape.mshrs < 2 || Dut::Kind::ids(config) < 4) return;
@@ -209,7 +209,7 @@ template <class Dut> void check_waiting_way_stays(const Config& config) {
             bench.get(bench.addr(first + n * sets));
             judge.request(first + n * sets);
         }
-        for (int n = draw.below(8); n > 0; --n) {   // so that any way may be the pseudo-oldest
+        for (int n = draw.below(8); n > 0; --n) {   // any way may be the pseudo-oldest
             const std::uint32_t line = *judge.line(draw.below(bench.shape.ways));
             REQUIRE(bench.get(bench.addr(line)));
             judge.request(line);
@@ -234,7 +234,7 @@ template <class Dut> void check_waiting_way_stays(const Config& config) {
     }
 }
 
-/// `lines` are on their way; one more must wait, doing `deed`, until the first of them has come.
+/// With `lines` in flight, one more request must stall with `deed` until the first of them arrives.
 template <class Dut> void check_stall(const Config& config, const std::vector<std::uint32_t>& lines,
                                       std::uint32_t blocked, CacheDeed deed) {
     CacheBench<Dut> bench{config};
@@ -324,7 +324,8 @@ template <class Dut> void check_random(const Config& config, int seeds, int requ
         }
 }
 
-/// The RTL goes through two rounds, with a reset in the middle of traffic between them.
+/// Runs model and RTL in lockstep. The RTL runs two rounds, with a reset in the middle of traffic between
+/// them.
 template <class K> void lockstep(const Config& config, int seeds, int cycles) {
     std::array<int, cache_deeds> deeds{};
     for (const Flow& flow : flows)
@@ -354,7 +355,7 @@ template <class K> void lockstep(const Config& config, int seeds, int cycles) {
             }
         }
     const CacheShape shape = K::shape(config);
-    for (std::size_t deed = 0; deed < cache_deeds; ++deed) {   // what can happen did
+    for (std::size_t deed = 0; deed < cache_deeds; ++deed) {   // every possible deed occurred
         INFO(config.name << ", deed " << deed);
         if (CacheDeed(deed) == CacheDeed::conflict &&
             (shape.mshrs <= shape.ways || K::ids(config) <= shape.ways))

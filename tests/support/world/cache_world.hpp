@@ -1,6 +1,6 @@
 #pragma once
-// What surrounds a cache in a test: rays that ask and a memory that answers late and in any order; and a
-// plain description of which line a set gives up.
+// The environment of a cache in a test: rays that send requests, and a memory that answers late and in any
+// order. Also a plain description of the line that a set evicts.
 #include <map>
 #include <set>
 
@@ -9,8 +9,8 @@
 
 namespace rayclock::test {
 
-/// Tree-PLRU, told simply: the ways of a set are halved again and again; of each two halves one knows which
-/// was used last.
+/// A plain tree-PLRU: the ways of a set are halved repeatedly, and each pair of halves records which one was
+/// used last.
 class OldestWay {
 public:
     explicit OldestWay(int ways) : ways_(ways) {}
@@ -34,10 +34,10 @@ public:
 
 private:
     int ways_;
-    std::map<std::pair<int, int>, bool> upper_was_last_;   // before any use the lower half is the older one
+    std::map<std::pair<int, int>, bool> upper_was_last_;   // before any use the lower half is older
 };
 
-/// Which lines lie in a set.
+/// The lines in a set.
 class SetJudge {
 public:
     explicit SetJudge(int ways) : lines_(std::size_t(ways)), age_(ways) {}
@@ -46,7 +46,7 @@ public:
     }
     int oldest() const { return age_.oldest(); }
     std::optional<std::uint32_t> line(int way) const { return lines_[std::size_t(way)]; }
-    /// A request for `line`; the way that it is in now. It may not drive out what `waiting` ways hold.
+    /// Requests `line` and returns its way. It may not evict the ways in `waiting`.
     int request(std::uint32_t line, const std::set<int>& waiting = {}) {
         const auto at = std::find(lines_.begin(), lines_.end(), line);
         int way = int(at - lines_.begin());
@@ -65,9 +65,9 @@ private:
     OldestWay age_;
 };
 
-/// Requests with all ids, to lines that hit, miss, merge and drive each other out; a memory of a random
-/// latency whose words overtake each other. Checks that every request is answered once with what lies in
-/// memory, and that memory is asked for the words of a line once, while somebody waits for it.
+/// Sends requests with all ids to lines that hit, miss, merge and evict each other. The memory has random
+/// latency and reorders words. Checks that every request is answered once with the memory's content, and that
+/// each word of a line is requested once while a request waits for it.
 template <class K> class CacheWorld {
 public:
     using Req = typename K::Req;
@@ -87,7 +87,7 @@ public:
     bool finished() const { return left_ == 0 && !pending_ && under_way_ == 0; }
     int answers() const { return answers_; }
 
-    /// Sets the inputs of one cycle; the same for every machine that gets them.
+    /// Sets the inputs of one cycle, equal for every machine that receives them.
     void drive(CacheLinks<K>& dut) {
         if (!pending_ && left_ > 0 && !draw_.percent(flow_.idle_percent)) make_request();
         dut.req.offer = pending_;
@@ -103,7 +103,7 @@ public:
         words_.erase(words_.begin() + std::ptrdiff_t(i));
     }
 
-    /// Looks at what moved and checks it.
+    /// Checks the transfers of the cycle.
     void watch(const CacheLinks<K>& dut) {
         rsp_.check(dut.rsp);
         miss_.check(dut.miss);
@@ -124,7 +124,7 @@ private:
         int due;
     };
     struct OnItsWay {
-        std::uint32_t line = 0, asked = 0, came = 0;   // the latter two: a bit for each word
+        std::uint32_t line = 0, asked = 0, came = 0;   // `asked` and `came`: a bit for each word
     };
     std::uint32_t words() const { return std::uint32_t(shape_.words); }
     std::uint32_t line_of(const Req& req) const { return req.addr / K::parts / words(); }
@@ -201,7 +201,7 @@ private:
     std::vector<std::optional<Req>> asked_;   // by id
     std::vector<OnItsWay> lines_;             // by MSHR
     std::vector<Word> words_;
-    std::set<std::uint32_t> came_;   // lines that have ever come
+    std::set<std::uint32_t> came_;   // lines that have ever arrived
     Steady<typename K::Rsp> rsp_;
     Steady<typename K::Miss> miss_;
     int slowest_, rest_;
@@ -209,7 +209,7 @@ private:
     std::optional<Req> pending_;
 };
 
-/// One cycle after another by hand; memory answers only when told to.
+/// Runs single cycles by hand. Memory answers only on request of the test.
 template <class Dut> class CacheBench {
 public:
     using K = typename Dut::Kind;
@@ -217,7 +217,7 @@ public:
         dut.rsp.ready = dut.miss.ready = true;
     }
 
-    /// Address of a part of a word of a line, `part` counted through the line.
+    /// Returns the address of a part of a line; `part` counts through the line's words.
     std::uint32_t addr(std::uint32_t line, std::uint32_t part = 0) const { return line * parts() + part; }
     std::uint32_t parts() const { return std::uint32_t(shape.words) * K::parts; }
 
@@ -248,7 +248,7 @@ public:
     bool right(const std::optional<typename K::Rsp>& rsp, std::uint32_t id, std::uint32_t address) const {
         return rsp && same(*rsp, K::answer(request(id, address), config), config);
     }
-    /// Asks and waits for the answer, with a memory that answers at once; true if it was a hit.
+    /// Requests an address and waits for the answer of an immediate memory. Returns true for a hit.
     bool get(std::uint32_t address) {
         const int before = misses;
         std::deque<std::uint32_t> words;
@@ -274,8 +274,8 @@ public:
     Config config;
     CacheShape shape;
     Dut dut;
-    std::map<std::uint32_t, std::uint32_t> wanted;   ///< addresses by the id that memory was asked with
-    int misses = 0;                                  ///< words asked for
+    std::map<std::uint32_t, std::uint32_t> wanted;   ///< addresses by the id of their memory request
+    int misses = 0;                                  ///< number of requested words
 };
 
 }   // namespace rayclock::test

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the DRAM share: formulas, a driver, and an independent check of command logs.
+// Shared by the tests of the DRAM: formulas, a driver, and an independent check of command logs.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -19,7 +19,7 @@ inline std::uint64_t begin_of(std::uint64_t cycle, int khz) {
     return cycle * 1'000'000'000 / std::uint64_t(khz);
 }
 inline std::uint64_t cycle_from(std::uint64_t ps, int khz) {
-    std::uint64_t cycle = ps / 1'000'000 * std::uint64_t(khz) / 1'000;   // no later than that
+    std::uint64_t cycle = ps / 1'000'000 * std::uint64_t(khz) / 1'000;   // not later than that
     while (begin_of(cycle, khz) < ps) ++cycle;
     return cycle;
 }
@@ -29,15 +29,15 @@ inline std::uint32_t address(const DramPart& part, std::uint32_t row, std::uint3
     const std::uint32_t groups = std::uint32_t(part.bank_groups), banks = std::uint32_t(part.banks);
     return ((row * (banks / groups) + bank / groups) * row_words(part) + word) * groups + bank % groups;
 }
-/// Clocks of the DRAM from one read command of a request to its next.
+/// Returns the DRAM clocks between consecutive read commands of a request.
 inline std::int64_t read_step(const DramPart& part) {
     return std::max({clocks(part, part.tccd), clocks(part, part.tccd_l), std::int64_t(part.burst_clocks())});
 }
 
-/// What came of some requests, by their number, and what the memory did for them.
+/// The results of requests by number, and the commands of the memory.
 struct Log {
-    std::vector<std::uint64_t> accepted, answered;   // cycles
-    std::vector<std::size_t> order;                  // in which they were answered
+    std::vector<std::uint64_t> accepted, answered;   // in cycles
+    std::vector<std::size_t> order;                  // in order of the answers
     std::vector<Issued> commands;
     DramStatistics statistics;
     std::vector<std::uint64_t> causes;
@@ -45,8 +45,8 @@ struct Log {
     friend bool operator==(const Log&, const Log&) = default;
 };
 
-/// Sends the addresses in turn, each as soon as it is accepted and fewer than `most` are under way, or after
-/// a pause.
+/// Sends the addresses in turn. Each is sent when the memory accepts it and fewer than `most` are in flight,
+/// or after a pause.
 inline Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& addresses, std::size_t most,
                int most_pause = 0) {
     Dram dram{part, khz, int(most)};
@@ -55,7 +55,7 @@ inline Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& 
     const std::size_t n = addresses.size();
     log.accepted.resize(n);
     log.answered.resize(n);
-    std::vector<std::optional<std::size_t>> under_way(most);   // by id: number
+    std::vector<std::optional<std::size_t>> under_way(most);   // by id: number of the request
     std::size_t sent = 0;
     Rng rng{n + most};
     int pause = 0;
@@ -64,7 +64,7 @@ inline Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& 
         if (cycle > 5000 * (n + 10)) FAIL("no answer for " << n - log.order.size() << " requests");
         if (dram.valid()) {
             auto& own = under_way[dram.answer().id];
-            REQUIRE(own);   // nothing twice
+            REQUIRE(own);   // no answer comes twice
             REQUIRE(dram.answer().addr == addresses[*own]);
             log.answered[*own] = cycle;
             log.order.push_back(*own);
@@ -92,7 +92,7 @@ inline std::vector<std::uint32_t> sequence(std::size_t n) {
     return all;
 }
 
-/// Half of them near each other, so that rows are hit too.
+/// Half of the addresses are close to each other, so that some hit open rows.
 inline std::vector<std::uint32_t> mixed(std::size_t n, std::uint64_t seed) {
     Rng rng{seed};
     std::vector<std::uint32_t> all(n);
@@ -105,7 +105,7 @@ inline double bytes_per_second(const Log& log, int khz) {
     return 64e12 * double(log.order.size()) / double(ps);
 }
 
-/// Judges a list of commands by the data sheet, in picoseconds and pair by pair; shares nothing with
+/// Judges a list of commands by the data sheet, in picoseconds and pair by pair. Shares no code with
 /// DramBanks.
 inline void check_commands(const DramPart& part, const std::vector<Issued>& all) {
     std::map<int, std::uint32_t> open;
@@ -158,11 +158,11 @@ inline std::string any_part() {
     return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
 }
 
-/// Those whose answers take many cycles of a chip of some hundred MHz.
+/// Selects parts whose answers take many cycles of a chip of some hundred MHz.
 inline std::string slow_part() { return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"); }
 
-/// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks,
-/// a small queue.
+/// Returns a part with timings that no real part combines: a row may close before the next read, and it has
+/// short bursts, few banks and a small queue.
 inline DramPart odd_part() {
     DramPart part = dram_part("ddr3");
     part.name = "odd";

@@ -1,18 +1,18 @@
 #pragma once
-// What surrounds list in a test: trav with leaves, memory and tri, and a plain description of
-// the triangles that a node makes list ask for.
+// The environment of list in a test: trav with leaves, memory and tri, and a plain description of the
+// triangles that list requests for a node.
 #include "tests/support/dut/list_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 
-/// One ray at list, told simply: leaves from near to far, each triangle of a leaf in turn, no leaf that
-/// begins beyond the best hit. One that asks for a light wants nothing more after its first hit.
+/// A plain model of one ray at list: leaves from near to far, each triangle of a leaf in turn, and no leaf
+/// that begins beyond the best hit. A shadow ray stops after its first hit.
 struct LeafWalk {
     Ray ray;
-    TriRsp found;   ///< best so far; closer 0: none
+    TriRsp found;   ///< best hit so far; closer is 0 without one
     Leaves node;
-    std::size_t leaf = 0;   ///< of the node's leaves
+    std::size_t leaf = 0;   ///< index in the node's leaves
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
 
@@ -47,7 +47,7 @@ public:
         if (!prim_ && !fetched_.empty() && go()) answer_triangle();
         if (!tri_ && !tested_.empty() && go()) answer_test();
         if (!done_ && !ending_.empty() && go()) done_ = Done{pick(ending_)};
-        if (left_ > 0 && go()) start_ray(dut);   // its first leaves come later
+        if (left_ > 0 && go()) start_ray(dut);   // the first leaves come later
         if (!dut.ray && !waiting_for_leaves_.empty() && draw_.below(8) == 0) change_ray(dut);
         dut.prim_rsp.offer = prim_;
         dut.tri_rsp.offer = tri_;
@@ -59,7 +59,8 @@ public:
     }
 
     void watch(const ListLinks& dut) {
-        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());   // a cycle later, as rc_list asks for
+        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());   // one cycle later, like rc_list's
+                                                                         // requests
         asked_.clear();
         if (dut.prim_req.fires()) see_fetch(*dut.prim_req.offer);
         if (dut.tri_req.offer) check_test(*dut.tri_req.offer);
@@ -93,8 +94,8 @@ public:
 private:
     struct Context {
         bool busy = false;
-        bool here = false;   ///< its node is with list
-        bool out = false;    ///< a triangle of it is with memory or tri
+        bool here = false;   ///< the ray's node is at list
+        bool out = false;    ///< one of its triangles is at memory or tri
         int nodes = 0;
         LeafWalk walk;
     };
@@ -131,7 +132,7 @@ private:
         }
     }
 
-    /// The same ray with another direction: its hit stays.
+    /// Changes the direction of the ray but keeps its hit.
     void change_ray(ListLinks& dut) {
         Ray& ray = contexts_[waiting_for_leaves_.front()].walk.ray;
         const Ray old = ray;

@@ -1,6 +1,6 @@
 #pragma once
-// What surrounds sched in a test: tiles that come in any order and rays that end in any order, and the plain
-// rule of which pixel goes to which context.
+// The environment of sched in a test: tiles that arrive and rays that end in any order, and the plain rule
+// that assigns pixels to contexts.
 #include "tests/support/dut/sched_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -11,8 +11,8 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// Pixels of a square in Morton order: its four quarters one after the other, upper left, upper right, lower
-/// left, lower right.
+/// Appends the pixels of a square in Morton order: its four quarters, upper left, upper right, lower left,
+/// lower right.
 inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side, std::deque<Place>& to) {
     if (side == 1) {
         to.push_back({x, y});
@@ -25,7 +25,7 @@ inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side
     in_morton_order(x + half, y + half, half, to);
 }
 
-/// All tiles of a picture, row by row.
+/// Returns all tiles of a picture, row by row.
 inline std::deque<Tile> tiles_of(const Frame& frame, int tile_bits) {
     const std::uint32_t side = 1u << tile_bits;
     std::deque<Tile> tiles;
@@ -34,8 +34,8 @@ inline std::deque<Tile> tiles_of(const Frame& frame, int tile_bits) {
     return tiles;
 }
 
-/// Tiles in order of arrival, two at most, pixels in Morton order; one outside the picture costs a cycle.
-/// Contexts 0, 1, 2 ... and then as they came free.
+/// Handles tiles in order of arrival, at most two, with pixels in Morton order. A pixel outside the picture
+/// costs a cycle. Contexts are assigned as 0, 1, 2, ... and then in the order in which they become free.
 class SchedWorld {
 public:
     SchedWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow)
@@ -89,13 +89,13 @@ public:
             tiles_.front().pop_front();
             if (tiles_.front().empty()) tiles_.pop_front();
         }
-        if (dut.tile.fires()) {   // its pixels from the next cycle on
+        if (dut.tile.fires()) {   // its pixels start in the next cycle
             tiles_.emplace_back();
             in_morton_order(tile_->x << config_.tile_bits, tile_->y << config_.tile_bits,
                             1u << config_.tile_bits, tiles_.back());
             tile_.reset();
         }
-        if (dut.hit.fires()) {   // free from the next cycle on
+        if (dut.hit.fires()) {   // free from the next cycle
             free_.push_back(pixel_->first.ray);
             pixel_.reset();
             ++hits_;
@@ -115,7 +115,7 @@ private:
     Draw draw_;
     std::deque<Tile> coming_;
     std::optional<Tile> tile_;
-    std::deque<std::deque<Place>> tiles_;   // what is left of each that is there
+    std::deque<std::deque<Place>> tiles_;   // remaining pixels of each tile present
     std::deque<std::uint32_t> free_;
     std::vector<Slot> running_;
     std::optional<Pixel> pixel_;

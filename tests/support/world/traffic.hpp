@@ -1,6 +1,5 @@
 #pragma once
-// How a test talks to a unit: four kinds of traffic, and what every unit behind a door must do under all of
-// them.
+// Drivers for units: four kinds of traffic, and the rules that every unit behind a door obeys under each.
 #include <deque>
 
 #include <catch2/catch.hpp>
@@ -12,13 +11,13 @@ namespace rayclock::test {
 
 struct Flow {
     const char* name;
-    int idle_percent;    ///< cycles in which the source has nothing
-    int stall_percent;   ///< cycles in which the sink takes nothing
+    int idle_percent;    ///< share of cycles in which the source offers nothing
+    int stall_percent;   ///< share of cycles in which the sink accepts nothing
 };
 constexpr std::array<Flow, 4> flows{
     {{"full rate", 0, 0}, {"idle source", 60, 0}, {"stalling sink", 0, 60}, {"both", 40, 40}}};
 
-/// Sees to it that an offer that was not taken stays as it is.
+/// Checks that an offer stays unchanged until it is accepted.
 template <class P> class Steady {
 public:
     explicit Steady(const Config& config) : config_(config) {}
@@ -32,8 +31,8 @@ private:
     std::optional<P> held_;
 };
 
-/// Sends `count` requests and hands each request with its answer to judge(req, rsp), in order. Nothing may be
-/// lost, doubled or left over, and a stalled answer may not change.
+/// Sends `count` requests and calls judge(req, rsp) for each, in order. No request may be lost, duplicated or
+/// left over, and a stalled answer may not change.
 template <class Dut, class Make, class Judge>
 void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int count, Make make, Judge judge) {
     using Req = typename Dut::Unit::Req;
@@ -67,7 +66,7 @@ void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int co
     REQUIRE(waiting.empty());
 }
 
-/// Answers to the given requests, at full rate.
+/// Returns the answers to the given requests, sent at full rate.
 template <class Dut>
 std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config,
                                              const std::vector<typename Dut::Unit::Req>& requests) {
@@ -80,8 +79,7 @@ std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config,
     return all;
 }
 
-/// A lone request is answered in exactly cycle latency + 1, whether or not the sink is waiting, after any
-/// pause.
+/// A lone request is answered in exactly cycle latency + 1, with or without a waiting sink, after any pause.
 template <class Dut, class Make> void check_latency(Dut& dut, const Config& config, Make make) {
     Draw draw{3};
     const int expected = Dut::Unit::latency(config) + 1;
@@ -111,8 +109,8 @@ template <class Dut, class Make> void check_latency(Dut& dut, const Config& conf
     }
 }
 
-/// n requests take n + latency + 1 cycles when nobody stalls, if the unit takes one in every cycle; with a
-/// sink that takes nothing, as many get in as the queue holds.
+/// Without stalls, n requests take n + latency + 1 cycles if the unit accepts one in every cycle. With a
+/// blocked sink, the unit accepts as many as its queue holds.
 template <class Dut, class Make> void check_throughput(Dut& dut, const Config& config, Make make) {
     Draw draw{5};
     constexpr int n = 1000;
@@ -141,7 +139,7 @@ template <class Dut, class Make> void check_throughput(Dut& dut, const Config& c
     REQUIRE(admitted == Dut::Unit::queue(config));
 }
 
-/// Model and RTL do the same in every cycle: ready, valid and payload.
+/// Requires that model and RTL are equal in every cycle: ready, valid and payload.
 template <class Unit, class Make> void check_lockstep(const Config& config, const Frame& frame,
                                                       const Flow& flow, unsigned seed, int cycles,
                                                       Make make) {

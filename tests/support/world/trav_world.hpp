@@ -1,6 +1,6 @@
 #pragma once
-// What surrounds trav in a test: rays with invented trees, and a plain description of the nodes each ray must
-// visit.
+// The environment of trav in a test: rays with invented trees, and a plain description of the nodes that each
+// ray must visit.
 #include <map>
 
 #include "tests/support/world/traffic.hpp"
@@ -8,15 +8,15 @@
 
 namespace rayclock::test {
 
-/// The walk of one ray, told simply: children left for later lie on a pile, nearest on top; the next node is
+/// A plain model of one ray's walk. Children for later are on a stack, the nearest on top. The next node is
 /// the topmost that is not beyond the best hit.
 class Walk {
 public:
     struct Place {
         std::uint32_t near, addr;
-        int level;   ///< how many groups may lie under it
+        int level;   ///< number of groups that may lie below it
     };
-    /// The next place after a node, or nothing: the ray is done. `level` is the node's.
+    /// Returns the next place after a node, or nothing if the ray is done. `level` is the node's level.
     std::optional<Place> next(const BoxRsp& boxes, const Tested& tested, int level) {
         if (tested.stop) return std::nullopt;
         for (std::size_t i = boxes.inner; i-- > 0;)
@@ -33,9 +33,9 @@ private:
     std::vector<Place> pile_;
 };
 
-/// Rays in all contexts, each with one thing under way: start -> node -> boxes -> tested -> node ... -> done,
-/// where `tested` comes only if the boxes have leaves that matter. Boxes are invented, children in order of
-/// t_near, t_best never growing. Checks all leaves, every node and every end against Walk.
+/// Rays in all contexts, each with one transfer in flight: start -> node -> boxes -> tested -> node ... ->
+/// done. `tested` comes only if the boxes have leaves that matter. Boxes are invented, with children in order
+/// of t_near, and t_best never grows. Checks all leaves, every node and every end against Walk.
 class TravWorld {
 public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
@@ -49,10 +49,10 @@ public:
 
     bool finished() const { return ended_ == started_ && left_ == 0; }
     int nodes() const { return nodes_; }
-    int stopped() const { return stopped_; }     ///< rays
-    int listings() const { return listings_; }   ///< times that leaves went to list
+    int stopped() const { return stopped_; }     ///< number of rays
+    int listings() const { return listings_; }   ///< number of transfers of leaves to list
 
-    /// Sets the inputs of one cycle; the same for every machine that gets them.
+    /// Sets the inputs of one cycle, equal for every machine that receives them.
     void drive(TravLinks& dut) {
         dut.start.reset();
         if (!ray_ && left_ > 0 && go()) start_ray(dut);
@@ -68,7 +68,7 @@ public:
         dut.done.ready = take();
     }
 
-    /// Looks at what moved and checks it.
+    /// Checks the transfers of the cycle.
     void watch(const TravLinks& dut) {
         if (dut.ray.fires()) {
             Context& c = contexts_[ray_->ray];
@@ -152,8 +152,8 @@ private:
         Context& c = contexts_[boxes.ray];
         boxes.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
-        const bool deep = boxes.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last
-                                                                     // place
+        // Goes straight down to the stack's last place.
+        const bool deep = boxes.ray % 3 == 0 && !c.reached_bottom;
         int most = c.level < config_.stack_depth ? config_.node_width : 1;
         if (++c.nodes > c.most_nodes && !deep) most = 0;
         boxes.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
@@ -178,8 +178,8 @@ private:
         boxes_ = boxes;
     }
 
-    /// Leaves go to list in the cycle in which box answers (in a fast chip some cycles later), if the nearest
-    /// can matter; others never do.
+    /// Leaves go to list in the cycle in which box answers (in a fast chip some cycles later) if the nearest
+    /// can matter. Other leaves are never sent.
     void see_leaves(const TravLinks& dut) {
         std::optional<BoxRsp> taken;
         if (boxes_ && dut.box_rsp.fires()) taken.swap(boxes_);
@@ -223,7 +223,7 @@ private:
         c.ending = !c.awaited;
     }
 
-    /// Half of them around the best hit; on the way down, always nearer.
+    /// Draws half of the values around the best hit; on the way down always nearer ones.
     std::uint32_t draw_near(std::uint32_t about, bool deep) {
         if (deep) return std::uint32_t(draw_.below(int(about) + 1)) / 2;
         if (draw_.coin()) return std::uint32_t(draw_.below(1 << 20));
@@ -236,7 +236,7 @@ private:
         node_rsp_ = rsp;
     }
 
-    /// The ray's own numbers and the node from memory, nothing else.
+    /// Requires that the request consists of the ray's numbers and the node from memory.
     void check_box(const BoxReq& req) const {
         const Ray& ray = contexts_[node_rsp_->ray].ray;
         const BoxReq expected{ray.ray,   ray.o,   {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0},
@@ -246,13 +246,13 @@ private:
 
     Frame frame_;
     Config config_;
-    Late<BoxRsp> boxed_;   // what trav has taken, until it looks at it
+    Late<BoxRsp> boxed_;   // answers that trav has accepted and not yet processed
     Flow flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;
     std::vector<Context> contexts_;
-    std::vector<std::uint32_t> fetched_, testing_, listed_;   // rays whose node is on its way, that are with
-                                                              // box, whose leaves are with list
+    // Rays whose node is in flight, rays at box, and rays whose leaves are at list.
+    std::vector<std::uint32_t> fetched_, testing_, listed_;
     std::optional<Ray> ray_;
     std::optional<BoxRsp> boxes_;
     std::optional<Tested> tested_;

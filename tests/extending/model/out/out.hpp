@@ -6,8 +6,8 @@
 
 namespace rayclock {
 
-/// A pixel that is done waits here for a cycle, and for as long as sched does not take it. Two places, so
-/// that a result can come in every cycle. Mirror of rtl/out/rc_out.sv.
+/// Holds a finished pixel for a cycle, and until sched accepts it. Two places let a result come in every
+/// cycle. Mirror of rtl/out/rc_out.sv.
 class Out {
 public:
     bool ready() const { return !rays_.full(); }
@@ -15,16 +15,16 @@ public:
     std::uint32_t ray() const { return rays_.front(); }
     bool contains(std::uint32_t ray) const { return rays_.contains(RayNumber(ray)); }
 
-    /// One clock edge: the result that came, and whether the oldest was taken.
+    /// Runs one clock edge: `result` is the result that came, `taken` whether the oldest was accepted.
     void clock(OnLink result, bool taken) {
         last_ = !valid() ? 1 : taken ? 0 : 2;
         ++cycles_[last_];
         rays_.pop(taken);
         rays_.push(RayNumber(result.ray), result.there);
     }
-    /// Cycles like the last.
+    /// Counts cycles like the last one.
     void skip(std::uint64_t cycles) { cycles_[last_] += cycles; }
-    /// Cycles by the codes of units.hpp.
+    /// Returns the cycles by the codes of units.hpp.
     std::uint64_t cycles(std::uint32_t code) const { return cycles_[code]; }
 
 private:

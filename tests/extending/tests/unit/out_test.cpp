@@ -1,4 +1,4 @@
-// out: every result comes out once, unchanged, in order, and a cycle after it came if nobody delays it.
+// out: every result comes out once, unchanged and in order, one cycle after it came if nothing stalls it.
 #include "model/out/out.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -13,7 +13,7 @@ struct OutLinks {
     std::uint32_t cause = 0;
 };
 
-/// Out says when; the results lie here.
+/// Out decides when; the results are stored here.
 class OutModel : public OutLinks {
 public:
     explicit OutModel(const Config&, int = 1) {}
@@ -57,7 +57,8 @@ private:
     RtlLinks links_;
 };
 
-/// What must hold in every cycle follows from the results that came in earlier cycles and are still there.
+/// The required outputs of every cycle follow from the results that came in earlier cycles and are still
+/// inside.
 template <class Dut> void pass_results(const Config& config, const Flow& flow, unsigned seed) {
     Dut dut{config, int(seed)};
     Draw draw{seed};

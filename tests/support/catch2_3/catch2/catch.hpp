@@ -1,6 +1,6 @@
 #pragma once
-// Catch2 3 under the names of Catch2 2: every test is written once for both. CMake puts this folder on the
-// include path where Catch2 3 is installed (Debian 13), and leaves it out where Catch2 2 is (Debian 12).
+// Catch2 3 under the names of Catch2 2, so that tests compile with both. CMake adds this folder to the
+// include path if Catch2 3 is installed (Debian 13), and omits it for Catch2 2 (Debian 12).
 #include <string>
 
 #include <catch2/catch_all.hpp>

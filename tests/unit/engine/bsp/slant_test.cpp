@@ -1,4 +1,4 @@
-// slant: which exits a ray meets, against exact planes.
+// slant: compares the exits that a ray meets with exact planes.
 #include "tests/support/cases/slant_cases.hpp"
 
 using namespace rayclock;
@@ -6,7 +6,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// As many answers may wait as slant takes cycles.
+/// Returns a configuration whose queue holds as many answers as slant has cycles.
 Config bsp_format(const std::string& name) {
     Config config = format(name);
     config.structure = int(Structure::bsp);
@@ -16,7 +16,7 @@ Config bsp_format(const std::string& name) {
 
 SlantReq random_req(Draw& draw, const Config& config) { return random_slant_case(draw, config).req; }
 
-/// One plane, and a ray that nothing else stops.
+/// Returns a case with one plane and a ray that nothing else limits.
 SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d, const Config& config) {
     SlantCase c;
     for (std::size_t k = 0; k < 3; ++k) c.req.slant.normal[k] = normal[k];
@@ -87,7 +87,7 @@ TEST_CASE("a ray in a plane is on both of its sides, one from a plane only on th
     CHECK(exits({0, -1, 0}, {5, 3, 0}) == 3);
     CHECK(exits({0, -1, 0}, {5, 3, 1}) == 1);
     CHECK(exits({0, -1, 0}, {5, 3, -1}) == 2);
-    CHECK(exits({0, 0, 0}, {5, 3, 0}) == 2);   // beside it
+    CHECK(exits({0, 0, 0}, {5, 3, 0}) == 2);   // next to the plane
     CHECK(exits({0, -2, 0}, {5, 3, 0}) == 1);
 }
 

@@ -1,6 +1,6 @@
 // box at small widths, for every operand: the ray's origin and direction, the node's corner and exponents,
-// the children's planes. Judged by cross-multiplied exact overlap; the RTL by the model as well, to the bit.
-// docs/boxes.md has the proof.
+// and the children's planes. Judged by exact overlap with cross-multiplication. The RTL must also equal the
+// model bit by bit. docs/boxes.md has the proof.
 #include "model/layout/encode.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "tests/support/cases/small.hpp"
@@ -24,7 +24,7 @@ BoxVerdict try_model(const Config& config, unsigned which) {
     return try_model(config, box_space(config, which));
 }
 
-/// Ends at the first answer that differs from the model's.
+/// Stops at the first answer that differs from the model's.
 BoxVerdict try_rtl(const Config& config, const BoxSpace& space) {
     BoxRequests requests(space, config);
     Rtl<BoxUnit> rtl{config};
@@ -61,7 +61,7 @@ void good(const BoxVerdict& v, double most_extra) {
 const Config one_axis = small_format(3, 4, 3, 1, 2), two_axes = small_format(2, 3, 3, 1, 1),
              three_axes = small_format(1, 2, 3, 1, 1);
 
-/// A chip that shades: origins with `frac` bits of fraction.
+/// Returns a shading configuration whose origins have `frac` fraction bits.
 Config shading(Config config, int frac) {
     config.name += "shading";
     config.shading = 1;
@@ -74,8 +74,8 @@ BoxSpace shadow_space(const Config& config, std::size_t axis) {
     return space;
 }
 
-/// Rays that hit a triangle whose quantised box box() does not take, or for which it names a t_near beyond
-/// the hit's t: of the requests from `first` to `last`.
+/// Counts rays that hit a triangle, among the requests from `first` to `last`. A hit is lost if box() misses
+/// the triangle's quantised box or returns a t_near beyond the hit's t.
 std::uint64_t hits_lost(const Config& config, std::uint64_t first, std::uint64_t last, std::uint64_t& hits) {
     std::uint64_t lost = 0;
     BoxCase ray;

@@ -1,4 +1,4 @@
-// box: slab test of a node's children, against exact intervals.
+// box: compares the slab test of a node's children with exact intervals.
 #include "tests/support/cases/box_cases.hpp"
 
 using namespace rayclock;
@@ -26,7 +26,7 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
         });
 }
 
-/// A format small enough to try everything.
+/// Returns a format small enough to test everything.
 Config tiny() {
     Config config;
     config.name = "tiny";

@@ -1,4 +1,4 @@
-// globe: which bounding spheres a ray meets, against exact geometry.
+// globe: compares the bounding spheres that a ray meets with exact geometry.
 #include "tests/support/cases/globe_cases.hpp"
 
 #include "model/engine/globe/tables.hpp"
@@ -12,7 +12,7 @@ namespace {
 Config globe_format(const std::string& name) {
     Config config = format(name);
     config.structure = int(Structure::spheres);
-    if (config.timing == int(Timing::fast)) config.box_queue = 64;   // it has more stages than box
+    if (config.timing == int(Timing::fast)) config.box_queue = 64;   // globe has more stages than box
     return config;
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("globe is right for every small ray, from everywhere around a globe an
     for (std::uint32_t exp = 0; exp < 2; ++exp)
         for (int o = 0; o < 11 * 11 * 11; ++o)
             for (int d = 0; d < 5 * 5 * 5; ++d) {
-                if (d == 62) continue;   // no direction
+                if (d == 62) continue;   // not a direction
                 c.req.node.exp = exp;
                 const Vec3i from{o % 11 - 3, o / 11 % 11 - 3, o / 121 - 3};
                 Vec3i at = ray_origin(from, config);
@@ -137,8 +137,8 @@ TEST_CASE("globe is right at both ends of every width", "[globe]") {
     Draw draw{7};
     for (int i = 0; i < 3000; ++i) {
         const auto c = globe_case_at_ends(draw, config);
-        judge(c, globe(c.req, config), config, false);   // nothing is lost; how loose it may be is not proven
-                                                         // here
+        // Nothing is lost. How loose the answer may be is not proven here.
+        judge(c, globe(c.req, config), config, false);
     }
 }
 

@@ -1,4 +1,4 @@
-// treelet: which exits a ray meets, against exact planes.
+// treelet: compares the exits that a ray meets with exact planes.
 #include "tests/support/cases/treelet_cases.hpp"
 
 using namespace rayclock;
