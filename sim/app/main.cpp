@@ -1,4 +1,5 @@
-// rayclock: parses the command line and runs a command. Each command has a file of its name.
+// rayclock: the command line. Every command's options and work are in the file of its name.
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +29,7 @@ namespace {
 
 using namespace rayclock;
 
-/// A heading of the help, and its commands.
+/// A heading of the help, and the commands under it.
 struct Group {
     const char* heading;
     std::vector<Command (*)()> commands;
@@ -47,7 +48,7 @@ const std::vector<Group>& groups() {
     return all;
 }
 
-/// A command and its parser.
+/// A command, and where the parser keeps what it found out about it.
 struct Added {
     Command command;
     CLI::App* parsed;
@@ -68,7 +69,7 @@ std::vector<Added> add_commands(CLI::App& app) {
             CLI::App* const sub = (is_study ? study : &app)->add_subcommand(command.name, command.what);
             sub->group(is_study ? "Pages" : group.heading);
             sub->footer(std::string("Example: ") + command.example);
-            // Declares options only for the command in use.
+            // The other commands' options are never made.
             sub->preparse_callback([sub, declare = command.declare](std::size_t) {
                 Parser parser(*sub);
                 declare(parser);
@@ -79,7 +80,7 @@ std::vector<Added> add_commands(CLI::App& app) {
     return all;
 }
 
-/// Returns all commands as typed; those of study have its name as prefix.
+/// All commands as people type them: those of study with its name before theirs.
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const Group& group : groups())
@@ -108,8 +109,8 @@ constexpr const char* manual_footer =
     "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's libjs-vega\n"
     "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete";
 
-/// Prints one sentence to standard error and returns the exit code. The sentence contains user input: escape
-/// control characters and truncate it.
+/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
+/// end.
 int complain(const std::string& sentence, int code) {
     constexpr std::size_t longest = 1000;
     std::fprintf(stderr, "rayclock: %s\n",
@@ -117,15 +118,14 @@ int complain(const std::string& sentence, int code) {
     return code;
 }
 
-/// Returns true if the system refused a thread. The thread library reports this with its own message.
+/// The library of threads tells of a thread that the system does not give in its own words.
 bool is_lack_of_threads(const std::exception& error) {
     const auto* const system = dynamic_cast<const std::system_error*>(&error);
     return (system && system->code() == std::errc::resource_unavailable_try_again) ||
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
-/// Reports the current exception as one sentence and returns the exit code. Messages of other libraries are
-/// never shown.
+/// The exception at hand as one sentence; the exit code. No other library's words are among it.
 int complain_of_exception() {
     try {
         throw;
@@ -135,26 +135,26 @@ int complain_of_exception() {
         return complain(error.what(), 1);
     } catch (const std::bad_alloc&) {
         return complain("not enough memory for this scene and picture", 2);
-    } catch (const std::length_error&) {   // a size beyond any memory
+    } catch (const std::length_error&) {   // more than any memory has
         return complain("not enough memory for this scene and picture", 2);
     } catch (const std::filesystem::filesystem_error& error) {
         return complain(error.path1().string() + ": " + error.code().message(), 2);
     } catch (const std::exception& error) {
         if (is_lack_of_threads(error))
             return complain("not enough threads: the system gives no more (ulimit -u shows how many)", 2);
-        if (std::ferror(stdout)) return 2;   // finish() reports it
+        if (std::ferror(stdout)) return 2;   // finish() says so
         if (dynamic_cast<const std::runtime_error*>(&error)) return complain(error.what(), 1);   // our own
         return complain("a fault of rayclock's own has ended this run; please report it with the command", 1);
     }
 }
 
-/// Returns `code`, or an error if standard output could not be written.
+/// What is printed and does not arrive is an error, whatever else came of the run.
 int finish(int code) {
     const std::string lost = finish_output();
     return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
-/// Returns the first word that looks like an option and is unknown to `app`; empty if there is none.
+/// The first word that looks like an option and is none of `app`; empty if there is no such word.
 std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i], name = word.substr(0, word.find('='));
@@ -164,7 +164,7 @@ std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     return {};
 }
 
-/// Returns the long names of an application's options.
+/// The long names of an application's options.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
@@ -178,14 +178,19 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
     return names;
 }
 
-/// Returns the word typed after `word`, unless it is an option.
+bool has_subcommand(const CLI::App& app, const std::string& word) {
+    const std::vector<std::string> names = subcommand_names(app);
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+/// What was typed behind a word, if it is no option.
 std::string word_after(std::string_view word, int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i)
         if (argv[i] == word && argv[i + 1][0] != '-') return argv[i + 1];
     return {};
 }
 
-/// Returns the parser's error as one sentence that names the typed text.
+/// What the parser found wrong, in one sentence that names what was typed.
 std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
                         char** argv) {
     const CLI::App& root = *commands.front().parsed->get_parent();
@@ -197,7 +202,7 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
     const bool lacks_page = used == &study && !word_after(study_name, argc, argv).empty();
     if ((!used && argc > 1 && argv[1][0] != '-') || lacks_page) {
         const std::string word = lacks_page ? word_after(study_name, argc, argv) : argv[1];
-        if (!lacks_page && study.get_subcommand_no_throw(word))
+        if (!lacks_page && has_subcommand(study, word))
             return fmt::format("{0} is now called 'rayclock study {0}'", word);
         return (lacks_page ? "study: no page is called " : "no command is called ") + shown(word) +
                did_you_mean(word, subcommand_names(lacks_page ? study : root)) + " ('rayclock " +
@@ -226,7 +231,7 @@ int print_manual(const char* form) {
     }
 }
 
-/// Runs the requested command and returns the exit code.
+/// Runs what was asked for; the exit code.
 int run(int argc, char** argv) {
     CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer", "rayclock"};
     app.footer(help_footer);
@@ -255,8 +260,8 @@ int run(int argc, char** argv) {
     return 2;
 }
 
-/// Ends the program after an exception that nothing can catch, such as one in a thread that the thread
-/// library starts. Avoids a core file.
+/// What is thrown where nothing may be thrown, as in a thread that the library of threads begins, ends here
+/// instead of in a core file.
 [[noreturn]] void end_badly() noexcept {
     int code = 2;
     if (std::current_exception())

@@ -1,4 +1,7 @@
-// Wrong usage: exit code 2 and one sentence that names the fault.
+// Bad usage: exit code 2 and one sentence that names what was wrong.
+#include <algorithm>
+#include <sstream>
+
 #include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
@@ -20,7 +23,7 @@ void check(const std::vector<Bad>& cases) {
     }
 }
 
-/// Returns simulate on a tiny frame with further arguments.
+/// simulate on a tiny frame, with these further arguments.
 Bad simulate(std::vector<std::string> arguments, std::vector<std::string> words) {
     arguments.insert(arguments.begin(), {"simulate", "tetra:1"});
     return {std::move(arguments), std::move(words)};
@@ -45,6 +48,35 @@ TEST_CASE("commands and options that do not exist") {
            {{"scenes", "extra"}, {"extra"}},
            {{"doctor", "extra"}, {"extra"}},
            {{"config", "default", "small"}, {"small"}}});
+}
+
+TEST_CASE("commands that make pages are words of study, and their old names say so") {
+    for (const std::string page :
+         {"area", "counts", "figures", "gigahertz", "structures", "tradeoff", "yardstick"}) {
+        check({{{page}, {page + " is now called 'rayclock study " + page + "'"}},
+               {{page, "-o", "never"}, {"'rayclock study " + page + "'"}},
+               {{"study", page, "--bogus"}, {"study " + page, "'--bogus'"}}});
+        CHECK(run_program({"study", page, "--help"}).out.find("rayclock study " + page) != std::string::npos);
+    }
+    check({{{"study"}, {"rayclock study --help"}},
+           {{"study", "aera"}, {"'aera'", "did you mean 'area'"}},
+           {{"study", "simulate"}, {"'simulate'", "rayclock study --help"}}});
+}
+
+TEST_CASE("the help fits a screen, in groups") {
+    const Outcome help = run_program({"--help"});
+    CHECK(help.code == 0);
+    std::size_t at = 0;
+    for (const char* heading : {"\nRun:\n", "\nLook:\n", "\nExplore:\n", "\nBuild:\n", "\nCheck:\n"}) {
+        INFO(heading);
+        const std::size_t next = help.out.find(heading);
+        REQUIRE(next != std::string::npos);
+        CHECK(next > at);
+        at = next;
+    }
+    CHECK(std::count(help.out.begin(), help.out.end(), '\n') <= 48);
+    std::istringstream lines(help.out);
+    for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
 }
 
 TEST_CASE("sizes that make no sense") {

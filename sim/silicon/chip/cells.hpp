@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a netlist written by Yosys or nextpnr, and the unit of the machine that each belongs to.
+// The cells of a netlist as Yosys and nextpnr write it, and to which unit of the machine each belongs.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -9,25 +9,24 @@
 
 namespace rayclock::chip {
 
-/// A cell of a netlist.
 struct Cell {
     std::string name, type;
-    std::string source;      ///< attribute src: positions in sources, from the outermost instance inwards
-    std::string bel;         ///< site after placement: "X107/Y74/SLICEC.RAMW"
-    std::vector<int> nets;   ///< numbers of the nets at its ports
+    std::string source;      ///< attribute src: places in sources, from the outermost instance inwards
+    std::string bel;         ///< "X107/Y74/SLICEC.RAMW", once it is placed
+    std::vector<int> nets;   ///< numbers of what its ports are wired to
 };
 
-/// Calls `take` for each cell of the netlist. Reads the file piecewise, because the whole document would need
-/// a gigabyte. Returns false if the text is incomplete JSON.
+/// Calls `take` for each cell of the netlist, which is read piece by piece: as a whole it would fill a
+/// gigabyte. False if the text is no whole JSON.
 bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take);
 
-/// Assigns cells to units by name. Instances have the names of their modules: u_box is the unit box at any
-/// depth. The outermost unit counts. Cells outside all units are "wiring" inside the machine and "harness"
-/// around it. nextpnr adds a cell at each end of a carry chain, without a unit in its name. In a chip these
-/// cells form the unit "carry_ends"; the harness has no carry chain.
+/// Instances have the names of their modules: u_box is the unit box, whatever lies around it. The outermost
+/// unit counts. What is in none is "wiring" inside the machine and "harness" around it. nextpnr adds a cell
+/// where a carry chain begins or ends, and does not say for whom: in a chip these are "carry ends", a unit of
+/// their own. The harness has no carry chain.
 class Units {
 public:
-    /// `top` is the content of the harness: "chip", or the name of a unit.
+    /// `top` is what the harness holds: "chip", or the name of a unit.
     explicit Units(std::string top);
 
     std::string of(std::string_view cell) const;
@@ -40,19 +39,19 @@ constexpr const char* harness_unit = "harness";
 constexpr const char* wiring_unit = "wiring";
 constexpr const char* carry_unit = "carry_ends";
 
-/// Returns the resources of a cell type, before or after placement.
+/// What a cell takes, before or after it is placed.
 Use use_of(const std::string& type);
 
-/// Returns a line such as "rtl/engine/bvh/rc_box.sv:120" for a src attribute. Considers its positions in the
-/// folder `sources`: those of instances, or those of anything else. Returns the first, or an empty string.
+/// "rtl/engine/bvh/rc_box.sv:120" of a src attribute: of its places in the folder `sources` that are
+/// instances, or that are none but what is in one, the first; empty if there is no such place.
 std::string source_line(const std::string& src, const std::string& sources, bool instances = false);
-/// Returns the innermost source line that a name identifies, for cells without a position. For
-/// "u_mshr.u_next.mem.0.7" of prim_cache this is the line of u_next in rc_mshr, if rc_mshr.sv exists.
-/// Otherwise it is the line of u_mshr in rc_prim_cache.
+/// The innermost line that a name tells of, for cells that Yosys made without a place:
+/// "u_mshr.u_next.mem.0.7" of prim_cache is where rc_mshr has u_next, if there is a rc_mshr.sv; else where
+/// rc_prim_cache has u_mshr.
 std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources);
 
-/// Returns the register, memory or multiplier that a cell implements, as a path within the unit without bit
-/// numbers. In box, "u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5" gives "u_rank.s4_q".
+/// The register, memory or multiplier that a cell is, or is named after, as a path within the unit and
+/// without numbers of bits: "u_rank.s4_q" of "u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5" in box.
 std::string register_of(std::string_view cell, const std::string& unit);
 
 }   // namespace rayclock::chip
