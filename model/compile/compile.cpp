@@ -164,13 +164,15 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
         fit_lattice(given, eye, config.coord_bits, config.shading != 0, room_around_planes(given, config));
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
-    const std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
+    std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
+    const std::size_t coincident = drop_coincident_spheres(triangles);
     check_kept(triangles, scene, config, name);
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;
     if (config.shading) write_surfaces(scene, config, name, image);
     image.report.triangles = scene.triangles.size();
-    image.report.collapsed = primitive_count(scene) - triangles.size();
+    image.report.collapsed = primitive_count(scene) - triangles.size() - coincident;
+    image.report.coincident = coincident;
     image.report.pitch = lattice.pitch;
     image.report.seconds = watch.seconds();
     return image;

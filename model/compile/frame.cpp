@@ -28,6 +28,7 @@
 
 #include "model/layout/memory_image.hpp"
 #include "model/base/error.hpp"
+#include "model/base/largest.hpp"
 #include "model/scene/view.hpp"
 
 namespace rayclock {
@@ -41,8 +42,6 @@ namespace {
                     " pixels and directions of " + std::to_string(config.dir_bits) +
                     " bits (dir_bits): in its middle no direction would be left");
 }
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 Vec3l fixed(const glm::dvec3& v, double scale) {
     return {std::llround(v.x * scale), std::llround(v.y * scale), std::llround(v.z * scale)};

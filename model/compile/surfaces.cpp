@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
@@ -83,7 +84,8 @@ std::uint32_t fine_of(const PrimData& t, const Config& config) {
     return std::uint32_t(std::countr_zero(bits));
 }
 
-/// Returns for each vertex the number of low bits to clear: 2^-14 of the shortest edge of all its triangles.
+/// Returns for each vertex the number of low bits to clear: 2^bits is at most 2^-13 of the shortest edge of
+/// all triangles of the vertex.
 std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice) {
     std::vector<std::uint8_t> coarse(scene.vertices.size(), most_fine);
     std::vector<bool> used(scene.vertices.size());
@@ -102,9 +104,12 @@ std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice)
 /// True if the lattice point lies inside a sphere that is not visible from inside, so that none of its light
 /// comes out.
 bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t* at) {
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        if (scene.materials[scene.spheres[i].material].transmit > 0) continue;
-        const PrimData sphere = snap_primitive(scene, lattice, scene.triangles.size() + i);
+    std::vector<PrimData> spheres;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        spheres.push_back(snap_primitive(scene, lattice, scene.triangles.size() + i));
+    drop_coincident_spheres(spheres);
+    for (const PrimData& sphere : spheres) {
+        if (sphere.b[2] != 0) continue;   // its material transmits
         std::int64_t square = 0;
         for (std::size_t k = 0; k < 3; ++k)
             square += std::int64_t(at[k] - sphere.a[k]) * (at[k] - sphere.a[k]);
@@ -209,6 +214,14 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
     const PlaneOnLattice on = plane_on_lattice(plane, lattice);
     prim.a = on.a, prim.b = on.b, prim.c = on.c;
     return prim;
+}
+
+std::size_t drop_coincident_spheres(std::vector<PrimData>& prims) {
+    std::set<std::array<std::int32_t, 5>> seen;
+    return std::erase_if(prims, [&](const PrimData& p) {
+        return PrimKind(p.kind) == PrimKind::sphere &&
+               !seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;
+    });
 }
 
 Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t i) {

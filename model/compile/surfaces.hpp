@@ -1,6 +1,7 @@
 #pragma once
 // The surfaces of all primitives, which a chip that shades reads in addition to the tree.
 #include <optional>
+#include <vector>
 
 #include "model/layout/memory_image.hpp"
 #include "model/layout/tree.hpp"
@@ -8,13 +9,18 @@
 namespace rayclock {
 
 /// Returns the scene with the corners of its large triangles moved slightly. They move to lattice points
-/// whose coordinates differ by multiples of up to 2^most_fine. A corner moves by at most 2^-15 of the
-/// shortest edge that ends there. Secondary rays from such triangles then begin closer to the hit point. The
-/// result is empty if there are no large triangles.
+/// whose coordinates differ by multiples of up to 2^most_fine. On each axis a corner moves by at most 2^-14
+/// of the shortest edge of its triangles, and by at most 2^-13 at the end of the lattice. Secondary rays from
+/// such triangles then begin closer to the hit point. The result is empty if there are no large triangles.
 std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice);
 
 /// Returns primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
+
+/// Removes each sphere with the centre and radius of an earlier one, and returns how many it removed. The
+/// machine excludes the sphere that a ray leaves by its number, so the ray would meet the other one there
+/// (docs/verdict.md, Two spheres at one place).
+std::size_t drop_coincident_spheres(std::vector<PrimData>& prims);
 
 /// Returns the box of a sphere or plane within the lattice. A plane fills the lattice.
 LatticeBox box_of(const PrimData& prim, int coord_bits);

@@ -37,8 +37,9 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, b
 
 /// Figures of a compilation.
 struct CompileReport {
-    std::uint64_t triangles = 0;   ///< of the scene
-    std::uint64_t collapsed = 0;   ///< triangles without area on the lattice; they are left out
+    std::uint64_t triangles = 0;    ///< of the scene
+    std::uint64_t collapsed = 0;    ///< of these, without area on the lattice: left out
+    std::uint64_t coincident = 0;   ///< spheres that have the place of one before them: left out
     std::uint64_t nodes = 0, leaves = 0;
     std::uint64_t references = 0;   ///< to primitives, in leaves; exceeds the primitives if leaves share them
     int depth = 0;                  ///< nodes on the longest path from the root

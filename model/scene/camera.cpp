@@ -11,12 +11,11 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
+#include "model/base/largest.hpp"
 #include "model/scene/view.hpp"
 
 namespace rayclock {
 namespace {
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// Moves the eye back until all given points and spheres are inside the picture. Lengths are in units of
 /// `scale`.

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "model/trace/hits.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "sim/app/picture_folder.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"
+#include "sim/run/request/reference_picture.hpp"
 
 namespace rayclock {
 
@@ -30,19 +30,6 @@ Drawn drawn(const Request& request, const Job& job, const FrameTrace& trace) {
     HitFrame hits = hits_of(job, trace);
     Picture picture =
         request.finished ? picture_of(job.size, trace.trace.colours) : shade(request.scene, hits);
-    return {std::move(hits), std::move(picture)};
-}
-
-/// Renders the current frame with the reference, which uses the scene alone and no earlier frame.
-Drawn drawn_by_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
-    const Reference tracer(request.scene);
-    if (request.finished) {
-        WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads);
-        Picture picture = picture_of(frame);
-        return {std::move(frame.hits), std::move(picture)};
-    }
-    HitFrame hits = tracer.frame(camera, size, threads);
-    Picture picture = shade(request.scene, hits);
     return {std::move(hits), std::move(picture)};
 }
 
@@ -67,8 +54,9 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
         const Drawn model = drawn(request, film.job(), traces.back());
         if (is_written) write_pictures(*strip.staged, {{frame_name(f), model.picture, model.hits}});
         if (!is_compared) continue;
-        const Drawn reference = drawn_by_reference(request, film.camera(), film.job().size, o.threads);
-        strip.errors.push_back(frame_error(model.hits, model.picture, reference.hits, reference.picture));
+        const ReferencePicture reference =
+            reference_picture(request, film.camera(), film.job().size, o.threads);
+        strip.errors.push_back(frame_error(model.hits, model.picture, reference.hits(), reference.picture));
     }
     return strip;
 }

@@ -7,7 +7,6 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/hits.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
@@ -18,6 +17,7 @@
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
@@ -79,17 +79,8 @@ struct Drawn {
 };
 
 Drawn draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
-    const Scene& scene = request.scene;
-    Drawn drawn;
-    if (request.finished) {
-        WhittedFrame frame =
-            Reference(scene).whitted(*scene.camera, size, request.settings, threads, progress);
-        drawn.picture = picture_of(frame);
-        drawn.hits = std::move(frame.hits);
-    } else {
-        drawn.hits = Reference(scene).frame(*scene.camera, size, threads, progress);
-        drawn.picture = shade(scene, drawn.hits, progress);
-    }
+    ReferencePicture reference = reference_picture(request, *request.scene.camera, size, threads, progress);
+    Drawn drawn{std::move(reference.frame.hits), std::move(reference.picture)};
     drawn.json["digest"] = digest_text(digest_of(drawn.hits));
     return drawn;
 }
@@ -127,8 +118,9 @@ struct Comparison {
     }
     void add(const Drawn& drawn, const Request& request, FrameSize size, int threads,
              const Progress& progress) {
-        const Drawn reference = draw_reference(request, size, threads, progress);
-        errors.push_back(frame_error(drawn.hits, drawn.picture, reference.hits, reference.picture));
+        const ReferencePicture reference =
+            reference_picture(request, *request.scene.camera, size, threads, progress);
+        errors.push_back(frame_error(drawn.hits, drawn.picture, reference.hits(), reference.picture));
     }
 };
 

@@ -229,7 +229,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"engine", o.engine},
             {"partial", s.partial},
             {"compile", compile_json(work.job().image.report)},
-            {"rays", rays_json(frame)},
+            {"rays", rays_json(frame.rays)},
             {"work", work_json(frame)},
             {"work_by_kind", nullptr},
             {"clocks", clocks},

@@ -10,7 +10,6 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
@@ -24,6 +23,7 @@
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/files/process/stopping.hpp"
 
@@ -86,24 +86,9 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
 
 /// The pictures of all engines.
 struct Pictures {
-    HitFrame hits;   ///< the reference's hits
-    Picture reference, model, rtl;
-    WhittedFrame finished;   ///< the reference's finished frame
+    ReferencePicture reference;
+    Picture model, rtl;
 };
-
-/// Renders with the reference while the lockstep runs, which uses one thread. Ctrl-C ends both.
-Pictures draw_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
-    const Reference tracer(request.scene);
-    if (!request.finished) {
-        HitFrame hits = tracer.frame(camera, size, threads, stopping({}));
-        Picture picture = shade(request.scene, hits);
-        return {std::move(hits), std::move(picture), {}, {}, {}};
-    }
-    WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads, stopping({}));
-    Picture picture = picture_of(frame);
-    HitFrame hits = frame.hits;
-    return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
-}
 
 /// The input of a verification: the frames of a film; the last frame is judged.
 struct Work {
@@ -136,10 +121,11 @@ struct Verified {
     std::string no_show;                    ///< the reason why there is none
 
     std::vector<NamedPicture> named_pictures() const {
-        std::vector<NamedPicture> all{{"reference.png", pictures.reference, pictures.hits},
+        const HitFrame& hits = pictures.reference.hits();
+        std::vector<NamedPicture> all{{"reference.png", pictures.reference.picture, hits},
                                       {"model.png", pictures.model, result.model.hits},
                                       {"rtl.png", pictures.rtl, result.rtl.hits}};
-        if (judgement) all.push_back({"difference.png", difference, pictures.hits});
+        if (judgement) all.push_back({"difference.png", difference, hits});
         return all;
     }
     bool partial() const { return result.model.partial; }
@@ -176,8 +162,9 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     Verified v;
     v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
     const Request& request = work.request();
+    // The lockstep has one thread: the reference works beside it, and Ctrl-C ends both.
     auto reference = std::async(std::launch::async, [&] {
-        return draw_reference(request, work.film.camera(), work.size, o.threads);
+        return reference_picture(request, work.film.camera(), work.size, o.threads, stopping({}));
     });
     v.job = work.job();
     v.result =
@@ -186,7 +173,7 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
             capture_first(o, diverged(o, work, traffic, v, first), v, progress);
             if (v.show) v.waveform_seconds = watch.seconds();
         });
-    v.pictures = reference.get();
+    v.pictures.reference = reference.get();
     return v;
 }
 
@@ -215,21 +202,22 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     const Scene& scene = work.request().scene;
     Pictures& p = v.pictures;
     p.model = drawn(work, v.result.model), p.rtl = drawn(work, v.result.rtl);
-    v.model = frame_error(v.result.model.hits, p.model, p.hits, p.reference);
-    v.rtl = frame_error(v.result.rtl.hits, p.rtl, p.hits, p.reference);
+    const HitFrame& hits = p.reference.hits();
+    v.model = frame_error(v.result.model.hits, p.model, hits, p.reference.picture);
+    v.rtl = frame_error(v.result.rtl.hits, p.rtl, hits, p.reference.picture);
     const FrameRun& judged = v.judged();
     const Asked asked{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
                       work.request().config};
     const bool judges = !v.partial() && !o.no_judge;
     if (judges && !work.request().finished)
-        v.judgement = judge(asked, v.job.image, {p.hits, judged.answers, shade(scene, judged.hits)},
-                            o.threads, progress);
+        v.judgement =
+            judge(asked, v.job.image, {hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
     if (judges && work.request().finished)
         v.judgement =
             judge_finished(asked, v.job.image, work.request().settings,
-                           {p.finished, drawn(work, judged), given}, judged.hits, o.threads, progress);
-    if (v.judgement) v.difference = cause_picture(p.reference, *v.judgement);
+                           {p.reference.frame, drawn(work, judged), given}, judged.hits, o.threads, progress);
+    if (v.judgement) v.difference = cause_picture(p.reference.picture, *v.judgement);
     if (!work.request().finished && !o.view.is_asked())
         v.golden = golden_result(o.scene, scene, work.request().config);
 }
@@ -282,7 +270,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verifie
             {"limits", v.partial() ? nullptr : limits_json(limits, v.errors())},
             {"judge", judge_json(v.judgement)},
             {"golden", golden},
-            {"rays", rays_json(frame)},
+            {"rays", rays_json(frame.rays)},
             {"work", work_json(frame)},
             {"film", film_json(config, {{work.khz, result.runs}}, v.strip, v.traces)},
             {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.khz, {frame}})})},

@@ -12,6 +12,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/files/named.hpp"
 #include "sim/files/output.hpp"
 
 namespace rayclock {
@@ -113,9 +114,12 @@ void StagedFiles::publish(const std::vector<std::string>& outdated) {
     for (const std::string& name : names) check_writable((folder_ / name).string());
     scratch_.forget();
     made_.clear();
-    for (const std::string& name : names)
-        if (::rename((stage_ / name).c_str(), (folder_ / name).c_str()) != 0)
-            refuse((folder_ / name).string(), fmt::format("cannot be written: {}", std::strerror(errno)));
+    for (const std::string& name : names) {
+        const std::string path = (folder_ / name).string();
+        if (::rename((stage_ / name).c_str(), path.c_str()) != 0)
+            refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+        forget_output(path);
+    }
     std::error_code ignored;
     for (const std::string& name : outdated) fs::remove(folder_ / name, ignored);
     fs::remove(stage_, ignored);   // it is empty now, and forget() took it off the list that a signal handler

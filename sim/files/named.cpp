@@ -1,6 +1,7 @@
 // The register of inputs and outputs: two maps under one mutex.
 #include "sim/files/named.hpp"
 
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -45,8 +46,11 @@ void note_output(const std::string& path) {
 }
 
 void forget_output(const std::string& path) {
+    const auto place = [](const std::string& name) {
+        return std::filesystem::absolute(name).lexically_normal();
+    };
     const std::lock_guard lock(mutex);
-    std::erase_if(outputs, [&](const auto& output) { return output.second == path; });
+    std::erase_if(outputs, [&](const auto& output) { return place(output.second) == place(path); });
 }
 
 }   // namespace rayclock

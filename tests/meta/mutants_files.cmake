@@ -177,3 +177,6 @@ mutant(gltf_copies_are_not_counted FILE sim/load/read_gltf.cpp TEST cli "few byt
 mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system "a test that meets no demand*"
   OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
   NEW [[false]])
+mutant(published_files_stay_announced FILE sim/files/folder.cpp TEST load "a published file*"
+  OLD [[forget_output(path);]]
+  NEW [[]])

@@ -144,6 +144,13 @@ mutant(judge_sphere_left_is_met_again FILE model/unit/isect/any.cpp TEST simulat
 mutant(judge_sphere_from_inside_at_its_near_side FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 3"
   OLD [[far = own || !outside;]]
   NEW [[far = !outside;]])
+mutant(ladder_forgets_ties_of_rays_to_far_lights FILE sim/judge/cause/guide.cpp TEST system "where the rounded direction*"
+  OLD [[        if (is_blocking_tied(moved, distance, machine)) {
+            tie();]]
+  NEW [[        if (is_blocking_tied(moved, distance, machine)) {]])
+mutant(judge_planes_turn_less_than_proven FILE sim/judge/paths/world.cpp TEST system "a light far off beside a plane*"
+  OLD [[return half * (a + b + half) / glm::length(glm::cross(p, q));]]
+  NEW [[return std::exp2(6 - lattice.coord_bits);]])
 mutant(judge_sphere_t_rounded_down FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 1"
   OLD [[return std::uint32_t((num + det - 1) / det);]]
   NEW [[return std::uint32_t(num / det);]])

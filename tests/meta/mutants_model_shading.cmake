@@ -41,6 +41,9 @@ mutant(model_clear_sphere_is_the_opaque_one FILE model/unit/isect/any.hpp WITH m
 mutant(host_opaque_bit_upside_down FILE model/compile/surfaces.cpp TEST system "spheres seen from both sides*"
   OLD [[scene.materials[sphere.material].transmit > 0}]]
   NEW [[scene.materials[sphere.material].transmit <= 0}]])
+mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system "of two spheres at one place*"
+  OLD [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;]]
+  NEW [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second && seen.empty();]])
 mutant(host_light_in_an_opaque_sphere_is_clear FILE model/compile/surfaces.cpp TEST system "spheres seen from both sides*"
   OLD [[!(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]))]]
   NEW [[(frame.near[i] || !is_walled_in(scene, image.lattice, &frame.place[3 * i]))]])

@@ -53,3 +53,17 @@ mutant(gtkw_marks_the_left_edge FILE sim/view/wave/gtkw.cpp TEST observe "a save
 mutant(fst_timeline_lets_a_ray_stay FILE sim/view/timeline/fst.cpp TEST observe "GTKWave's reader*"
   OLD [[{s.pixel, s.ray, s.place}) ends]]
   NEW [[{s.pixel, s.ray}) ends]])
+
+# ---- The way of a wrong value back through the RTL.
+mutant(cone_goes_before_the_first_cycle FILE sim/view/divergence/cone.cpp TEST observe "a register that has held the value*"
+  OLD [[return since > 0 ? std::make_optional(since - 1) : std::nullopt;]]
+  NEW [[return std::make_optional(since - 1);]])
+mutant(cone_sees_the_first_element_alone FILE sim/view/divergence/cone.cpp TEST observe "the way leads through a register*"
+  OLD [[return has_range ? name.substr(0, bracket) : name;]]
+  NEW [[return has_range ? name.substr(0, name.find('[', name.rfind('.') + 1)) : name;]])
+mutant(rtl_text_reads_comments FILE sim/view/divergence/rtl_text.cpp TEST observe "comments and directives*"
+  OLD [[if (text.compare(at, 2, "/*") == 0)]]
+  NEW [[if (text.compare(at, 3, "/**") == 0)]])
+mutant(rtl_text_takes_an_index_for_a_target FILE sim/view/divergence/rtl_text.cpp TEST observe "elements of arrays*"
+  OLD [[if (depth == 0) outside += c;]]
+  NEW [[outside += c;]])

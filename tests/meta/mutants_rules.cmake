@@ -22,6 +22,12 @@ mutant(rule_planes_pass_beside_their_point FILE model/compile/plane.cpp TEST sim
 mutant(rule_squares_begin_one_square_on FILE model/compile/plane.cpp TEST simulate "spheres --depth 1"
   OLD [[at += out.at[i] * part;]]
   NEW [[at += out.at[i] * part, out.at[i] += i == 0 ? std::ldexp(1.0, out.level[0]) : 0;]])
+mutant(rule_the_second_of_two_spheres_stays FILE model/compile/surfaces.cpp TEST simulate "tests/system/scenes/two_spheres.json --depth 3"
+  OLD [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;]]
+  NEW [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second && seen.empty();]]
+  FILE2 sim/judge/paths/world.cpp
+  OLD2 [[std::count(there.begin(), there.end(), ball.radius_squared) > 0;]]
+  NEW2 [[there.size() > 99;]])
 mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TEST simulate "spheres --depth 1"
   OLD [[const double radius = sphere.radius / lattice.pitch.x;]]
   NEW [[const double radius = 0.999 * sphere.radius / lattice.pitch.x;]]
@@ -30,6 +36,12 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TES
   NEW2 [[        const double square = std::min(std::round(0.999 * radius * 0.999 * radius), std::exp2(2 * coord_bits) - 1);]])
 
 # ---- Where rays come from.
+mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 2"
+  OLD [[const std::uint32_t t = distance_of(way, units - scale, m.square, config);]]
+  NEW [[const std::uint32_t t = 4 + distance_of(way, units - scale, m.square, config);]]
+  FILE2 sim/judge/paths/answer.cpp
+  OLD2 [[return 1 + std::max(std::ldexp(unit]]
+  NEW2 [[return 5 + std::max(std::ldexp(unit]])
 mutant(rule_camera_narrower_by_a_thousandth FILE model/compile/frame.cpp TEST simulate "gears:1 --depth 1 | gears:1"
   OLD [[frame.right = fixed(rays.right, scale);]]
   NEW [[frame.right = fixed(rays.right, 0.999 * scale);]])

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/compile/surfaces.hpp"
 #include "model/trace/hits.hpp"
@@ -17,7 +18,14 @@ using namespace rayclock::test;
 
 namespace {
 
-Judgement judged(const Scene& scene, const Whitted& settings, const Config& wanted, FrameSize size) {
+struct Seen {
+    Judgement judgement;
+    std::uint64_t coincident = 0;        ///< spheres that the host left out
+    std::vector<glm::dvec3> reference;   ///< pixels
+    std::vector<glm::vec3> machine;
+};
+
+Seen seen(const Scene& scene, const Whitted& settings, const Config& wanted, FrameSize size) {
     check_scene(scene, "the scene");
     const Config config = fitted_config(scene, settings, wanted);
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
@@ -25,8 +33,14 @@ Judgement judged(const Scene& scene, const Whitted& settings, const Config& want
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     const Picture picture = picture_of(size, trace.trace.colours);
     const Given given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
-    return judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
-                          settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));
+    Judgement judgement =
+        judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
+                       settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));
+    return {std::move(judgement), job.image.report.coincident, reference.pixels, picture.pixels};
+}
+
+Judgement judged(const Scene& scene, const Whitted& settings, const Config& wanted, FrameSize size) {
+    return seen(scene, settings, wanted, size).judgement;
 }
 
 /// Returns a scene on infinite grey tiles with sides u and v.
@@ -41,10 +55,17 @@ Scene tiles(const glm::dvec3& u, const glm::dvec3& v) {
     return scene;
 }
 
-/// Requires that every cause occurs. A seam occurs only in some of thousands.
-void check_scenes(std::uint64_t first, std::uint64_t count) {
+/// Returns the numbers from `first` to `last` - 1.
+std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last) {
+    std::vector<std::uint64_t> all(last - first);
+    std::iota(all.begin(), all.end(), first);
+    return all;
+}
+
+/// Requires that every cause occurs.
+void check_scenes(const std::vector<std::uint64_t>& seeds) {
     PixelCauses causes{};
-    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    for (const std::uint64_t seed : seeds) {
         INFO("seed " << seed);
         const RandomScene drawn = random_scene(seed);
         const Judgement j = judged(flattened(drawn.placed), drawn.settings, drawn.config, {20, 15});
@@ -55,39 +76,76 @@ void check_scenes(std::uint64_t first, std::uint64_t count) {
     }
     for (const PixelCause cause :
          {PixelCause::snapping, PixelCause::ray_quantisation, PixelCause::seam, PixelCause::shading})
-        CHECK((causes[std::size_t(cause)] > 0 || (cause == PixelCause::seam && count < 1000)));
+        CHECK(causes[std::size_t(cause)] > 0);
 }
 
 }   // namespace
 
 TEST_CASE("the reference's rules hold in 200 random scenes as the machine draws them", "[ladder]") {
-    check_scenes(0, 200);
+    std::vector<std::uint64_t> all = seeds(0, 199);
+    all.push_back(615);   // which has seams: one scene of some hundreds does
+    check_scenes(all);
 }
 
 TEST_CASE("the reference's rules hold in 10,000 random scenes as the machine draws them", "[ladder][slow]") {
-    check_scenes(200, 9800);
+    check_scenes(seeds(200, 10'000));
 }
 
-TEST_CASE("two spheres at one place are told wherever one of them is met from the other", "[ladder]") {
+TEST_CASE("of two spheres at one place the second is left out, whatever they are made of", "[ladder]") {
     Scene scene = tiles({1, 0, 0}, {0, 0, 1});
-    Material glass, tinted;
+    Material opaque, mirror, glass, tinted;
+    opaque.colour = {0.2, 0.4, 0.9};
+    mirror.mirror = 0.8;
     glass.transmit = 0.9, glass.mirror = 0.1, glass.index = 1.5;
     tinted = glass, tinted.colour = {0.9, 0.2, 0.1};
-    scene.materials.insert(scene.materials.end(), {glass, tinted, Material{}});
+    scene.materials.insert(scene.materials.end(), {opaque, mirror, glass, tinted});
+    scene.lights.push_back({{0.2, 1.4, 0.1}, glm::dvec3(0.5)});   // inside
+    const std::uint32_t first = GENERATE(range(1u, 5u)), second = GENERATE(range(1u, 5u));
+    const bool from_inside = GENERATE(false, true);
+    if (from_inside) scene.camera->eye = {0.1, 1.3, 0.2};
+    INFO("materials " << first << " and " << second << (from_inside ? ", from inside" : ""));
     const Whitted settings{.depth = 3};
-    const Config config = named_config("default");
-    scene.spheres = {{{0, 1.2, 0}, 1, 1}};
-    CHECK(judged(scene, settings, config, {48, 36}).wrong == 0);
-    const std::uint32_t second = GENERATE(1u, 2u, 3u);   // the last is opaque
+    Config config = named_config("default");
+    scene.spheres = {{{0, 1.2, 0}, 1, first}};
+    scene.materials.push_back(glass);   // so that both scenes have the same units
+    const FrameSize size{24, 18};
+    const Seen alone = seen(scene, settings, config, size);
     scene.spheres.push_back({{0, 1.2, 0}, 1, second});
-    const Judgement j = judged(scene, settings, config, {48, 36});
-    CHECK(j.bugs() > 0);
-    CHECK(j.bugs() == j.wrong);
-    REQUIRE(!j.faults.empty());
-    for (const PictureFault& f : j.faults) {
-        INFO(f.what);
-        CHECK(f.what.find("second one at the same place") != std::string::npos);
+    const Seen both = seen(scene, settings, config, size);
+    for (const PictureFault& f : both.judgement.faults) UNSCOPED_INFO(f.what);
+    CHECK(both.judgement.wrong == 0);
+    CHECK(both.coincident == 1);
+    CHECK(alone.coincident == 0);
+    CHECK(both.reference == alone.reference);
+    CHECK(both.machine == alone.machine);
+}
+
+TEST_CASE("the rules hold where every sphere of a random scene is there twice", "[ladder]") {
+    std::uint64_t coincident = 0, snapped = 0;
+    for (std::uint64_t seed = 0; seed < 120; ++seed) {
+        INFO("seed " << seed);
+        RandomScene drawn = random_scene(seed);
+        std::vector<Sphere>& spheres = drawn.placed.own.spheres;
+        const std::size_t count = spheres.size();
+        SceneDice dice(seed);
+        for (std::size_t i = 0; i < count; ++i) {
+            Sphere again = spheres[i];
+            again.material = std::uint32_t(dice.below(int(drawn.placed.own.materials.size())));
+            if (dice.percent(50)) {   // the same on the lattice alone, as a rule
+                again.radius += 1e-9, again.centre += 1e-9 * dice.unit();
+                ++snapped;
+            }
+            spheres.insert(dice.percent(50) ? spheres.begin() : spheres.end(), again);
+        }
+        const Seen s = seen(flattened(drawn.placed), drawn.settings, drawn.config, {20, 15});
+        for (const PictureFault& f : s.judgement.faults)
+            FAIL_CHECK("pixel (" << f.x << ", " << f.y << "): " << f.what);
+        CHECK(s.judgement.wrong == 0);
+        CHECK(s.coincident <= count);
+        coincident += s.coincident;
     }
+    CHECK(coincident > 150);
+    CHECK(snapped > 50);
 }
 
 TEST_CASE("the more a plane's sides lean towards each other, the more it may turn", "[ladder]") {
@@ -98,4 +156,38 @@ TEST_CASE("the more a plane's sides lean towards each other, the more it may tur
     INFO(degrees);
     for (const PictureFault& f : j.faults) UNSCOPED_INFO(f.what);
     CHECK(j.wrong == 0);
+}
+
+TEST_CASE("a light far off beside a plane is judged by how far the plane may turn", "[ladder]") {
+    // The sides lean by 1 degree: rounding to the lattice turns the plane by more than those of a square
+    // could.
+    const double lean = 0.017453292519943295;
+    for (int k = 0; k < 8; ++k) {
+        const double tilt = 0.03 + 0.05 * k;
+        Scene scene =
+            tiles({0.7, 0.1, tilt}, {0.7 * std::cos(lean), 0.1 + 0.01 * k, tilt + 0.7 * std::sin(lean)});
+        const Plane& plane = scene.planes[0];
+        const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v)), right = glm::normalize(plane.u),
+                         down = glm::cross(n, right);
+        scene.lights.clear();
+        for (int i = 0; i < 16; ++i) {
+            const double angle = 0.39269908169872414 * i;
+            const glm::dvec3 way = std::cos(angle) * right + std::sin(angle) * down;
+            scene.lights.push_back(
+                {plane.point + 40.0 * way + (i / 2 % 2 ? 0.012 : -0.012) * n, glm::dvec3(0.05)});
+        }
+        INFO(k);
+        const Seen s = seen(scene, {.depth = 1}, named_config("default"), {8, 6});
+        for (const PictureFault& f : s.judgement.faults) UNSCOPED_INFO(f.what);
+        CHECK(s.judgement.wrong == 0);
+    }
+}
+
+TEST_CASE("where the rounded direction of a ray to a far light decides, the report counts a tie",
+          "[ladder]") {
+    // The scene has two other ties.
+    const RandomScene drawn = random_scene(347);
+    const Judgement j = judged(flattened(drawn.placed), drawn.settings, drawn.config, {20, 15});
+    CHECK(j.wrong == 0);
+    CHECK(j.ties == 3);
 }

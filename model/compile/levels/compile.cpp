@@ -86,7 +86,8 @@ private:
 
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
-        const std::vector<PrimData> prims = snapped(parts_, made, config_);
+        std::vector<PrimData> prims = snapped(parts_, made, config_);
+        image_.report.coincident += drop_coincident_spheres(prims);
         if (made.deforms)
             out_.rooms[c] = aligned(std::uint32_t(
                 std::min<std::uint64_t>(Refit::most_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));

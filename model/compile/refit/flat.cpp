@@ -51,6 +51,8 @@ Upload RefittedScene::next(const Scene& given) {
     const std::optional<Scene> moved = config_.shading ? aligned(given, image_.lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> prims = snapped(scene);
+    const std::size_t coincident = drop_coincident_spheres(prims);   // the same in each frame: no sphere
+                                                                     // moves
     if (frame_ == 0) {
         std::vector<PrimData> kept = prims;
         std::erase_if(kept, [&](const PrimData& t) { return !counts(t, config_); });
@@ -67,6 +69,7 @@ Upload RefittedScene::next(const Scene& given) {
     tree_.write(0, false, image_.words.data(), tree_lines_);
     image_.report = tree_.report();
     image_.report.triangles = scene.triangles.size();
+    image_.report.coincident = coincident;
     image_.report.pitch = image_.lattice.pitch;
     image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
     if (config_.shading) write_surfaces(scene, config_, name_, image_);

@@ -8,6 +8,7 @@
 #include "model/trace/hits.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/judge/reference/reference.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/files/process/stopping.hpp"
 
 namespace rayclock::fit {
@@ -66,17 +67,10 @@ void Measure::expect_frames() {
     Film film = film_of(scene_, size_, choice_, named_config("default"), {}, false);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const Scene& scene = film.request().scene;
-        const Reference tracer(scene);
-        if (choice_.finished) {
-            WhittedFrame frame =
-                tracer.whitted(film.camera(), size_, choice_.settings, threads_, stopping({}));
-            expected_.push_back(picture_of(frame));
-            references_.push_back(std::move(frame.hits));
-        } else {
-            references_.push_back(tracer.frame(film.camera(), size_, threads_, stopping({})));
-            expected_.push_back(shade(scene, references_.back()));
-        }
+        ReferencePicture drawn =
+            reference_picture(film.request(), film.camera(), size_, threads_, stopping({}));
+        references_.push_back(std::move(drawn.frame.hits));
+        expected_.push_back(std::move(drawn.picture));
     }
 }
 

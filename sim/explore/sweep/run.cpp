@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/explore/sweep/cracks.hpp"
 #include "sim/explore/sweep/key.hpp"
@@ -23,13 +23,6 @@
 namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
-
-ordered_json rays_json(const RayCounts& rays) {
-    return {{"primary", rays.primary},
-            {"shadow", rays.shadow},
-            {"reflection", rays.reflection},
-            {"refraction", rays.refraction}};
-}
 
 PictureFigures picture_of(const ordered_json& json) {
     PictureFigures p;
@@ -270,36 +263,24 @@ private:
     }
 
     /// The reference's last frame, equal for every configuration.
-    struct Expected {
-        HitFrame hits;
-        Picture picture;   ///< for a finished picture
-    };
-    const Expected& expected(Film& film) {
+    const ReferencePicture& expected(Film& film) {
         std::call_once(reference_once_, [&] {
-            const Reference tracer(film.request().scene);
-            if (film.request().finished) {
-                WhittedFrame frame =
-                    tracer.whitted(film.camera(), plan_.size, plan_.picture.settings, cores_, stop_);
-                reference_.picture = rayclock::picture_of(frame);
-                reference_.hits = std::move(frame.hits);
-            } else {
-                reference_.hits = tracer.frame(film.camera(), plan_.size, cores_, stop_);
-            }
+            reference_ = reference_picture(film.request(), film.camera(), plan_.size, cores_, stop_);
         });
         return reference_;
     }
 
     PictureFigures compare_picture(Film& film, const FrameTrace& last) {
-        const Expected& reference = expected(film);
+        const ReferencePicture& reference = expected(film);
         const Request& request = film.request();
         const HitFrame hits = hits_of(film.job(), last);
         PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
         if (request.finished) {
             figures.error = frame_error(hits, rayclock::picture_of(plan_.size, last.trace.colours),
-                                        reference.hits, reference.picture);
+                                        reference.hits(), reference.picture);
             return figures;
         }
-        figures.error = frame_error(request.scene, hits, reference.hits);
+        figures.error = frame_error(request.scene, hits, reference.hits());
         if (!request.config.has_instances())
             figures.cracks = count_cracks(request.scene, film.job(), last.trace.hits, inner_threads_);
         return figures;
@@ -345,7 +326,7 @@ private:
     std::vector<std::function<void()>> tasks_;   ///< netlists to count, then groups to trace
     const Progress stop_ = stopping({});
     std::once_flag reference_once_;
-    Expected reference_;
+    ReferencePicture reference_;
     std::mutex mutex_;
     std::size_t done_ = 0, all_ = 0;
 };

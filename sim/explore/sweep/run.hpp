@@ -64,8 +64,6 @@ struct Outcome {
     bool partial = false;          ///< interrupted before the end
 };
 
-nlohmann::ordered_json rays_json(const RayCounts& rays);
-
 /// Runs a sweep. Stops early when interrupted(); finished work is in the cache.
 Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
 

@@ -6,12 +6,11 @@
 #include <glm/vec3.hpp>
 
 #include "model/base/axes.hpp"
+#include "model/base/largest.hpp"
 
 namespace rayclock::torture {
 
 namespace {
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// Sets the pixel map so that no direction, nor a step alone, exceeds 2^(M-1) - 1, halves of a pixel around
 /// included.

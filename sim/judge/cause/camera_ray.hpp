@@ -5,8 +5,7 @@
 
 namespace rayclock {
 
-/// `rays`: those of the picture; `given`: along the reference's ray, of any length, in the scene's units;
-/// `d`: the machine's.
+/// The bound of a picture's camera rays.
 ///
 /// Let v be the reference's direction in lattice steps, scaled as the pixel map has it, and m the largest
 /// component that the map gives. The registers hold scale v, scale >= (2^(M-1+G) - 2^G - off) / m, and what
@@ -16,6 +15,20 @@ namespace rayclock {
 ///     E = 1/2 + 2^(s-G) (w + h) / 2,      2^(s-G) < 2^(M-1) / (scale max |v_k| - (w + h) / 2)
 /// and by 1 in place of 1/2 where d ends at its largest number. Then d and v enclose an angle whose sine is
 /// at most sqrt(3) E / |d|.
-bool goes_through(const Asked& asked, const PixelRays& rays, const glm::dvec3& given, const Vec3i& d);
+class CameraBound {
+public:
+    /// `rays`: those of the picture.
+    CameraBound(const Asked& asked, const PixelRays& rays);
+
+    /// `given`: along the reference's ray, of any length, in the scene's units; `d`: the machine's.
+    bool goes_through(const glm::dvec3& given, const Vec3i& d) const;
+
+private:
+    int dir_bits_;
+    glm::dvec3 pitch_, plane_;   ///< all directions of the map, in steps, end in one plane: its normal
+    double height_;              ///< plane_ . direction, of each of them
+    double sides_;               ///< w + h
+    double scale_;
+};
 
 }   // namespace rayclock

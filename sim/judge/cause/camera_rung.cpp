@@ -7,9 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "sim/judge/reference/geometry.hpp"
-#include "sim/judge/reference/steer.hpp"
-#include "sim/judge/cause/camera_ray.hpp"
+#include "sim/judge/reference/whitted.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
 
@@ -47,6 +45,15 @@ std::string name_of(bool found, std::uint32_t primitive) {
     return found ? "primitive " + std::to_string(primitive) : "nothing";
 }
 
+/// As large as the lattice, which holds the scene and the eye.
+Scene corners_of(const Lattice& lattice) {
+    const glm::dvec3 reach = std::exp2(lattice.coord_bits - 1) * lattice.pitch;
+    Scene scene;
+    scene.vertices = {lattice.centre - reach, lattice.centre + reach};
+    scene.triangles = {{{0, 1, 1}, 0}};
+    return scene;
+}
+
 std::optional<Unfolder> unfolder_of(const Scene& scene) {
     return is_folded(scene) ? std::make_optional<Unfolder>(*scene.placed) : std::nullopt;
 }
@@ -61,6 +68,8 @@ CameraRung::CameraRung(const Asked& asked, const Scene& steps, const Reference& 
       placed_(placed),
       seams_(seams),
       rays_(pixel_rays(asked.camera, {int(asked.frame.width), int(asked.frame.height)})),
+      bound_(asked, rays_),
+      light_space_(corners_of(asked.lattice)),
       scale_(asked.frame, asked.lattice, asked.config),
       given_unfolder_(unfolder_of(asked.scene)),
       steps_unfolder_(unfolder_of(steps)) {}
@@ -80,7 +89,7 @@ PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfo
 }
 
 CameraFinding CameraRung::look(int x, int y, const Vec3i& d, const Closest& answer) const {
-    if (!goes_through(asked_, rays_, rays_.direction(x, y), d))
+    if (!bound_.goes_through(rays_.direction(x, y), d))
         return {"the camera ray does not go through its pixel"};
     const glm::dvec3 from = vector_of(asked_.frame.eye);
     const Hit own = tracer_.trace(from, vector_of(d));
@@ -171,29 +180,26 @@ bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer
            (tick * glm::length(direction) + off) * scale + float_step * double(hit.depth);
 }
 
-/// In a scene of that one triangle.
+/// In a scene of that one triangle: the tracer is handed the hit, and looks for nothing.
 std::optional<glm::dvec3> CameraRung::local_light(const Hit& hit, int x, int y) const {
     if (hit.primitive == no_primitive) return asked_.scene.background;
     const PlacedTriangle t = triangle(asked_.scene, given_unfolder_, hit.primitive);
     Scene scene;
-    scene.materials = asked_.scene.materials, scene.lights = asked_.scene.lights;
+    scene.materials = {asked_.scene.materials[t.material]}, scene.lights = asked_.scene.lights;
     scene.background = asked_.scene.background;
-    for (std::size_t k = 0; k < 3; ++k) {
-        scene.vertices.push_back(t.vertices[k]);
-        if (t.is_smooth) scene.normals.push_back(t.normals[k]);
-    }
-    scene.triangles = {{{0, 1, 2}, t.material}};
-    const Reference tracer(scene);
+    scene.vertices.assign(t.vertices.begin(), t.vertices.end());
+    if (t.is_smooth) scene.normals.assign(t.normals.begin(), t.normals.end());
+    scene.triangles = {{{0, 1, 2}, 0}};
     const double u = hit.u, v = hit.v;
     const glm::dvec3 at = (1 - u - v) * t.vertices[0] + u * t.vertices[1] + v * t.vertices[2];
     RefPath path;
-    if (!tracer.geometry().find_path(asked_.camera.eye, at - asked_.camera.eye, path)) return std::nullopt;
+    if (!light_space_.find_path(asked_.camera.eye, at - asked_.camera.eye, path)) return std::nullopt;
     LocalLight steer(path, {hit.depth, u, v, 0});
     Whitted settings;
     settings.depth = 0;
     const FrameSize size{int(asked_.frame.width), int(asked_.frame.height)};
-    const WhittedPixel pixel =
-        tracer.pixel(asked_.camera, size, settings, std::uint32_t(x), std::uint32_t(y), &steer);
+    const WhittedPixel pixel = ref_pixel(light_space_, scene, asked_.camera, size, settings, std::uint32_t(x),
+                                         std::uint32_t(y), &steer);
     return steer.faces_away ? std::nullopt : std::make_optional(pixel.colour);
 }
 

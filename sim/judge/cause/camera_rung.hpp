@@ -12,8 +12,10 @@
 #include <string>
 
 #include "model/trace/hits.hpp"
+#include "sim/judge/reference/geometry.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "model/scene/folded.hpp"
+#include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/seam.hpp"
 
 namespace rayclock {
@@ -52,6 +54,8 @@ private:
     const PlacedWorld* placed_;
     const Seams* seams_;
     PixelRays rays_;
+    CameraBound bound_;
+    RefGeometry light_space_;   ///< of local_light(): in which space it reckons
     HitScale scale_;
     std::optional<Unfolder> given_unfolder_, steps_unfolder_;
 };

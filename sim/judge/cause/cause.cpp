@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
+#include "model/base/largest.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/hits.hpp"
 #include "sim/judge/reference/reference.hpp"
@@ -44,8 +45,6 @@ Scene on_lattice(const Scene& scene, const Lattice& lattice) {
 bool on_edge(const Hit& hit) {
     return hit.primitive != no_primitive && std::min({hit.u, hit.v, 1 - hit.u - hit.v}) <= 0x1p-22f;
 }
-
-float largest(const glm::vec3& v) { return std::max({std::abs(v.r), std::abs(v.g), std::abs(v.b)}); }
 
 class Judge {
 public:

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "model/base/stopwatch.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "sim/judge/cause/guide.hpp"
@@ -66,7 +64,7 @@ public:
           size_{int(asked.frame.width), int(asked.frame.height)},
           world_(snapped_scene(asked, judge.placed())),
           camera_(snapped_camera(asked)),
-          rays_(pixel_rays(asked.camera, size_)),
+          bound_(asked, pixel_rays(asked.camera, size_)),
           reference_(world_.scene) {
         if (judge.placed()) seams_.emplace(*judge.placed(), asked.config);
     }
@@ -78,10 +76,20 @@ public:
         std::uint32_t ties = 0;
         double seams_apart = 0;
     };
+    /// What follows a machine's pixels, one after the other.
+    struct Bench {
+        ShadedRecorder recorder;
+        RecordScratch scratch;
+        PathJudge judge;
+        MachinePath path;
+        explicit Bench(const Ladder& ladder)
+            : recorder(ladder.judge_.recorder()),
+              scratch(ladder.asked_.config),
+              judge(ladder.judge_.rules()) {}
+    };
     /// `reference`: signature of the pixel's rays in the scene as given; `mine`: of the machine's.
-    Found operator()(std::uint32_t x, std::uint32_t y, std::uint64_t reference, std::uint64_t mine,
-                     const glm::dvec3& colour) const {
-        Bench bench(judge_, asked_.config);
+    Found operator()(Bench& bench, std::uint32_t x, std::uint32_t y, std::uint64_t reference,
+                     std::uint64_t mine, const glm::dvec3& colour) const {
         const GuideFinding last = last_rung(x, y, bench, colour);
         Found found;
         found.ties = last.ties;
@@ -100,15 +108,6 @@ public:
     }
 
 private:
-    struct Bench {
-        ShadedRecorder recorder;
-        RecordScratch scratch;
-        PathJudge judge;
-        MachinePath path;
-        Bench(const PictureJudge& picture, const Config& config)
-            : recorder(picture.recorder()), scratch(config), judge(picture.rules()) {}
-    };
-
     /// The reference on the machine's rays.
     GuideFinding last_rung(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
         Watches both({&bench.judge, &bench.path});
@@ -118,8 +117,13 @@ private:
         const std::array<Range, 3> bounds = bench.judge.bounds();
         double width = unit_step;
         for (const Range& range : bounds) width = std::max(width, range.hi - range.lo + unit_step);
-        const GuideRules rules{asked_, world_.scene,       reference_,      world_.first_alike,
-                               rays_,  settings_.contrast, judge_.placed(), seams_ ? &*seams_ : nullptr};
+        const GuideRules rules{asked_,
+                               world_.scene,
+                               reference_,
+                               bound_,
+                               settings_.contrast,
+                               judge_.placed(),
+                               seams_ ? &*seams_ : nullptr};
         Guide guide(rules, bench.path, width * double(bench.path.samples.size()));
         const WhittedPixel pixel = reference_.pixel(camera_, size_, settings_, x, y, &guide);
         guide.finish();
@@ -158,7 +162,7 @@ private:
     FrameSize size_;
     SnappedScene world_;
     Camera camera_;
-    PixelRays rays_;
+    CameraBound bound_;
     Reference reference_;
     std::optional<Seams> seams_;
 };
@@ -188,14 +192,16 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
     const auto width = std::size_t(hits.size.width);
     const auto climb_row = [&](const PixelTile& tile) {
         const auto y = std::size_t(tile.rows().begin());
+        std::optional<Ladder::Bench> bench;
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
             const bool is_other = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
             const glm::vec3& mine = answered.picture.pixels[i];
             const bool differs =
                 is_other || srgb_bytes(glm::vec3(answered.reference.pixels[i])) != srgb_bytes(mine);
             if (!ladder || judged.pixels[i] || !differs) continue;
-            found[i] = (*ladder)(std::uint32_t(i % width), std::uint32_t(y), answered.reference.signatures[i],
-                                 answered.given.signatures[i], mine);
+            if (!bench) bench.emplace(*ladder);
+            found[i] = (*ladder)(*bench, std::uint32_t(i % width), std::uint32_t(y),
+                                 answered.reference.signatures[i], answered.given.signatures[i], mine);
         }
     };
     for_each_tile(hits.size, threads, "finding causes", progress, climb_row, {hits.size.width, 1});

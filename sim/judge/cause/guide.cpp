@@ -9,7 +9,6 @@
 
 #include "model/compile/levels/maps.hpp"
 #include "sim/judge/reference/geometry.hpp"
-#include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
 
@@ -20,8 +19,6 @@ namespace {
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
 /// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
-
-constexpr const char* shaded_by_double = "a sphere is shaded by a second one at the same place";
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
     return lattice.centre + lattice.pitch * steps;
@@ -80,7 +77,7 @@ void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
     const MachineVisit* at = visit();
     if (!at) return fail("the machine took fewer samples than the pixel has");
     ++visited_;
-    if (!goes_through(rules_.asked, rules_.rays, path.direction, at->ray.d))
+    if (!rules_.camera.goes_through(path.direction, at->ray.d))
         fail("the camera ray does not go through its sample");
     path.direction = direction(at->ray.d);
 }
@@ -136,8 +133,8 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
     return moved;
 }
 
-/// Where a ray meets a sphere the machine rounds a root (model/unit/isect/any.hpp): what is closer by less
-/// may win.
+/// Where a ray meets a sphere the machine rounds a root and t (model/unit/isect/any.hpp): what is closer by
+/// less may win. The point at t is rounded as well.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
     const Config& config = rules_.asked.config;
@@ -147,34 +144,9 @@ double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) cons
     const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
                  radius = scene.spheres[primitive - scene.triangles.size()].radius /
                           rules_.asked.lattice.coarsest();
-    return 9 * std::exp2(1 - config.dir_bits - config.t_frac_bits) * length +
-           2 * radius * std::exp2(1 - root_bits) + 3 * std::exp2(-config.origin_frac());
-}
-
-/// Two spheres with one centre and one radius. By the reference's rules a ray that leaves the first does not
-/// meet the second there; the machine knows the sphere that is left by its number alone, and its rounded
-/// point may lie on either side of the other.
-bool Guide::are_doubles(std::uint32_t a, std::uint32_t b) const {
-    const std::size_t first = rules_.scene.triangles.size();
-    const auto is_sphere = [&](std::uint32_t p) {
-        return p >= first && p < first + rules_.first_alike.size();
-    };
-    return a != b && is_sphere(a) && is_sphere(b) &&
-           rules_.first_alike[a - first] == rules_.first_alike[b - first];
-}
-
-bool Guide::has_double(std::uint32_t primitive) const {
-    const std::size_t first = rules_.scene.triangles.size();
-    if (primitive < first || primitive >= first + rules_.first_alike.size()) return false;
-    const std::uint32_t group = rules_.first_alike[primitive - first];
-    return std::count(rules_.first_alike.begin(), rules_.first_alike.end(), group) > 1;
-}
-
-bool Guide::is_shaded_by_double(const RefPath& path, double distance) const {
-    if (!has_double(path.left)) return false;
-    const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
-    return !blockers.empty() && std::all_of(blockers.begin(), blockers.end(),
-                                            [&](std::uint32_t b) { return are_doubles(path.left, b); });
+    const double tick = std::exp2(1 - config.dir_bits - config.t_frac_bits) * length,
+                 point = std::exp2(-config.origin_frac());
+    return tick + std::max(point / length, radius * std::exp2(1 - root_bits)) + 3 * point;
 }
 
 bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
@@ -240,11 +212,6 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
     }
     const std::uint32_t wanted = at->hit.found ? at->hit.prim : no_primitive;
     is_substituted_ = false;
-    if (are_doubles(path.left, wanted)) {   // the reference may have left it out: then it is never met
-        const RefClosest met = rules_.reference.geometry().only(path, wanted);
-        if (met.primitive != wanted || met.depth <= 2 * sphere_error(*at, wanted) * step() + tie_size)
-            fail("a ray that leaves a sphere meets a second one at the same place");
-    }
     if (own.primitive == wanted) return own;
     for (const RefPath& from : {path, from_own(path, HUGE_VAL)})
         if (const std::optional<RefClosest> hit = find_tie(from, own, wanted)) {
@@ -482,7 +449,6 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
     if (!at || light >= at->lights.size()) return own;
     const MachineLight& seen = at->lights[light];
     const bool machine = !seen.is_lit;
-    if (machine && is_shaded_by_double(path, distance)) fail(shaded_by_double);
     if (machine == own) return own;
     if (is_blocking_tied(path, distance, machine) ||
         is_blocking_tied(from_own(path, distance), distance, machine)) {
@@ -500,7 +466,10 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         RefPath moved = path;
         if (from_light) moved.from = path.from + distance * path.direction - distance * turned;
         moved.direction = turned;
-        if (is_blocking_tied(moved, distance, machine)) return machine;
+        if (is_blocking_tied(moved, distance, machine)) {
+            tie();
+            return machine;
+        }
     }
     if (seen.is_asked && rules_.seams) {
         Closest answer;
@@ -514,9 +483,8 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         finding_.has_horizon = true;
         return machine;
     }
-    fail(machine && has_double(path.left) ? shaded_by_double
-         : machine                        ? "a light is hidden that nothing hides by the reference's rules"
-                   : "a light is seen through something that hides it by the reference's rules");
+    fail(machine ? "a light is hidden that nothing hides by the reference's rules"
+                 : "a light is seen through something that hides it by the reference's rules");
     return machine;
 }
 

@@ -22,6 +22,7 @@
 
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/reference/steer.hpp"
+#include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/machine_path.hpp"
 #include "sim/judge/cause/seam.hpp"
 
@@ -29,13 +30,12 @@ namespace rayclock {
 
 /// What all pixels share.
 struct GuideRules {
-    const Asked& asked;           ///< the frame; the scene as given
-    const Scene& scene;           ///< the scene as the machine has it, in the given scene's units
-    const Reference& reference;   ///< of `scene`
-    const std::vector<std::uint32_t>& first_alike;   ///< SnappedScene
-    const PixelRays& rays;                           ///< of the picture
-    double contrast = 0;                             ///< of samples, at which a pixel ends
-    const PlacedWorld* placed = nullptr;             ///< of two levels
+    const Asked& asked;                    ///< the frame; the scene as given
+    const Scene& scene;                    ///< the scene as the machine has it, in the given scene's units
+    const Reference& reference;            ///< of `scene`
+    const CameraBound& camera;             ///< of the picture
+    double contrast = 0;                   ///< of samples, at which a pixel ends
+    const PlacedWorld* placed = nullptr;   ///< of two levels
     const Seams* seams = nullptr;
 };
 
@@ -93,9 +93,6 @@ private:
     RefPath from_far(const RefPath& path, const MachineVisit& at);
     RefPath from_own(const RefPath& path, double distance) const;
     double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
-    bool are_doubles(std::uint32_t a, std::uint32_t b) const;
-    bool has_double(std::uint32_t primitive) const;
-    bool is_shaded_by_double(const RefPath& path, double distance) const;
     bool is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,

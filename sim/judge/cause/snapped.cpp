@@ -1,9 +1,7 @@
 #include "sim/judge/cause/snapped.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 #include <glm/common.hpp>
 
@@ -52,7 +50,7 @@ void round_material(Material& m) {
 class Snapper {
 public:
     Snapper(const Asked& asked, const PlacedWorld* placed)
-        : asked_(asked), placed_(placed), out_{asked.scene, {}, {}} {}
+        : asked_(asked), placed_(placed), out_{asked.scene, {}} {}
 
     SnappedScene operator()() {
         move_corners();
@@ -112,23 +110,11 @@ private:
             demand(std::abs(got * got - square) <= 0.5 + slack * (1 + radius),
                    "a sphere's radius is not the scene's");
         }
-        find_doubles();
         for (std::size_t i = 0; i < scene.planes.size(); ++i) {
             Plane& p = scene.planes[i];
             p.point = units(lattice, p.point), p.u *= lattice.pitch, p.v *= lattice.pitch;
             demand_plane(asked_.scene.planes[i], p);
         }
-    }
-
-    void find_doubles() {
-        const std::vector<Sphere>& spheres = out_.scene.spheres;
-        std::map<std::array<double, 4>, std::uint32_t> seen;
-        for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-            const Sphere& s = spheres[i];
-            out_.first_alike.push_back(
-                seen.try_emplace({s.centre.x, s.centre.y, s.centre.z, s.radius}, i).first->second);
-        }
-        if (seen.size() == spheres.size()) out_.first_alike.clear();
     }
 
     /// Sides by half a step, and the lattice point on which they stand by half a step from a point that is

@@ -14,9 +14,6 @@ namespace rayclock {
 struct SnappedScene {
     Scene scene;
     std::vector<std::string> faults;   ///< a sentence for each kind of change that is beyond its bound
-    /// Of each sphere the first one that has its centre and radius: itself, unless it is a double. Empty if
-    /// there are no doubles.
-    std::vector<std::uint32_t> first_alike{};
 };
 
 /// `placed`: of two levels, or null.

@@ -93,6 +93,7 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
     std::vector<Extent> boxes;
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
         const Solid& s = solids[i];
+        if (s.is_second) continue;
         if (s.kind == Solid::Kind::plane) {
             planes.push_back(i);
             continue;

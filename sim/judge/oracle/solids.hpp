@@ -27,7 +27,8 @@ struct Solid {
     Corners corners;   ///< of a triangle; of a plane, a corner of a square and the two next to it
     Vec3i centre{};    ///< of a sphere
     std::int64_t radius_squared = 0;
-    bool is_glass = false;   ///< of a sphere: its material transmits, so rays inside it meet it
+    bool is_glass = false;    ///< of a sphere: its material transmits, so rays inside it meet it
+    bool is_second = false;   ///< of a sphere: one before it has its centre and radius, and no ray meets it
 };
 
 /// A ray of the machine.

@@ -1,6 +1,8 @@
 #include "sim/judge/paths/world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <glm/geometric.hpp>
 
@@ -71,20 +73,39 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
+/// Spheres that have the centre and the radius of one before them: of equal centres the numbers rise.
+void mark_seconds(std::vector<Solid>& solids) {
+    std::map<Vec3i, std::vector<std::int64_t>> radii;
+    for (Solid& ball : solids) {
+        if (ball.kind != Solid::Kind::sphere) continue;
+        std::vector<std::int64_t>& there = radii[ball.centre];
+        ball.is_second = std::count(there.begin(), there.end(), ball.radius_squared) > 0;
+        if (!ball.is_second) there.push_back(ball.radius_squared);
+    }
+}
+
 /// The lattice point lies within a sphere whose inside is not seen, as the lattice has it.
 bool is_shut_in(const Asked& asked, const Vec3i& point) {
     Scene round;
     round.spheres = asked.scene.spheres, round.materials = asked.scene.materials;
     for (const Solid& ball : solids_of(round, asked.lattice, asked.config.coord_bits)) {
         const oracle::SolidRay start{point, 0, {}};
-        if (!ball.is_glass && oracle::ball_of(start, ball).start < 0) return true;
+        if (!ball.is_glass && !ball.is_second && oracle::ball_of(start, ball).start < 0) return true;
     }
     return false;
 }
 
+/// The sine by which a plane may turn on the lattice: T of docs/verdict.md, Planes on the lattice.
+double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& lattice) {
+    const glm::dvec3 p = std::ldexp(1.0, -on.level[0]) * plane.u / lattice.pitch,
+                     q = std::ldexp(1.0, -on.level[1]) * plane.v / lattice.pitch;
+    const double a = glm::length(p), b = glm::length(q), half = 0.5 * std::sqrt(3.0);
+    return half * (a + b + half) / glm::length(glm::cross(p, q));
+}
+
 /// Which planes stand between the eye and the light; the light is not clear if one does that is no pane, if a
 /// plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except for
-/// rounding, either is right.
+/// rounding, either is right. `light`: within the reach of the registers.
 bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
                           std::uint32_t cell) {
     if (!asked.scene.camera) return !is_shut == stated && cell == 0;
@@ -96,11 +117,15 @@ bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_s
         const std::uint32_t pane = pane_bit(asked, first + i);
         const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point,
                          to_light = light - plane.point;
-        // By so much may the lattice move them and turn the plane.
-        const double turn = std::exp2(6 - asked.config.coord_bits), step = 2 * asked.lattice.coarsest();
-        const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light), size = glm::length(n);
-        if (std::abs(eye) <= size * (step + turn * glm::length(to_eye)) ||
-            std::abs(other) <= size * (step + turn * glm::length(to_light))) {
+        const PlaneOnLattice on = plane_on_lattice(plane, asked.lattice);
+        const double turn = most_turn(plane, on, asked.lattice), step = asked.lattice.coarsest();
+        const glm::dvec3 a = asked.lattice.centre + asked.lattice.pitch * vector_of(on.a);
+        // The bound of docs/verdict.md.
+        const auto is_open = [&](double height, const glm::dvec3& point) {
+            return std::abs(height) <= glm::length(n) * ((2 + turn) * step + turn * glm::length(point - a));
+        };
+        const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light);
+        if (is_open(eye, asked.scene.camera->eye) || is_open(other, light)) {
             is_sure = false;
             unsure |= pane;
         } else if ((eye > 0) != (other > 0)) {
@@ -123,9 +148,10 @@ void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
         const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
                      scale = std::min(1.0, reach / std::max(size, 1.0));
         const bool is_near = std::round(size) <= within;
+        const glm::dvec3 there = asked.lattice.centre + scale * (light.position - asked.lattice.centre);
         const Vec3i place{frame.place[3 * i], frame.place[3 * i + 1], frame.place[3 * i + 2]};
         bool good = (frame.near[i] != 0) == is_near &&
-                    is_between_as_stated(asked, light.position, is_near && is_shut_in(asked, place),
+                    is_between_as_stated(asked, there, is_near && is_shut_in(asked, place),
                                          frame.clear[i] != 0, frame.cell[i]);
         for (std::size_t k = 0; k < 3; ++k) {
             good = good && std::abs(at[int(k)] * scale - frame.place[3 * i + k]) <= 0.5 + 1e-6;
@@ -183,6 +209,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
                           std::int64_t(square),
                           scene.materials[s.material].transmit > 0});
     }
+    mark_seconds(solids);
     for (const Plane& p : scene.planes) {
         const PlaneOnLattice on = plane_on_lattice(p, lattice);
         solids.push_back({Solid::Kind::plane, {on.a, on.b, on.c}, {}, 0});

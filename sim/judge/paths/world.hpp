@@ -26,8 +26,7 @@ std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice,
 constexpr double lattice_slack = 1e-6;
 
 /// Steps by which each corner of a scene may lie off on each axis, the bound of aligned(): half a step, and
-/// of a chip that shades 2^-14 of its shortest edge, 2^-13 at the end of the lattice. Any, if no triangle has
-/// it.
+/// of a chip that shades 2^-13 of the shortest edge of its triangles. Any, if no triangle has it.
 std::vector<double> corner_bounds(const Scene& scene, const Lattice& lattice, const Config& config);
 
 /// Steps by which a point of the lattice lies off one of the scene, on the axis where it is most, without

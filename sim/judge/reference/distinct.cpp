@@ -80,9 +80,7 @@ std::vector<std::uint32_t> distinct_triangles(const Scene& scene) {
 std::vector<std::uint32_t> distinct_spheres(const Scene& scene) {
     return first_of_each(scene.spheres.size(), [&](std::size_t i) {
         const Sphere& s = scene.spheres[i];
-        const bool is_seen_inside = scene.materials[s.material].transmit > 0;   // otherwise the sphere is hit
-                                                                                // in other places
-        return Key{corner(s.centre), Corner{s.radius, double(is_seen_inside), 0}, Corner{}};
+        return Key{corner(s.centre), Corner{s.radius, 0, 0}, Corner{}};
     });
 }
 

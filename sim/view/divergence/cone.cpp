@@ -23,7 +23,7 @@ class Signals {
 public:
     Signals(const std::string& rtl_wave, const std::string& unit, int pipeline) {
         for (const InsideSignal& inside : signals_inside(rtl_wave, unit, pipeline)) {
-            numbers_[without_range(inside.name)].push_back(inside.number);
+            numbers_.emplace(without_range(inside.name), inside.number);
             changes_[inside.number];
         }
         FstVisitor visitor;
@@ -40,8 +40,8 @@ public:
         read_fst(rtl_wave, visitor);
     }
 
-    /// A signal of an instance, "u_hitdiv.", in whichever generate block of it. One that holds the value
-    /// comes first.
+    /// The path of a signal of an instance, "u_hitdiv.", in whichever generate block of it; of an array that
+    /// of an element. One that holds the value comes first.
     std::optional<std::string> find(const std::string& instance, const std::string& name,
                                     const std::function<bool(const std::string& path)>& holds) const {
         std::optional<std::string> first;
@@ -49,7 +49,8 @@ public:
              it != numbers_.end() && it->first.starts_with(instance); ++it) {
             const std::string rest = it->first.substr(instance.size());
             const std::size_t dot = rest.rfind('.');
-            if (rest.substr(dot == std::string::npos ? 0 : dot + 1) != name) continue;
+            const std::string own = rest.substr(dot == std::string::npos ? 0 : dot + 1);
+            if (own.substr(0, own.find('[')) != name) continue;
             if (dot != std::string::npos && !only_blocks(rest.substr(0, dot))) continue;
             if (holds(it->first)) return it->first;
             if (!first) first = it->first;
@@ -62,10 +63,11 @@ public:
         const Change* change = before(path, cycle);
         return change ? change->digits : "";
     }
-    /// The cycle in which it got the value that it has.
-    std::uint64_t since(const std::string& path, std::uint64_t cycle) const {
+    /// The cycle before it got the value that it has; none if it has had the value from the first cycle on.
+    std::optional<std::uint64_t> before_value(const std::string& path, std::uint64_t cycle) const {
         const Change* change = before(path, cycle);
-        return change ? change->cycle : cycle;
+        const std::uint64_t since = change ? change->cycle : cycle;
+        return since > 0 ? std::make_optional(since - 1) : std::nullopt;
     }
 
     /// The instance's generate blocks, as they stand in the names of the signals: "gen_exact.u_edges." of
@@ -88,34 +90,36 @@ private:
         std::uint64_t cycle;
         std::string digits;
     };
+    /// "mem_q[3]" of "mem_q[3][7:0]": an element's number stays.
     static std::string without_range(const std::string& name) {
-        const std::size_t dot = name.rfind('.'), bracket = name.find('[', dot == std::string::npos ? 0 : dot);
-        return name.substr(0, bracket);
+        const std::size_t bracket = name.rfind('[');
+        const bool has_range = bracket != std::string::npos && name.find(':', bracket) != std::string::npos;
+        return has_range ? name.substr(0, bracket) : name;
     }
     static bool only_blocks(const std::string& scopes) {
         return scopes.starts_with("gen_") && scopes.find(".u_") == std::string::npos;
     }
     const Change* before(const std::string& path, std::uint64_t cycle) const {
-        const auto& all = changes_.at(numbers_.at(path).front());
+        const auto& all = changes_.at(numbers_.at(path));
         const auto after =
             std::upper_bound(all.begin(), all.end(), cycle,
                              [](std::uint64_t c, const Change& change) { return c < change.cycle; });
         return after == all.begin() ? nullptr : &*(after - 1);
     }
 
-    std::map<std::string, std::vector<std::uint32_t>> numbers_;
+    std::map<std::string, std::uint32_t> numbers_;   // by path
     std::map<std::uint32_t, std::vector<Change>> changes_;
 };
 
 class Walk {
 public:
     Walk(const Divergence& divergence, const Config& config, const Capture& capture,
-         const std::string& rtl_wave)
+         const std::string& rtl_wave, const std::vector<RtlText>& sources)
         : divergence_(divergence),
           unit_(divergence.unit.substr(0, divergence.unit.find('['))),
           ports_(output_names(divergence, config)),
           signals_(rtl_wave, unit_, divergence.pipeline) {
-        for (const RtlText& source : rtl_texts()) {
+        for (const RtlText& source : sources) {
             ModuleText module = read_module(source.name, source.text);
             if (!module.name.empty()) modules_.emplace(module.name, std::move(module));
         }
@@ -194,18 +198,19 @@ private:
         std::uint64_t cycle = place.cycle;
         for (const SignalDriver* driver : drivers) {
             if (driver->kind == SignalDriver::Kind::instance) continue;
-            std::uint64_t then = place.cycle;
+            if (!best) best = driver;
+            std::optional<std::uint64_t> then = place.cycle;
             if (driver->kind == SignalDriver::Kind::registered)
                 if (const auto path = path_of(place, place.name, place.cycle))
-                    then = signals_.since(*path, place.cycle) - 1;
+                    then = signals_.before_value(*path, place.cycle);
+            if (!then) continue;
             std::vector<std::string> candidates;
             for (const std::string& source : driver->sources)
-                if (const auto path = path_of(place, source, then); path && holds(*path, then))
+                if (const auto path = path_of(place, source, *then); path && holds(*path, *then))
                     candidates.push_back(source);
-            if (!best) best = driver;
             // Of a flag that several others make, any may be the wrong one.
             if (candidates.empty() || (wanted_.size() == 1 && candidates.size() > 1)) continue;
-            best = driver, next = candidates.front(), cycle = then;
+            best = driver, next = candidates.front(), cycle = *then;
             break;
         }
         if (!best) return false;
@@ -300,9 +305,9 @@ private:
 }   // namespace
 
 std::vector<ConeStep> cone_of(const Divergence& divergence, const Config& config, const Capture& capture,
-                              const std::string& rtl_wave) {
+                              const std::string& rtl_wave, const std::vector<RtlText>& sources) {
     if (!divergence.on) return {};
-    return Walk(divergence, config, capture, rtl_wave).run();
+    return Walk(divergence, config, capture, rtl_wave, sources).run();
 }
 
 }   // namespace rayclock

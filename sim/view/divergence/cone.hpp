@@ -8,6 +8,7 @@
 
 #include "sim/view/divergence/capture.hpp"
 #include "sim/view/divergence/source.hpp"
+#include "sim/run/rtl/sources.hpp"
 
 namespace rayclock {
 
@@ -20,8 +21,8 @@ struct ConeStep {
 };
 
 /// From the unit's output on; empty if the divergence is on no link, or its unit's output is not among the
-/// signals.
+/// signals. `sources`: of the RTL that wrote the waveform.
 std::vector<ConeStep> cone_of(const Divergence& divergence, const Config& config, const Capture& capture,
-                              const std::string& rtl_wave);
+                              const std::string& rtl_wave, const std::vector<RtlText>& sources = rtl_texts());
 
 }   // namespace rayclock

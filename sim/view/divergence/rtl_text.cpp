@@ -13,6 +13,10 @@ std::string without_comments(std::string text) {
     for (std::size_t at = 0; at < text.size(); ++at) {
         const bool begins_line = at == 0 || text[at - 1] == '\n';
         const bool comment = text.compare(at, 2, "//") == 0, directive = begins_line && text[at] == '`';
+        if (text.compare(at, 2, "/*") == 0)
+            for (const std::size_t end = std::min(text.find("*/", at + 2), text.size() - 2) + 2; at < end;
+                 ++at)
+                if (text[at] != '\n') text[at] = ' ';
         if (comment || directive)
             while (at < text.size() && text[at] != '\n') text[at++] = ' ';
     }

@@ -60,6 +60,7 @@ ordered_json config_json_object(const Config& config) {
 ordered_json compile_json(const CompileReport& r) {
     return {{"triangles", r.triangles},
             {"collapsed", r.collapsed},
+            {"coincident", r.coincident},
             {"nodes", r.nodes},
             {"leaves", r.leaves},
             {"depth", r.depth},
@@ -70,11 +71,11 @@ ordered_json compile_json(const CompileReport& r) {
             {"seconds", r.seconds}};
 }
 
-ordered_json rays_json(const FrameRun& run) {
-    return {{"primary", run.rays.primary},
-            {"shadow", run.rays.shadow},
-            {"reflection", run.rays.reflection},
-            {"refraction", run.rays.refraction}};
+ordered_json rays_json(const RayCounts& rays) {
+    return {{"primary", rays.primary},
+            {"shadow", rays.shadow},
+            {"reflection", rays.reflection},
+            {"refraction", rays.refraction}};
 }
 
 ordered_json work_json(const FrameRun& run) {

@@ -39,7 +39,7 @@ nlohmann::ordered_json scene_json(const Scene& scene);
 nlohmann::ordered_json camera_json(const Camera& camera);
 nlohmann::ordered_json config_json_object(const Config& config);
 nlohmann::ordered_json compile_json(const CompileReport& report);
-nlohmann::ordered_json rays_json(const FrameRun& run);
+nlohmann::ordered_json rays_json(const RayCounts& rays);
 nlohmann::ordered_json work_json(const FrameRun& run);
 nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
 nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);

@@ -38,6 +38,10 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
         r.pitch.y, r.pitch.z, job.config.coord_bits);
     if (r.collapsed)
         text += fmt::format("; {} triangles have no area on it and are left out", grouped(r.collapsed));
+    if (r.coincident)
+        text += fmt::format("; {} coincide{} with another and {} left out",
+                            r.coincident == 1 ? "1 sphere" : grouped(r.coincident) + " spheres",
+                            r.coincident == 1 ? "s" : "", r.coincident == 1 ? "is" : "are");
     return text + "\n";
 }
 

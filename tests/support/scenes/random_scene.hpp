@@ -106,8 +106,6 @@ private:
             else
                 s.radius = other.radius * dice_.number(0.25, 0.75);
         }
-        for (const Sphere& other : spheres)   // for equal spheres either answer would be right
-            if (other.centre == s.centre && other.radius == s.radius) return;
         spheres.push_back(s);
     }
 

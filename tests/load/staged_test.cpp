@@ -1,0 +1,63 @@
+// Files that are published together, and what may be read afterwards.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <unistd.h>
+
+#include "model/base/error.hpp"
+#include "sim/files/folder.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/scratch.hpp"
+
+using namespace rayclock;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of this test's that no signal's handler knows.
+struct Place {
+    fs::path path = fs::temp_directory_path() / ("rayclock-staged-test-" + std::to_string(getpid()));
+    Place() { fs::create_directory(path); }
+    ~Place() { fs::remove_all(path); }
+};
+
+}   // namespace
+
+TEST_CASE("a published file replaces the old one, which may be read again under another name") {
+    const Place place;
+    const fs::path old = place.path / "x.png", kept = place.path / "kept.png";
+    std::ofstream(old) << "old";
+    fs::create_hard_link(old, kept);
+    const std::string typed = (place.path / "." / "x.png").string();   // not as the folder names it
+    check_writable(typed);
+    CHECK_THROWS_AS(read_file(kept), UserError);   // it is the file that would be replaced
+    StagedFiles staged(place.path.string() + "/");
+    std::ofstream(staged.stage() / "x.png") << "new";
+    staged.publish();
+    CHECK(read_file(old) == "new");
+    CHECK(read_file(kept) == "old");
+}
+
+TEST_CASE("a signal after files are published removes none of them, and one before removes them all") {
+    const Place place;
+    const fs::path out = place.path / "out", exported = place.path / "exported";
+    StagedFiles staged(out.string());
+    std::ofstream(staged.stage() / "x.png") << "new";
+    staged.publish();
+    NewFolder whole(exported.string());
+    whole.write("a/b.sv", "module");
+    whole.publish();
+    StagedFiles early(out.string());
+    std::ofstream(early.stage() / "y.png") << "new";
+    NewFolder part((place.path / "part").string());
+    part.write("c.sv", "module");
+    remove_scratch();   // what the handler does
+    CHECK(!fs::exists(early.stage()));
+    CHECK(fs::exists(out / "x.png"));
+    CHECK(fs::exists(exported / "a" / "b.sv"));
+    CHECK(std::distance(fs::directory_iterator(place.path), {}) == 2);
+}
