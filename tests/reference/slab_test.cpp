@@ -1,5 +1,5 @@
-// The box test alone. It never rejects a ray that touches the box, or that misses by a few roundings of
-// double precision, because the triangle test may see a vertex there. It rejects rays that miss by more.
+// The box test alone. It never rejects a ray that touches the box or misses it by a few roundings of double
+// precision. The triangle test may see a vertex there. It rejects rays that miss by more.
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/ray.hpp"

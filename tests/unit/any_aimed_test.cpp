@@ -1,6 +1,6 @@
-// tri of a shading chip, with operands that random ones do not reach: a sphere touched at the end of a shadow
-// ray, the ends of t, u and v, discriminants that are nearly a square, and a sphere as far as the previous
-// hit.
+// tri of a shading chip, with operands that random ones do not reach. They are a sphere touched at the end of
+// a shadow ray, the ends of t, u and v, discriminants that are nearly a square, and a sphere as far as the
+// previous hit.
 #include <cmath>
 
 #include "model/base/rng.hpp"

@@ -206,8 +206,8 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
     REQUIRE(fit::dominant_part(scene));
     CHECK(fit::dominant_part(scene)->what == "triangle 10");
 
-    scene.triangles.erase(scene.triangles.begin(), scene.triangles.begin() + 10);   // otherwise nothing would
-                                                                                    // be left
+    // A part that is the whole scene is not named, because nothing would be left without it.
+    scene.triangles.erase(scene.triangles.begin(), scene.triangles.begin() + 10);
     for (Triangle& t : scene.triangles) t.material = 1;
     CHECK(!fit::dominant_part(scene));
 }

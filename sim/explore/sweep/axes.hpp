@@ -44,7 +44,7 @@ struct Shard {
 
 /// Parses "2/4". Throws UserError.
 Shard parse_shard(const std::string& text);
-/// "2/4".
+/// Formats a shard as "2/4".
 std::string name_of(const Shard& shard);
 
 }   // namespace rayclock::sweep

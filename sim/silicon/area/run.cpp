@@ -20,7 +20,7 @@ namespace {
 struct Piece {
     std::size_t variant;
     std::string unit;
-    std::string shape;   ///< empty: not yet known
+    std::string shape;   ///< empty until it is known
 };
 
 class Runner {

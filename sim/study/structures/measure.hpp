@@ -46,7 +46,7 @@ struct Frame {
 /// The results of one structure on one scene.
 struct Cell {
     std::string structure;
-    std::string refused;   ///< the compiler's error message; then all other members are empty
+    std::string refused;   ///< the compiler's error message; the figures below are then missing
     CompileReport report;
     double build = 0;   ///< processor time in seconds, summed over threads
     Frame camera;

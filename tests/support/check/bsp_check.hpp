@@ -7,11 +7,11 @@
 
 namespace rayclock {
 
-/// Returns the faults of an image: lines that are reached twice or do not exist, counts that differ from the
-/// report's, and points of `prims` that no leaf with their primitive contains. Tests 28 points of a triangle,
-/// all whose barycentric coordinates are sixths, and the three corners of an infinite plane. All computation
-/// is in whole numbers. Cells are closed, and the boxes of slants on the path must also contain the point.
-/// Empty if there are no faults.
+/// Returns the faults of an image. Faults are lines that are reached twice or do not exist, counts that
+/// differ from the report's, and points of `prims` that no leaf with the primitive contains. Tests 28 points
+/// of a triangle, all whose barycentric coordinates are sixths, and the three corners of an infinite plane.
+/// All computation is in whole numbers. Cells are closed, and the boxes of slants on the path must also
+/// contain the point. Empty if there are no faults.
 std::vector<std::string> check_slants(const MemoryImage& image, const std::vector<PrimData>& prims,
                                       const Config& config);
 

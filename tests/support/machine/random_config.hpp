@@ -25,8 +25,8 @@ inline int most_of(const Parameter& p) {
 }
 
 /// Draws a legal configuration; every other value is a corner of its range. `single` draws one that does not
-/// shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. It has a shared
-/// cache in one of three cases, and two levels in half of the cases where they are possible, with any two
+/// shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. In one of three
+/// cases it has a shared cache. In half of the cases where two levels are possible it has two, with any two
 /// structures.
 inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);

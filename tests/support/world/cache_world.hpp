@@ -66,8 +66,8 @@ private:
 };
 
 /// Sends requests with all ids to lines that hit, miss, merge and evict each other. The memory has random
-/// latency and reorders words. Checks that every request is answered once with the memory's content, and that
-/// each word of a line is requested once while a request waits for it.
+/// latency and reorders words. Checks that every request is answered once with the memory's content. Each
+/// word of a line must be requested once, while a request waits for it.
 template <class K> class CacheWorld {
 public:
     using Req = typename K::Req;
