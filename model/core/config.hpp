@@ -4,25 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "model/core/choices.hpp"
+
 namespace rayclock {
 
 struct DramPart;
-
-/// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
-enum class Timing { relaxed, fast };
-
-/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/engine/bvh), space cut
-/// by planes (model/engine/kd), or nothing but a list of all primitives (model/engine/none). An octree is cut by planes in
-/// the middle of its cells, and walked by the engine of kd. Planes of bsp lie in any direction (model/engine/bsp).
-enum class Structure { bvh, kd, none, octree, spheres, bsp };
-
-/// What becomes of what lies on both sides of a cut, by the value of Config::straddlers, in an octree and
-/// with planes in any direction: it is in every leaf that it reaches into, in the inner node (octree), or
-/// there is no such cut (bsp).
-enum class Straddlers { leaves, inner, stop };
-
-/// Ray-triangle tests, by the value of Config::primitive_test; see model/unit/isect/primitive.hpp.
-enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
 constexpr int guard_bits = 14;        ///< fraction bits of the camera's pixel steps, dropped by one rounding
 constexpr int most_shift = 15;        ///< bits by which a short camera direction is moved up at most
@@ -64,6 +50,7 @@ constexpr int power_stages = 7;      ///< and of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' of docs/origins.md.
 constexpr int far_drop = light_reach + 1;
+constexpr int most_dram_channels = 4;   ///< of Config::dram_channels
 constexpr int max_panes = 4;   ///< of Config::panes
 
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
@@ -71,101 +58,35 @@ constexpr int max_panes = 4;   ///< of Config::panes
 struct Config {
     std::string name = "default";
 
-    // Format: widths in bits.
-    int coord_bits = 18;      ///< N: signed lattice coordinate
-    int dir_bits = 20;        ///< M: signed direction component; 2N + M <= 62
-    int t_frac_bits = 4;      ///< F: fraction bits of a distance t (see t_bits())
-    int recip_bits = 16;      ///< R: precision of a reciprocal direction component
-    int box_bits = 8;         ///< bits of a child box plane relative to its node
-    int bary_bits = 16;       ///< fraction bits of the barycentric u and v of a hit
-    int primitive_test = 0;   ///< how a ray meets a triangle, see primitive_test_names()
-    int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with
-                              ///< `shading` only
+    std::shared_ptr<const DramPart> own_dram;   ///< a memory from a file; `dram` is ignored then
 
-    int structure = 0;        ///< what holds the scene in memory, see structure_names()
-    int straddlers = 0;       ///< of an octree and of bsp, see straddlers_names()
-    int splits = 0;           ///< of bvh, see splits_names()
-    int references = 8;       ///< of kd, octree and bsp: the most that a primitive has in the mean, 1..64
-    int levels = 1;           ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
-    int mesh_structure = 0;   ///< of these the lower ones, see mesh_structure_names(): as `structure` (same)
-
-    // Shape: counts, depths, latencies.
-    int node_width = 8;        ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;         ///< most primitives in a leaf, 1..6
-    int contexts = 64;         ///< T: rays in flight
-    int stack_depth = 16;      ///< groups of siblings a ray can leave for later
-    int raygen_queue = 16;     ///< answers raygen may hold, a power of two
-    int box_queue = 16;        ///< answers box may hold, a power of two
-    int tri_queue = 32;        ///< answers tri may hold, a power of two
-    int box_lanes = 8;         ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
-    int tri_interval = 1;      ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int raygen_interval = 1;   ///< cycles from a ray that raygen begins to the next, 1, 2, 4 or 8
-    int xform_interval = 2;    ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
-    int shade_interval = 1;   ///< cycles from a pass that shade takes to the next, 1, 2, 4 or 8; with shading
-    int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
-    int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
-                          ///< row
-    int node_sets = 64;   ///< node cache of a pipeline: sets,
-    int node_ways = 4;    ///< ways,
-    int node_line = 64;   ///< bytes a line,
-    int node_mshrs = 8;   ///< lines that may be on their way
-    int prim_sets = 64;   ///< primitive cache of a pipeline, the same
-    int prim_ways = 4;
-    int prim_line = 64;
-    int prim_mshrs = 8;
-    int l2_sets = 0;   ///< cache that all pipelines share, the same; 0: there is none
-    int l2_ways = 4;
-    int l2_line = 64;
-    int l2_mshrs = 16;
-    int cache_queue = 4;   ///< answers a cache may hold, a power of two
-    int timing = 0;        ///< how short its paths are cut, see timing_names()
-
-    // Shape: units that are there only if a scene needs them; all but the first need `shading`.
-    int shading = 0;         ///< 1: the chip makes finished colours, with shadow rays and bounces
-    int spheres = 0;         ///< 1: tri can test spheres
-    int planes = 0;          ///< 1: tri can test planes, and shade knows checkers
-    int smooth = 0;          ///< 1: normals between those of a triangle's corners
-    int refraction = 0;      ///< 1: refracted rays
-    int panes = 0;           ///< planes that transmit of which a path knows its side
-    int horizon = 0;         ///< 1: bounces that pass by the lattice meet planes beyond it
-    int supersampling = 0;   ///< 1: several samples in a pixel
-    int lights = 8;          ///< most point lights
-    int bounces = 5;         ///< most rays of a pixel that wait for their turn: the largest depth
-    int shade_queue = 64;    ///< answers shade may hold, a power of two
-    int surf_sets = 64;      ///< surface cache of a pipeline, as the others
-    int surf_ways = 4;
-    int surf_line = 64;
-    int surf_mshrs = 8;
-
-    // Beside the chip.
-    int dram = 2;                               ///< memory, see dram_names()
-    std::shared_ptr<const DramPart> own_dram;   ///< a memory that somebody described; if it is there, `dram`
-                                                ///< says nothing
-    int dram_channels = 1;                      ///< such memories side by side; the ideal one has no channels
-    int mem_latency = 8;    ///< cycles from a request to its answer, if the memory is `ideal`
-    int mem_interval = 1;   ///< cycles between two requests, if the memory is `ideal`
-    int scan_out = 0;       ///< 1: a screen reads its picture from the memory, see FrameBuffer
-    int pixel_writes = 0;   ///< 1: finished pixels are written to the memory
-
-    // What the widest scene and picture need; checked when a scene is compiled and a frame made.
-    int addr_bits = 24;    ///< memory address in lines of 64 bytes
-    int prim_bits = 32;    ///< primitive number
-    int pixel_bits = 14;   ///< pixel coordinate
+    // The parameters, with their defaults.
+#define GROUP(name, text)
+#define NUMBER(key, usual, least, most, unit, effect, text) int key = usual;
+#define POWER(key, usual, least, most, unit, effect, text) int key = usual;
+#define FLAG(key, effect, text) bool key = false;
+#define CHOICE(key, Type, usual, effect, text) Type key = Type::usual;
+#include "model/core/parameters.inl"
+#undef GROUP
+#undef NUMBER
+#undef POWER
+#undef FLAG
+#undef CHOICE
 
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }   ///< distance, saturating, all ones: beyond
-    PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
-    bool has_splits() const { return is_bvh() && splits != 0; }
-    bool is_bvh() const { return Structure(structure) == Structure::bvh; }
-    bool is_list() const { return Structure(structure) == Structure::none; }
-    bool is_octree() const { return Structure(structure) == Structure::octree; }
+    PrimitiveTest test() const { return primitive_test; }
+    bool has_splits() const { return is_bvh() && splits == Splits::on; }
+    bool is_bvh() const { return structure == Structure::bvh; }
+    bool is_list() const { return structure == Structure::none; }
+    bool is_octree() const { return structure == Structure::octree; }
     bool has_instances() const { return levels == 2; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Of meshes; that of the scene if there is one level.
     Structure lower_structure() const;
     /// The structure for which the RTL is built: an octree's nodes are those of a kd-tree.
     static Structure engine_of(Structure s) { return s == Structure::octree ? Structure::kd : s; }
-    Structure engine() const { return engine_of(Structure(structure)); }
+    Structure engine() const { return engine_of(structure); }
     Structure lower_engine() const { return engine_of(lower_structure()); }
     /// Nodes of the scene's tree are decided by one unit, those of meshes by another.
     bool has_two_engines() const { return engine() != lower_engine(); }
@@ -252,41 +173,8 @@ struct Config {
     int mem_id_bits() const;       ///< a request at the memory port
 };
 
-/// One parameter as files, `--set` and reports know it.
-struct Parameter {
-    const char* key;
-    int Config::*member;
-    int lo, hi;
-    bool power_of_two;
-    const char* meaning;
-    const std::vector<std::string>* names = nullptr;   ///< of the values 0, 1 ..., if they are named
-};
-const std::vector<Parameter>& parameters();
-
-/// Memories that can lie beside the chip, by the value of Config::dram.
-const std::vector<std::string>& dram_names();
-
-/// What holds the scene in memory, by the value of Config::structure.
-const std::vector<std::string>& structure_names();
-/// What holds each mesh, by the value of Config::mesh_structure.
-const std::vector<std::string>& mesh_structure_names();
-
-/// What becomes of what a plane cuts, by the value of Config::straddlers.
-const std::vector<std::string>& straddlers_names();
-/// Whether the compiler of boxes may cut primitives, by the value of Config::splits.
-const std::vector<std::string>& splits_names();
-
-/// How short paths are cut, by the value of Config::timing.
-const std::vector<std::string>& timing_names();
-
-/// Ray-triangle tests, by the value of Config::primitive_test.
-const std::vector<std::string>& primitive_test_names();
-
 /// Throws UserError if the configuration asks for a test that is not built in RTL.
 void check_rtl(const Config& config);
-
-/// A parameter's value as files and reports give it: a number or a name.
-std::string value_text(const Config& config, const Parameter& parameter);
 
 /// The named configurations that ship with the program.
 const std::vector<std::string>& config_names();

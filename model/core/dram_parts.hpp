@@ -61,9 +61,8 @@ std::int64_t capacity_bytes(const DramPart& part);
 /// the part stands in its way once, and all its bursts follow one another.
 std::int64_t longest_pause_ps(const DramPart& part);
 
-constexpr int most_dram_channels = 4;   ///< of Config::dram_channels
 
-/// The memory of that name in dram_names(); `ideal` is none of these. Throws UserError for any other name.
+/// The memory of that name in names_of<Dram>(); `ideal` is none of these. Throws UserError for any other name.
 const DramPart& dram_part(const std::string& name);
 
 }   // namespace rayclock

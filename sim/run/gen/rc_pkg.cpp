@@ -12,6 +12,7 @@
 #include "model/unit/shade/state.hpp"
 #include "model/engine/globe/tables.hpp"
 #include "model/unit/shade/tables.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/run/gen/registers.hpp"
 
 namespace rayclock {
@@ -112,9 +113,9 @@ public:
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
             if (is_for_rtl(p.key))
-                constant(camel(p.key), p.member == &Config::structure        ? int(config_.engine())
-                                       : p.member == &Config::mesh_structure ? int(config_.lower_engine())
-                                                                             : config_.*p.member);
+                constant(camel(p.key), p.is("structure")        ? int(config_.engine())
+                                       : p.is("mesh_structure") ? int(config_.lower_engine())
+                                                                             : p.get(config_));
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);

@@ -9,7 +9,7 @@ namespace {
 /// As many answers may wait as slant takes cycles.
 Config bsp_format(const std::string& name) {
     Config config = format(name);
-    config.structure = int(Structure::bsp);
+    config.structure = Structure::bsp;
     config.box_queue = 64;
     return config;
 }
