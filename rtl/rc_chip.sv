@@ -1,16 +1,15 @@
-// The chip: the machine and its host's face, only wiring. What goes in and out here is all
-// that a board has to connect: the bus of the registers, the memory, the hits.
-// docs/chip.md describes it.
+// The chip: wires the machine, its host interface and the counters.
 //
-// Counters = 0 leaves the units' counters out; reading them is then an error on the bus.
-// Reset is held for four cycles more than the largest cache has sets.
+// Its ports are all that a board connects: the register bus, the memory, the hits. docs/chip.md
+// describes them. With Counters = 0 the chip has no unit counters, and the bus answers a read of
+// one with an error. Reset must be held for four cycles more than the largest cache has sets.
 `default_nettype none
 module rc_chip #(
   parameter int unsigned Counters = 1
 ) (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
-  // Registers: Wishbone B4, classic, 32 bits, word addresses.
+  // Registers: Wishbone B4, classic, 32 bits, word addresses
   input  logic                                      wb_cyc_i,
   input  logic                                      wb_stb_i,
   input  logic                                      wb_we_i,
@@ -19,18 +18,18 @@ module rc_chip #(
   output logic [31:0]                               wb_dat_o,
   output logic                                      wb_ack_o,
   output logic                                      wb_err_o,
-  // The memory: lines of 64 bytes, read only; answers by id in any order, always taken.
+  // Memory: lines of 64 bytes, read only; answers by id in any order, always accepted
   output logic                                      mem_req_valid_o,
   input  logic                                      mem_req_ready_i,
   output rc_pkg::mem_req_t                          mem_req_o,
   input  logic                                      mem_rsp_fires_i,
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
-  // The picture, pixel by pixel, in no fixed order: a stream for each pipeline.
+  // Picture, pixel by pixel in arbitrary order: one stream per pipeline
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
-  // What it does.
-  output logic                                      running_o,   // this is a cycle of a frame
+  // Status
+  output logic                                      running_o,   // this cycle belongs to a frame
   output logic                                      done_o       // a frame has ended
 );
   localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits;
@@ -40,6 +39,7 @@ module rc_chip #(
   logic [10:0]                  counter;
   logic [rc_pkg::TallyBits-1:0] counter_value;
   logic [3*Units-1:0]           causes;
+
   rc_host #(.Counters(Counters)) u_host (
     .clk_i, .rst_ni,
     .wb_cyc_i, .wb_stb_i, .wb_we_i, .wb_adr_i, .wb_dat_i, .wb_dat_o, .wb_ack_o, .wb_err_o,
@@ -53,6 +53,7 @@ module rc_chip #(
       .there_o(counter_there), .count_o(counter_value));
   end else begin : gen_none
     assign {counter_there, counter_value} = '0;
+
     logic unused;
     assign unused = ^{causes, count, clear, counter};
   end

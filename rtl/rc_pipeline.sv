@@ -1,8 +1,9 @@
-// One pipeline: only wiring, in the order a ray meets the units, and what each unit did.
+// One pipeline: wires its units in the order in which a ray meets them, and reports what each did.
 //
-// Takes tiles of the picture, reads nodes and triangles through two caches, and gives
-// out one hit per pixel, in the order in which rays end. Answers of memory come by id,
-// in any order. frame_i is kept while rays are under way. Model: model/machine/pipeline.hpp.
+// It accepts tiles of the picture and returns one hit per pixel, in the order in which rays end. It
+// reads nodes and primitives through two caches. A chip that shades reads surfaces through a third
+// cache. Memory answers by id, in any order. The user holds frame_i while rays are in flight.
+// Model: model/machine/pipeline.hpp.
 `default_nettype none
 module rc_pipeline (
   input  logic               clk_i,
@@ -14,7 +15,7 @@ module rc_pipeline (
   output logic               tile_ready_o,
   input  logic               tile_fires_i,
   input  rc_pkg::tile_t      tile_i,
-  // To and from memory, by way of the arbiter: nodes, primitives, and surfaces if the chip shades
+  // To and from memory, through the arbiter: nodes, primitives, and surfaces if the chip shades
   output logic               node_miss_valid_o,
   input  logic               node_miss_ready_i,
   output rc_pkg::node_miss_t node_miss_o,
@@ -30,13 +31,14 @@ module rc_pipeline (
   output rc_pkg::surf_miss_t surf_miss_o,
   input  logic               surf_fill_fires_i,
   input  rc_pkg::surf_fill_t surf_fill_i,
-  // The picture
+  // Picture
   output logic               hit_valid_o,
   input  logic               hit_ready_i,
   output rc_pkg::hit_t       hit_o,
   // What each unit did, sched lowest
   output logic [3*rc_pkg::PipelineUnits-1:0] causes_o
 );
+  // Links, in the order in which a ray meets them.
   logic              slot_valid, slot_ready;
   rc_pkg::slot_t     slot;
   logic              spawn_valid, spawn_ready;
@@ -75,15 +77,18 @@ module rc_pipeline (
   logic              pixel_valid, pixel_ready;
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
-  // In a fast chip: an answer comes to the head of its queue, and whose.
+
+  // In a fast chip: an answer comes to the head of its queue, and the ray it belongs to.
   logic              node_next_fires, prim_next_fires, done_next_fires;
   logic [rc_pkg::RayBits-1:0] node_next, prim_next;
   rc_pkg::done_t     done_next;
+
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
   logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
 
-  // Each unit has a reset of its own.
+  // Each unit has its own reset register.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
+
   rc_reset_register u_sched_reset (.clk_i, .rst_ni, .rst_no(sched_rst_n));
   rc_reset_register u_raygen_reset (.clk_i, .rst_ni, .rst_no(raygen_rst_n));
   rc_reset_register u_tree_reset (.clk_i, .rst_ni, .rst_no(tree_rst_n));
@@ -103,7 +108,7 @@ module rc_pipeline (
     .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
     .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
 
-  // A ray starts when it goes to the engine that walks it, and not at any other time.
+  // A ray starts in the cycle in which its engine accepts it.
   assign start_fires = ray_valid && ray_ready;
   if (rc_pkg::Shading != 0) begin : gen_start
     assign start = {ray.ray, ray.kind};
@@ -111,7 +116,7 @@ module rc_pipeline (
     assign start = ray.ray;
   end
 
-  // The engine: one of them is built.
+  // Engine: exactly one is built.
   if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_none
     rc_none u_none (
       .clk_i, .rst_ni(tree_rst_n), .frame_i,
@@ -120,11 +125,13 @@ module rc_pipeline (
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
       .done_next_fires_o(done_next_fires), .done_next_o(done_next), .trav_cause_o(trav_cause));
+
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_next_fires, node_next} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
     assign {decide_cause, mesh_cause, xform_cause, change_fires, change} = '0;
+
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
         node_rsp, node_waits, node_next_fires, node_next, node_miss_ready_i,
@@ -148,6 +155,7 @@ module rc_pipeline (
   if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
     logic node_rst_n;
     rc_reset_register u_node_reset (.clk_i, .rst_ni, .rst_no(node_rst_n));
+
     rc_node_cache u_node_cache (
       .clk_i, .rst_ni(node_rst_n),
       .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
@@ -195,6 +203,7 @@ module rc_pipeline (
     assign {spawn_valid, surf_req_valid, surf_req_ready, surf_rsp_valid, surf_rsp_ready} = '0;
     assign {spawn, surf_req, surf_rsp, surf_miss_valid_o, surf_miss_o} = '0;
     assign {surf_cause, shade_cause} = '0;
+
     logic unused;
     assign unused = ^{surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
         surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
@@ -202,6 +211,7 @@ module rc_pipeline (
     logic surf_waits, surf_rst_n, shade_rst_n;
     rc_reset_register u_surf_reset (.clk_i, .rst_ni, .rst_no(surf_rst_n));
     rc_reset_register u_shade_reset (.clk_i, .rst_ni, .rst_no(shade_rst_n));
+
     rc_surf_cache u_surf_cache (
       .clk_i, .rst_ni(surf_rst_n),
       .req_valid_i(surf_req_valid), .req_ready_o(surf_req_ready), .req_i(surf_req),
@@ -209,6 +219,7 @@ module rc_pipeline (
       .miss_valid_o(surf_miss_valid_o), .miss_ready_i(surf_miss_ready_i), .miss_o(surf_miss_o),
       .fill_fires_i(surf_fill_fires_i), .fill_i(surf_fill_i),
       .waits_o(surf_waits), .deed_o(surf_cause));
+
     rc_shade u_shade (
       .clk_i, .rst_ni(shade_rst_n), .frame_i,
       .slot_fires_i(slot_valid && slot_ready), .slot_i(slot),
@@ -227,8 +238,10 @@ module rc_pipeline (
   assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
                        : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
                                                        : rc_pkg::RaygenStarvedSched;
+
   assign list_cause   = leaves_fires || tri_rsp_valid ? rc_pkg::ListBusyWork
                                                       : rc_pkg::ListStarvedTrav;
+
   always_comb begin
     if (tri_rests) tri_cause = rc_pkg::TriBusyWork;
     else if (tri_req_valid) begin
@@ -237,10 +250,12 @@ module rc_pipeline (
       tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
     end
   end
-  // The units that decide nodes have a place each, and one or two of them are there: causes_o has
-  // their causes at rc_pkg::DecideUnit and MeshUnit, and none of the others'.
+
+  // Each unit that decides nodes has its own place, and the chip has one or two of them. causes_o
+  // has their causes at rc_pkg::DecideUnit and MeshUnit, and 0 for the others.
   localparam int unsigned C = 3 * rc_pkg::PipelineUnits;
   logic [C-1:0] decide_at, xform_at;
+
   assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit
                    | C'(mesh_cause) << 3 * rc_pkg::MeshUnit;
   assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;

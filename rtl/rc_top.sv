@@ -1,11 +1,12 @@
-// The ray tracer: only wiring. Pipelines that share the picture's tiles and the memory.
+// The machine: wires the pipelines that share the picture's tiles and the memory.
 //
-// A frame begins in the cycle after start_i is high, with all rays of the last one done, and not
-// before the second cycle after a reset;
-// frame_i is kept until the last hit. Each pipeline gives out the hits of its tiles. The
-// memory image is read 64 bytes at a time, answers matched by id in any order and
-// always taken. Reset is held for as many cycles as the largest cache has sets.
-// Model: model/machine/machine.hpp.
+// A frame begins in the cycle after start_i. start_i may be set only when all rays of the last
+// frame are done, and not before the second cycle after a reset. The user holds frame_i until the
+// last hit. Each pipeline returns the hits of its tiles.
+//
+// Memory is read 64 bytes at a time. Its answers may come in any order, are matched by id, and are
+// always accepted. Reset must be held for as many cycles as the largest cache has sets. Model:
+// model/machine/machine.hpp.
 `default_nettype none
 module rc_top (
   input  logic                                      clk_i,
@@ -19,49 +20,54 @@ module rc_top (
   output rc_pkg::mem_req_t                          mem_req_o,
   input  logic                                      mem_rsp_fires_i,
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
-  // The picture, a stream for each pipeline
+  // Picture, one stream per pipeline
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
-  // What each unit did in this cycle: those that all share lowest, then pipeline by pipeline
+  // What each unit did in this cycle: shared units lowest, then pipeline by pipeline
   output logic [3*(rc_pkg::Pipelines*rc_pkg::PipelineUnits+rc_pkg::SharedUnits)-1:0] causes_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned CB = rc_pkg::ClientBits;
   localparam int unsigned MB = rc_pkg::ClientIdBits - CB;  // a cache's own id
   localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned NB = rc_pkg::NodeMissW - A;      // of the ids of each kind of cache
+  localparam int unsigned NB = rc_pkg::NodeMissW - A;      // bits of the ids of each kind of cache
   localparam int unsigned PB = rc_pkg::PrimMissW - A;
   localparam int unsigned SB = rc_pkg::SurfMissW - A;
   localparam int unsigned K  = rc_pkg::Clients;
   localparam int unsigned UC = 3 * rc_pkg::PipelineUnits;
 
-  // What the pipelines share has a reset of its own, and so has each unit of a pipeline.
+  // The shared units have their own reset register, as has each unit of a pipeline.
   logic shared_rst_n;
   rc_reset_register u_reset (.clk_i, .rst_ni, .rst_no(shared_rst_n));
 
+  // ---- Tiles.
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
   logic [2:0]    dispatch_cause;
+
   rc_dispatch u_dispatch (
     .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
-  // Caches are clients of memory: K p reads nodes, K p + 1 primitives, K p + 2 surfaces, if
-  // the chip shades; K p + 3 is never there.
+  // ---- Pipelines. Their caches are clients of memory: client K p reads nodes, K p + 1 primitives,
+  // K p + 2 surfaces if the chip shades. Client K p + 3 does not exist.
   logic [K*P-1:0]        miss_valid, miss_ready, fill_fires;
   logic [K*P*(MB+A)-1:0] miss;
   logic                  fill_valid;
   rc_pkg::l2_rsp_t       fill;
   logic [CB-1:0]         fill_client;
-  logic [MB-1:0]         fill_id;      // the client's own
+  logic [MB-1:0]         fill_id;      // the client's own id
+
   assign {fill_client, fill_id} = fill.id;
+
   for (genvar p = 0; p < P; p++) begin : gen_pipeline
     logic [NB-1:0] node_id;
     logic [PB-1:0] prim_id;
     logic [SB-1:0] surf_id;
     logic [A-1:0]  node_addr, prim_addr, surf_addr;
     logic          surf_valid, surf_ready, surf_fires;
+
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
       .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
@@ -77,10 +83,13 @@ module rc_top (
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
       .causes_o(causes_o[3*rc_pkg::SharedUnits+p*UC +: UC]));
+
     assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_id), node_addr};
     assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_id), prim_addr};
+
     if (rc_pkg::Shading == 0) begin : gen_plain
       assign {surf_ready, surf_fires} = '0;
+
       logic unused;
       assign unused = ^{surf_valid, surf_id, surf_addr};
     end else begin : gen_shaded
@@ -88,27 +97,33 @@ module rc_top (
       assign miss_valid[K*p+2 +: 2] = {1'b0, surf_valid};
       assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {
           {(MB+A){1'b0}}, MB'(surf_id), surf_addr};
+
       logic unused;
       assign unused = ^{miss_ready[K*p+3], fill_fires[K*p+3]};
     end
   end
 
+  // ---- Memory port.
   logic          client_valid, client_ready;
   logic [CB-1:0] client;
   logic [MB+A-1:0] client_miss;
+
   rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
     .clk_i, .rst_ni(shared_rst_n), .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
-  // Not a shift: that of 0 by an unknown number is unknown.
+
+  // Compared, not shifted: in a simulation a shift of 0 by an unknown number is unknown.
   for (genvar k = 0; k < K * P; k++) begin : gen_client
     assign fill_fires[k] = fill_valid && fill_client == CB'(k);
   end
 
   logic [2:0] memport_cause, l2_cause;
+
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
                        : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
   assign causes_o[3*rc_pkg::SharedUnits-1:0] = {l2_cause, memport_cause, dispatch_cause};
 
+  // Memory directly, or through the shared cache.
   if (rc_pkg::L2Sets == 0) begin : gen_direct
     assign mem_req_valid_o = client_valid;
     assign client_ready    = mem_req_ready_i;

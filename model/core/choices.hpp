@@ -53,7 +53,7 @@ RAYCLOCK_CHOICE(Splits, off, on)
 RAYCLOCK_CHOICE(Timing, relaxed, fast)
 
 /// Memories outside the chip: model/core/dram_presets.hpp.
-RAYCLOCK_CHOICE(Dram, ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2)
+RAYCLOCK_CHOICE(DramName, ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2)
 
 #undef RAYCLOCK_CHOICE
 

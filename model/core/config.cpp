@@ -94,7 +94,7 @@ int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_i
 
 const DramPart* Config::dram_part() const {
     if (own_dram) return own_dram.get();
-    return dram == Dram::ideal ? nullptr : &rayclock::dram_part(name_of(dram));
+    return dram == DramName::ideal ? nullptr : &rayclock::dram_part(name_of(dram));
 }
 
 namespace {
@@ -159,7 +159,7 @@ Config named_config(const std::string& name) {
         c.contexts = 16;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 32, 2, 4);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 32, 2, 4);
-        c.dram = Dram::sdr;
+        c.dram = DramName::sdr;
         return c;
     }
     if (name == "ulx3s" || name == "ulx3s-shaded") {
@@ -171,7 +171,7 @@ Config named_config(const std::string& name) {
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 256, 2, 8);
         if (name == "ulx3s-shaded") make_shaded(c);
-        c.dram = Dram::sdr_half;
+        c.dram = DramName::sdr_half;
         return c;
     }
     if (name == "wide") {
@@ -181,7 +181,7 @@ Config named_config(const std::string& name) {
     }
     if (name == "saarcor") {
         make_binary(c);
-        c.dram = Dram::rpu;
+        c.dram = DramName::rpu;
         return c;
     }
     if (name == "rpu") {
@@ -189,7 +189,7 @@ Config named_config(const std::string& name) {
         c.contexts = 128;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 128, 1, 8);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 128, 1, 8);
-        c.dram = Dram::rpu;
+        c.dram = DramName::rpu;
         return c;
     }
     throw UserError("no configuration is called " + shown(name) + did_you_mean(name, config_names()));

@@ -154,8 +154,8 @@ enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
 /// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,
 /// c on the lattice. Plane: the same without edges; b - a and c - a are sides of its checkers' squares,
-/// halved or doubled: model/compile/plane.hpp. Sphere: a is its centre, b[0] and b[1] the lower and the upper N
-/// bits of the square of its radius in lattice steps (radius_squared()).
+/// halved or doubled: model/compile/plane.hpp. Sphere: a is its centre, b[0] and b[1] the lower and the upper
+/// N bits of the square of its radius in lattice steps (radius_squared()).
 struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;

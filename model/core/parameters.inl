@@ -86,7 +86,7 @@ POWER(l2_line, 64, 64, 256, "bytes", l2, "shared cache: line size")
 POWER(l2_mshrs, 16, 1, 64, "lines", l2, "shared cache: misses in flight")
 
 GROUP(memory, "Memory outside the chip")
-CHOICE(dram, Dram, ddr3, always, "memory; a JSON file that describes one has its place here too")
+CHOICE(dram, DramName, ddr3, always, "memory; a JSON file that describes one has its place here too")
 NUMBER(dram_channels, 1, 1, most_dram_channels, "channels", dram, "channels that serve neighbouring addresses in turn")
 NUMBER(mem_latency, 8, 1, 10000, "cycles", ideal, "ideal memory: from a request to its answer")
 NUMBER(mem_interval, 1, 1, 1000, "cycles", ideal, "ideal memory: between two requests")

@@ -20,9 +20,10 @@ struct Stages {
     // The treelet, rtl/engine/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
     int plane = 0;      ///< from a treelet to the times of its planes
     int exits = 0;      ///< from these to the exits' intervals
-    int globe = 0;      ///< from a node of globes to which are met, rtl/engine/globe/rc_globe.sv; order as in box
-    int crossing = 0;   ///< from a slant to the times of its planes, rtl/engine/bsp/rc_crossing.sv; exits and order
-                        ///< as of a treelet
+    int globe = 0;      ///< from a node of globes to which are met, rtl/engine/globe/rc_globe.sv; order as in
+                        ///< box
+    int crossing = 0;   ///< from a slant to the times of its planes, rtl/engine/bsp/rc_crossing.sv; exits and
+                        ///< order as of a treelet
     // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
     // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
     // of products that are edge functions, of a pair, of which each may be made in two parts
@@ -44,8 +45,8 @@ struct Stages {
     int direction = 0;
     int recip = 0;
     int slope = 0;
-    // Instances, rtl/unit/xform/rc_xform.sv: products, and reciprocals, that share a multiplier or a divider; from
-    // a ray to where it is in the mesh's space, before its reciprocals.
+    // Instances, rtl/unit/xform/rc_xform.sv: products, and reciprocals, that share a multiplier or a divider;
+    // from a ray to where it is in the mesh's space, before its reciprocals.
     int map_share = 1;
     int recip_share = 1;
     int map = 0;

@@ -1,5 +1,8 @@
-// A bit for each of a few dozen places, written whole. In a fast chip it is written a cycle later
-// (Cut): what it is, and where, then come from registers beside the bits, and not from afar.
+// An array of Marks one-bit registers without reset: one write port, and all bits readable in every
+// cycle.
+//
+// A write takes effect in the next cycle. In a fast chip (Cut) it takes effect one cycle later:
+// address and data come from registers that can be placed next to the bits.
 `default_nettype none
 module rc_bit_array #(
   parameter  int unsigned Marks  = 2,
@@ -15,11 +18,16 @@ module rc_bit_array #(
   if (Marks < 1) begin : gen_refuse
     $error("rc_bit_array: Marks must be at least 1");
   end
+
   logic              writes, mark;
   logic [IndexW-1:0] at;
+
+  // Write port, registered in a fast chip.
   rc_path_register #(.Width(IndexW + 1)) u_what (
     .clk_i, .data_i({write_at_i, mark_i}), .data_o({at, mark}));
   rc_pulse_register u_writes (.clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
+
+  // Bits. An indexed write in a relaxed chip; one address comparator per bit in a fast chip.
   if (rc_pkg::Cut == 0) begin : gen_indexed
     logic [Marks-1:0] marks_q;
     always_ff @(posedge clk_i) if (writes) marks_q[at] <= mark;

@@ -1,9 +1,10 @@
-// The door of a stall-free pipeline: admits a request only when the result queue
-// is sure to have room for its answer.
+// Credit counter: admits a request into a pipeline without stalls only if the result queue has room
+// for its answer.
 //
-// In flight means admitted and not yet taken by the consumer. With Cut open_o is a register: what
-// is admitted there often asks hundreds of others to go on. No cycle is different.
-// Proven: tests/formal/credit_counter.sv.
+// A request is in flight from admit_i until the consumer accepts its answer (leave_i); at most
+// Credits are. With Cut open_o is a register, because an admission often enables hundreds of
+// registers. No cycle changes. The user must not set admit_i while open_o is 0. Proof:
+// tests/formal/credit_counter.sv.
 `default_nettype none
 module rc_credit_counter #(
   parameter  int unsigned Credits = 4,
@@ -19,21 +20,26 @@ module rc_credit_counter #(
   if (Credits < 1) begin : gen_refuse
     $error("rc_credit_counter: Credits must be at least 1");
   end
+
   localparam logic [CountW-1:0] Full = CountW'(Credits);
   logic [CountW-1:0] in_flight_q;
 
+  // Gate: open while a credit is left.
   if (Cut == 0) begin : gen_compared
     assign open_o = in_flight_q != Full;
   end else begin : gen_register
     logic open_q, last;
+
     assign open_o = open_q;
     assign last   = in_flight_q == Full - 1'b1;
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni) open_q <= 1'b1;
       else         open_q <= leave_i || (open_q && !(admit_i && last));
     end
   end
 
+  // Requests in flight.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) in_flight_q <= '0;
     else if (admit_i && !leave_i) in_flight_q <= in_flight_q + 1'b1;

@@ -1,12 +1,15 @@
-// First-in first-out queue of Depth entries, Depth a power of two above 1.
+// First-in first-out queue of Depth entries, that also reports its next head. Depth is a power of
+// two, at least 2. Latency 1.
 //
-// Latency 1: what goes in is seen in the next cycle. ready_o and valid_o come
-// from registers only, so this cuts every combinational path between the sides.
-// With Cut the entry at the head is in a register as well, and so are ready_o and valid_o
-// themselves: a unit that reads its own memories by what a queue offers has the whole cycle.
-// No cycle is different. It also tells what comes to the head at the end of a cycle: block RAM is
-// read by that (rc_ram_prefetch). With Second the entry after the head is in a register, for a user
-// who picks one of many things by what comes to the head. Model: model/core/ring.hpp (Ring).
+// ready_o and valid_o come from registers only, so the queue cuts every combinational path between
+// its sides. With Cut the head entry, ready_o and valid_o are registers themselves: a unit that
+// reads its own memories by the head has the whole cycle. No cycle changes.
+//
+// With Cut the queue also reports which entry comes to the head at the end of a cycle. Block RAM is
+// read with that address (rc_ram_prefetch). With Second the entry after the head is in a register,
+// for a user that selects one of many items by the next head.
+//
+// Model: model/core/ring.hpp (Ring). Proof: tests/formal/fifo.sv.
 `default_nettype none
 module rc_fifo_peek #(
   parameter  int unsigned Width  = 1,
@@ -17,13 +20,15 @@ module rc_fifo_peek #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // Input
   input  logic             valid_i,
   output logic             ready_o,
   input  logic [Width-1:0] data_i,
+  // Output
   output logic             valid_o,
   input  logic             ready_i,
   output logic [Width-1:0] data_o,
-  // With Cut: an entry comes to the head, and which
+  // With Cut: an entry comes to the head at the end of this cycle, and its value
   output logic             next_fires_o,
   output logic [Width-1:0] next_o
 );
@@ -33,6 +38,7 @@ module rc_fifo_peek #(
   if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_2
     $error("rc_fifo_peek: Depth must be a power of two, at least 2");
   end
+
   logic [Width-1:0] mem [Depth];
   logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
 
@@ -42,22 +48,28 @@ module rc_fifo_peek #(
     assign data_o  = mem[head_q[IndexW-1:0]];
     assign {next_fires_o, next_o} = '0;
   end else begin : gen_ahead
-    // The next entry comes from the memory, or from the input if the memory has no other.
-    // That it has one is in a register, which has hundreds of loads: many_q, two or more entries.
+    // The next head comes from the memory, or from the input if the memory holds no other entry.
+    // many_q (at least two entries) is a register, because it has hundreds of loads.
     logic             valid_q, ready_q, many_q, more, third, one_place, comes, goes;
     logic [IndexW:0]  next_q, after;
     logic [Width-1:0] data_q, second;
+
     assign after     = tail_q + 1'b1;
     assign more      = many_q;
     assign third     = many_q && next_q + 1'b1 != tail_q;
     assign comes     = valid_i && ready_q;
     assign goes      = valid_q && ready_i;
     assign one_place = after == {~head_q[IndexW], head_q[IndexW-1:0]};
+
     assign valid_o   = valid_q;
     assign ready_o   = ready_q;
     assign data_o    = data_q;
+
+    // Next head.
     assign next_o       = more ? second : data_i;
     assign next_fires_o = (!valid_q || ready_i) && (more || comes);
+
+    // Entry after the head: a register with Second, otherwise read from the memory.
     if (Second) begin : gen_second
       logic [IndexW-1:0] following;
       logic [Width-1:0]  second_q;
@@ -67,6 +79,7 @@ module rc_fifo_peek #(
     end else begin : gen_read
       assign second = mem[next_q[IndexW-1:0]];
     end
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         valid_q <= 1'b0;
@@ -83,6 +96,7 @@ module rc_fifo_peek #(
     end
   end
 
+  // Memory and its pointers.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_q <= '0;

@@ -1,9 +1,9 @@
-// A flag for each of a few dozen places, in registers: set at one place and cleared at another, in
-// one cycle. At the same place setting wins. All are clear after reset. A change is seen in the
+// An array of Flags flags in registers: one port sets a flag and another clears a flag, in the same
+// cycle. If both address one flag, the set wins. Reset clears all flags. A change is visible in the
 // next cycle.
 //
-// In a fast chip each flag compares the two places with its own, since Yosys makes a shifter of an
-// index. A relaxed one has the index: simulating it costs a fraction.
+// In a fast chip each flag compares both addresses with its own number, because Yosys turns an
+// indexed write into a shifter. A relaxed chip uses the index, which simulates many times faster.
 `default_nettype none
 module rc_flags #(
   parameter  int unsigned Flags  = 2,
@@ -20,8 +20,10 @@ module rc_flags #(
   if (Flags < 1) begin : gen_refuse
     $error("rc_flags: Flags must be at least 1");
   end
+
   if (rc_pkg::Cut == 0) begin : gen_indexed
     logic [Flags-1:0] flags_q;
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         flags_q <= '0;
@@ -30,6 +32,7 @@ module rc_flags #(
         if (set_i)   flags_q[set_at_i] <= 1'b1;
       end
     end
+
     assign flags_o = flags_q;
   end else begin : gen_compared
     for (genvar f = 0; f < Flags; f++) begin : gen_flag
@@ -39,6 +42,7 @@ module rc_flags #(
         else if (set_i && set_at_i == IndexW'(f))     flag_q <= 1'b1;
         else if (clear_i && clear_at_i == IndexW'(f)) flag_q <= 1'b0;
       end
+
       assign flags_o[f] = flag_q;
     end
   end

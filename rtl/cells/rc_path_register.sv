@@ -1,6 +1,7 @@
-// Registers that cut a long path in a chip for a fast clock; in a relaxed one there are none, and
-// this is a wire. Its user counts Stages cycles. How many a chip has is said once:
-// model/core/stages.hpp.
+// Registers that cut a long path in a fast chip: a delay of Stages cycles. In a relaxed chip Stages
+// is 0 and this is a wire.
+//
+// The user accounts for the Stages cycles. Only model/core/stages.hpp defines how many a chip has.
 `default_nettype none
 module rc_path_register #(
   parameter int unsigned Width  = 1,
@@ -13,8 +14,10 @@ module rc_path_register #(
   if (Width < 1) begin : gen_refuse
     $error("rc_path_register: Width must be at least 1");
   end
+
   if (Stages == 0) begin : gen_wire
     assign data_o = data_i;
+
     logic unused;
     assign unused = clk_i;
   end else begin : gen_registers

@@ -1,5 +1,7 @@
-// In which cycle of which stage a piece of work is, in a pipeline where it stays Every cycles in
-// each of Stages stages, the first lowest. No reset: a stage that works for nothing does no harm.
+// Tracks the work in a pipeline in which each piece stays Every cycles in each of Stages stages.
+//
+// Bit s * Every + c of turn_o is set while a piece is in cycle c of stage s. A reset is
+// unnecessary: a stage that works on invalid data does no harm.
 `default_nettype none
 module rc_phase #(
   parameter int unsigned Stages = 2,
@@ -13,9 +15,11 @@ module rc_phase #(
   if (Stages < 2 || Every < 1) begin : gen_refuse
     $error("rc_phase: Stages must be at least 2, and Every at least 1");
   end
+
   logic [Stages*Every-1:1] turn_q;
   assign turn_o = {turn_q, valid_i};
   always_ff @(posedge clk_i) turn_q <= turn_o[Stages*Every-2:0];
+
   for (genvar i = 0; i < Stages; i++) begin : gen_ends
     assign ends_o[i] = turn_o[i*Every+Every-1];
   end

@@ -1,7 +1,7 @@
-// Queue that is never full: its user proves that at most Depth entries can exist
-// (in the machine: one per ray context). So it has no ready, and it asserts it.
+// Queue without back-pressure: the user proves that at most Depth entries exist (in the machine,
+// one for each ray context). An assertion checks this.
 //
-// Latency 1. Depth may be 1. Model: model/core/ring.hpp (Ring).
+// Latency 1. Depth may be 1. Model: model/core/ring.hpp (Ring). Proof: tests/formal/queue.sv.
 `default_nettype none
 module rc_queue #(
   parameter  int unsigned Width  = 1,
@@ -10,8 +10,10 @@ module rc_queue #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // Input
   input  logic             push_i,
   input  logic [Width-1:0] data_i,
+  // Output
   output logic             valid_o,
   input  logic             pop_i,
   output logic [Width-1:0] data_o
@@ -20,6 +22,7 @@ module rc_queue #(
     $error("rc_queue: Width and Depth must be at least 1");
   end
   logic ready;
+
   rc_fifo #(.Width(Width), .Depth(Places)) u_fifo (
     .clk_i, .rst_ni, .valid_i(push_i), .ready_o(ready), .data_i,
     .valid_o, .ready_i(pop_i), .data_o);

@@ -1,5 +1,5 @@
-// Small memory of one write port and one read port, read in the same cycle
-// (distributed RAM). A read sees what was written in earlier cycles only.
+// Small memory with one write port and one read port that answers in the same cycle (distributed
+// RAM). A read returns what earlier cycles wrote.
 `default_nettype none
 module rc_ram #(
   parameter  int unsigned Width  = 1,
@@ -7,9 +7,11 @@ module rc_ram #(
   localparam int unsigned IndexW = Depth < 2 ? 1 : $clog2(Depth)
 ) (
   input  logic              clk_i,
+  // Write port
   input  logic              write_i,
   input  logic [IndexW-1:0] write_addr_i,
   input  logic [Width-1:0]  write_data_i,
+  // Read port
   input  logic [IndexW-1:0] read_addr_i,
   output logic [Width-1:0]  read_data_o
 );

@@ -1,9 +1,12 @@
-// Memory that writes and reads an entry in parts, one in a cycle: few block RAMs hold wide data if
-// these stand still for as many cycles. Of write_data_i the part that is named is written in the
-// cycle after. Every part of read_data_o is what was read for it last, and is there two cycles
-// after it was named. Reading and writing one part of an entry at once is the user's error, as with
-// rc_ram_sync. Bits that lie side by side are of different parts, so that a block RAM holds what
-// belongs together, and can lie beside it.
+// Memory that writes and reads an entry in Parts parts, one part per cycle. Wide data that stays
+// stable for Parts cycles then needs few block RAMs.
+//
+// A write stores part write_part_i of write_data_i one cycle later. read_data_o shows each part as
+// it was last read, two cycles after its address. The user must not read and write the same part of
+// an entry in one cycle, as in rc_ram_sync.
+//
+// Neighbouring bits belong to different parts. So a block RAM holds bits that belong together, and
+// can be placed next to the logic that uses them.
 `default_nettype none
 module rc_ram_parts #(
   parameter  int unsigned Width  = 4,
@@ -13,34 +16,43 @@ module rc_ram_parts #(
   localparam int unsigned PartB  = $clog2(Parts)
 ) (
   input  logic              clk_i,
+  // Write port
   input  logic              write_i,
   input  logic [IndexW-1:0] write_addr_i,
   input  logic [PartB-1:0]  write_part_i,
   input  logic [Width-1:0]  write_data_i,
+  // Read port
   input  logic [IndexW-1:0] read_addr_i,
   input  logic [PartB-1:0]  read_part_i,
   output logic [Width-1:0]  read_data_o
 );
   localparam int unsigned PartW = (Width + Parts - 1) / Parts;
   localparam int unsigned AddrW = IndexW + PartB;
+
   if (Width < Parts || Parts < 2 || Parts != 1 << PartB) begin : gen_refuse
     $error("rc_ram_parts: Parts must be a power of two, and Width no less");
   end
-  // Yosys 0.23 does not choose block RAM by itself.
+  // Yosys 0.23 infers block RAM only if the attribute requests it.
   (* no_rw_check, ram_style = "block" *) logic [PartW-1:0] mem [1 << AddrW];
+
   logic [Parts*PartW-1:0] whole, kept;
   logic [PartW-1:0]       part;
   logic                   write_q;
   logic [AddrW-1:0]       at_q;
   logic [PartW-1:0]       part_q, read_q;
-  logic [PartB-1:0]       came_q;   // the part that read_q is
+  logic [PartB-1:0]       came_q;   // the part that read_q holds
+
   assign whole = (Parts * PartW)'(write_data_i);
-  always_comb begin   // without an index that varies, of which Yosys 0.23 would make a shifter
+
+  // Part to write. A variable index would become a shifter in Yosys 0.23.
+  always_comb begin
     part = '0;
     for (int i = 0; i < PartW; i++)
       for (int p = 0; p < Parts; p++)
         if (write_part_i == PartB'(p)) part[i] = whole[i*Parts + p];
   end
+
+  // Parts that were read: bit i of part p is bit i * Parts + p of the entry.
   for (genvar p = 0; p < Parts; p++) begin : gen_part
     logic [PartW-1:0] kept_q;
     always_ff @(posedge clk_i) if (came_q == PartB'(p)) kept_q <= read_q;
@@ -48,6 +60,8 @@ module rc_ram_parts #(
       assign kept[i*Parts + p] = kept_q[i];
     end
   end
+
+  // Memory.
   always_ff @(posedge clk_i) begin
     write_q <= write_i;
     at_q    <= {write_addr_i, write_part_i};
@@ -56,7 +70,9 @@ module rc_ram_parts #(
     read_q  <= mem[{read_addr_i, read_part_i}];
     if (write_q) mem[at_q] <= part_q;
   end
+
   assign read_data_o = kept[Width-1:0];
+
   logic unused;
   assign unused = ^kept;
 endmodule

@@ -1,6 +1,8 @@
-// The reset of a unit, a cycle later: a register that can lie beside the unit, so that no wire of a
-// reset goes over the whole chip. Nothing may begin in the cycle in which reset ends. It begins
-// in reset. Its borders stay when a netlist is made: Yosys would make one register of them all.
+// Delays the reset of a unit by one cycle. The register can be placed next to the unit, so no reset
+// wire crosses the chip.
+//
+// It starts in reset. Nothing may begin in the cycle in which reset ends. keep_hierarchy stops
+// Yosys from merging the registers of all units into one.
 `default_nettype none
 (* keep_hierarchy *)
 module rc_reset_register (

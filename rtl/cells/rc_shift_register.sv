@@ -1,6 +1,7 @@
-// Data that waits beside a pipeline: stage i takes over what is before it when its
-// valid_i[i] is set, that is, when the pipeline's stage i takes over the same piece of
-// work. No reset: what is not valid does not matter.
+// Delays data by Stages stages to match a pipeline. Stage i accepts its input when valid_i[i] is
+// set, that is, when stage i of the pipeline accepts the same work.
+//
+// It has no reset, because invalid data is never used.
 `default_nettype none
 module rc_shift_register #(
   parameter int unsigned Width  = 1,
@@ -14,6 +15,7 @@ module rc_shift_register #(
   if (Width < 1 || Stages < 1) begin : gen_refuse
     $error("rc_shift_register: Width and Stages must be at least 1");
   end
+
   for (genvar i = 0; i < Stages; i++) begin : gen_stage
     logic [Width-1:0] data_q, data_d;
     if (i == 0) begin : gen_first
@@ -21,8 +23,10 @@ module rc_shift_register #(
     end else begin : gen_next
       assign data_d = gen_stage[i-1].data_q;
     end
+
     always_ff @(posedge clk_i) if (valid_i[i]) data_q <= data_d;
   end
+
   assign data_o = gen_stage[Stages-1].data_q;
 endmodule
 `default_nettype wire

@@ -1,19 +1,20 @@
-// Quotient bits of a division without restoring, one or two bits a step.
+// Quotient bits of a non-restoring division, one or two bits per step.
 //
-// The user hands over the partial remainder rem < den that is left after the bits
-// above, and the dividend's lower bits, top first, in low_i (Bits * Stages bits; all but the top
-// Lows of them are zeros). Answers floor((rem * 2^(Bits Stages) + low) / den), and
-// whether a remainder is left. Latency Stages, no stall.
+// The user gives the partial remainder rem < den that is left after the higher bits. low_i holds
+// the dividend's Bits * Stages lower bits, top bit first; all except the top Lows of them are
+// zeros. Returns floor((rem * 2^(Bits Stages) + low) / den), and inexact_o if a remainder is left.
 //
-// Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
-// steps, one after the other. If Every is 1, a stage works only if valid_i came with its operands.
-// Yosys makes one register of two dividers' that work on the same steps; if they lie far apart, one
-// of them keeps what it knows of its steps as a complement (Apart). Proven: tests/formal/divide.sv.
+// Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes Every steps,
+// one after the other. So the latency is Stages cycles, without stalls. If Every is 1, a stage
+// works only if valid_i came with its operands.
+//
+// Yosys merges the step registers of two dividers that work on the same steps. If the dividers lie
+// far apart, one of them stores its step bits inverted (Apart). Proof: tests/formal/divide.sv.
 `default_nettype none
 module rc_divide #(
   parameter  int unsigned Width  = 8,   // of den and rem
   parameter  int unsigned Stages = 4,   // steps
-  parameter  int unsigned Bits   = 2,   // of the quotient, a step
+  parameter  int unsigned Bits   = 2,   // of the quotient, per step
   parameter  int unsigned Every  = 1,
   parameter  int unsigned Lows   = Bits * Stages,
   parameter  bit          Apart  = 0,
@@ -30,18 +31,21 @@ module rc_divide #(
   if (Width * Stages * Bits * Every < 1 || Bits > 2 || Lows > QuoW) begin : gen_refuse
     $error("rc_divide: Width, Stages and Every must be at least 1, Bits 1 or 2, Lows few enough");
   end
-  localparam int unsigned Last  =   // stage
+
+  localparam int unsigned Last  =   // index of the last stage
     Stages < 1 || Every < 1 ? 0 : (Stages + Every - 1) / Every - 1;
   localparam int unsigned Chunk = Bits * Every;   // bits of the quotient that a stage makes
 
   // valid[i]: step i is next.
   logic [Stages-1:0] valid_q;
   logic [Stages:0]   valid;
+
   assign valid = {valid_q ^ {Stages{Apart}}, valid_i};
   always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0] ^ {Stages{Apart}};
 
-  // What is left lies between -den and den: den is taken from twice of it if it is not negative,
-  // and added if it is; a bit of the quotient is set if it is not negative then.
+  // The remainder lies between -den and den. A step doubles it and adds the next dividend bit. It
+  // subtracts den if the remainder is not negative, and otherwise adds den. The quotient bit is set
+  // if the result is not negative.
   for (genvar i = 0; i <= Last; i++) begin : gen_stage
     localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
     localparam int unsigned Own   = Bits * Steps;
@@ -54,10 +58,11 @@ module rc_divide #(
     logic [Bits-1:0]  made;
     logic [Own-1:0]   own_q;
     logic [Chunk*i+Own-1:0] quo;
+
     assign comes = valid[i*Every];
     assign here  = Again || comes;
 
-    // The divisor is there a cycle before the rest, so that nothing need be chosen.
+    // The divisor arrives one cycle before the remainder, so no multiplexer is needed.
     if (i > 0) begin : gen_den
       logic [Width-1:0] den_q;
       always_ff @(posedge clk_i) if (valid[i*Every-1]) den_q <= gen_stage[i-1].den;
@@ -72,8 +77,10 @@ module rc_divide #(
       assign den     = den_i;
       assign rem_new = {1'b0, rem_i};
     end
+
     assign rem_d = !Again || comes ? rem_new : rem_q;
 
+    // Next bits of the dividend.
     if (LowW > 0) begin : gen_low
       logic [LowW-1:0] low_new, low_d, low_q;
       logic [LowW+1:0] padded;
@@ -82,22 +89,28 @@ module rc_divide #(
       end else begin : gen_next
         assign low_new = gen_stage[i-1].gen_low.low_q[LowW+Chunk-1 -: LowW];
       end
+
       assign low_d  = !Again || comes ? low_new : low_q;
       assign padded = {low_d, 2'b00};
       assign low    = padded[LowW+1 -: 2];
+
       always_ff @(posedge clk_i) if (here) low_q <= low_d << Bits;
+
       logic unused;
       assign unused = ^padded;
     end else begin : gen_no_low
       assign low = '0;
     end
 
+    // Steps.
     rc_addsub #(.Width(Width + 1)) u_first (
       .minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]}),
       .b_i({1'b0, den}), .sum_o(between));
+
     if (Bits == 1) begin : gen_one
       assign rem_next = between;
       assign made     = !between[Width];
+
       logic unused;
       assign unused   = low[0];
     end else begin : gen_two
@@ -106,13 +119,15 @@ module rc_divide #(
         .b_i({1'b0, den}), .sum_o(rem_next));
       assign made     = {!between[Width], !rem_next[Width]};
     end
+
     always_ff @(posedge clk_i) begin
       if (here) begin
         rem_q <= rem_next;
         own_q <= Own'({own_q, made});
       end
     end
-    // The bits that are made here join those of the stages before.
+
+    // The bits of this stage join those of the stages before.
     if (i > 0) begin : gen_held
       logic [Chunk*i-1:0] held_q;
       always_ff @(posedge clk_i) if (comes) held_q <= gen_stage[i-1].quo;
@@ -122,10 +137,11 @@ module rc_divide #(
     end
   end
 
-  // Nothing is left if that is 0, or -den: two numbers' sum is 0 if no bit of it is set when
-  // every carry is made that the bits below can make.
+  // The remainder is 0 if the result is 0 or -den. A sum of two numbers is 0 if it has no bit set
+  // when the bits below generate every carry that they can.
   logic [Width-1:0] end_den_q;
   logic [Width:0]   end_rem, end_den;
+
   always_ff @(posedge clk_i) if (valid[Stages-1]) end_den_q <= gen_stage[Last].den;
   assign end_rem   = gen_stage[Last].rem_q;
   assign end_den   = {1'b0, end_den_q};

@@ -1,16 +1,18 @@
-// Product of two numbers, exact. Latency Stages: 0, or one for the operands, one for the products
-// of 18-bit limbs, and then one for each level of sums. So a multiplier block's own registers hold
-// operands and products. Of two levels of sums the first adds three numbers at most; if Stages is
-// less than 2 + Sums, the last one is before no register.
+// Exact product of two numbers. Latency Stages; a new product in every cycle.
 //
-// A limb is 18 bits: all but the highest are unsigned, and the highest as well if not Signed.
+// Stages is 0, or one stage for the operands, one for the products of 18-bit limbs, and one for
+// each level of sums. So the multiplier block's own registers hold operands and products. Of two
+// levels of sums the first adds at most three numbers. If Stages is less than 2 + Sums, the last
+// level has no register after it.
+//
+// Limbs below the highest are unsigned. The highest limb is signed if Signed is set.
 `default_nettype none
 module rc_mul #(
   parameter  int unsigned AW     = 18,
   parameter  int unsigned BW     = 18,
   parameter  bit          Signed = 1'b1,
   parameter  int unsigned Stages = rc_pkg::MulStages,
-  parameter  int unsigned Sums   = 1,                  // levels of them: 1 or 2
+  parameter  int unsigned Sums   = 1,                  // levels of sums: 1 or 2
   localparam int unsigned PW     = AW + BW
 ) (
   input  logic                 clk_i,
@@ -24,14 +26,17 @@ module rc_mul #(
   if (Stages == 1 || Sums < 1 || Sums > 2 || Stages > 2 + Sums) begin : gen_refuse_2
     $error("rc_mul: Stages must be 0 or lie in 2..2 + Sums, and Sums be 1 or 2");
   end
+
 `ifdef RC_ECP5
   localparam bit Spills = Stages == 0 && Signed && AW > 18 && BW > 18 && AW <= 20 && BW <= 20
                        && (AW == 20 || BW == 20);
 `else
   localparam bit Spills = 1'b0;
 `endif
+
   if (Spills) begin : gen_spill
     rc_mul_spill #(.AW(AW), .BW(BW)) u_spill (.a_i, .b_i, .p_o);
+
     logic unused;
     assign unused = clk_i;
   end else if (Stages == 0) begin : gen_now
@@ -39,41 +44,49 @@ module rc_mul #(
 `ifdef SYNTHESIS
       assign p_o = PW'(a_i) * PW'(b_i);
 `else
-      // The same, of whole words without signs: what a simulation multiplies at once.
+      // The same product of unsigned words, which a simulation multiplies in one operation.
       localparam int unsigned Word = PW <= 32 ? 32 : PW <= 64 ? 64 : PW;
       assign p_o = PW'($unsigned(Word'(a_i)) * $unsigned(Word'(b_i)));
 `endif
     end else begin : gen_unsigned
       assign p_o = {{BW{1'b0}}, a_i} * {{AW{1'b0}}, b_i};
     end
+
     logic unused;
     assign unused = clk_i;
   end else begin : gen_stages
     localparam int unsigned L  = 18;
     localparam int unsigned LA = (AW + L - 1) / L;   // limbs
     localparam int unsigned LB = (BW + L - 1) / L;
-    // The products of one limb of a with every second limb of b lie side by side, and are one
-    // row; but each is a row of its own if that limb of a has a sign.
+
+    // The products of one limb of a with every second limb of b do not overlap, and form one row.
+    // If that limb of a is signed, each of its products is a row of its own.
     localparam int unsigned Side    = LB < 2 ? LB : 2;
     localparam int unsigned Rows    = Signed ? (LA - 1) * Side + LB : LA * Side;
-    localparam int unsigned Group   = Sums == 1 ? Rows : 3;          // rows that the first sums add
+    localparam int unsigned Group   = Sums == 1 ? Rows : 3;   // rows that the first level adds
     localparam int unsigned Groups  = (Rows + Group - 1) / Group;
+
     logic [Rows*PW-1:0]   row;
     logic [Groups*PW-1:0] sum, last;
+
+    // Products of limbs, and their rows.
     for (genvar i = 0; i < LA; i++) begin : gen_a
       localparam bit ASigned = Signed && i == LA - 1;
       for (genvar j = 0; j < LB; j++) begin : gen_b
         logic signed [PW-1:0] placed, side;
+
         rc_mul_limb #(
           .AW(i == LA - 1 ? AW - i * L : L), .BW(j == LB - 1 ? BW - j * L : L),
           .ASigned(ASigned), .BSigned(Signed && j == LB - 1), .PW(PW), .Place(L * (i + j))) u_limb (
           .clk_i, .a_i(a_i[AW-1 < i*L+L-1 ? AW-1 : i*L+L-1 : i*L]),
           .b_i(b_i[BW-1 < j*L+L-1 ? BW-1 : j*L+L-1 : j*L]), .p_o(placed));
+
         if (ASigned || j < 2) begin : gen_alone
           assign side = placed;
         end else begin : gen_side
           assign side = placed | gen_b[j-2].side;
         end
+
         if (ASigned) begin : gen_row
           assign row[((LA-1)*Side+j)*PW +: PW] = side;
         end else if (j + Side >= LB) begin : gen_row_of_sides
@@ -81,27 +94,36 @@ module rc_mul #(
         end
       end
     end
+
+    // First level of sums: Group rows each.
     for (genvar i = 0; i < Rows; i++) begin : gen_sum
       logic [PW-1:0] total;
+
       if (i % Group == 0) begin : gen_first
         assign total = row[i*PW +: PW];
       end else begin : gen_next
         assign total = gen_sum[i-1].total + row[i*PW +: PW];
       end
+
       if (i % Group == Group - 1 || i == Rows - 1) begin : gen_last
         assign sum[i/Group*PW +: PW] = total;
       end
     end
+
     rc_path_register #(.Width(Groups * PW), .Stages(Stages < 3 ? 0 : 1)) u_sum (
       .clk_i, .data_i(sum), .data_o(last));
+
+    // Second level of sums.
     for (genvar i = 0; i < Groups; i++) begin : gen_total
       logic [PW-1:0] total;
+
       if (i == 0) begin : gen_first
         assign total = last[PW-1:0];
       end else begin : gen_next
         assign total = gen_total[i-1].total + last[i*PW +: PW];
       end
     end
+
     rc_path_register #(.Width(PW), .Stages(Stages < 4 ? 0 : 1)) u_total (
       .clk_i, .data_i(gen_total[Groups-1].total), .data_o(p_o));
   end

@@ -1,10 +1,12 @@
-// Products of several pairs of numbers that are held for Every cycles, as a pass of shade is in
-// each of its stages (rtl/unit/shade/rc_pass.sv). Multipliers make them one after the other, as few as
-// can be done with. turn_i[p] is high in the p-th of the cycles, and all products are told in the
-// last one. If Every is 1, each product has a multiplier, and is made at once.
+// Products of several pairs that stay stable for Every cycles, as a pass of shade does in each
+// stage (rtl/unit/shade/rc_pass.sv). As few multipliers as possible make them, one after the other.
 //
-// In a fast chip a multiplier has registers at its operands and its products, if the cycles
-// suffice for them. Operands may come Late cycles after the first; turn_i is then as much later.
+// turn_i[p] is high in cycle p of the Every cycles. All products are ready in the last cycle. If
+// Every is 1, each product has a multiplier without latency.
+//
+// In a fast chip a multiplier has registers at its operands and its products if the cycles suffice.
+// Operands may come Late cycles after the first; turn_i is then late by the same amount. Proof:
+// tests/formal/mul_held.sv.
 `default_nettype none
 module rc_mul_held #(
   parameter  int unsigned AW       = 18,
@@ -17,25 +19,31 @@ module rc_mul_held #(
 ) (
   input  logic                   clk_i,
   input  logic [Every-1:0]       turn_i,
-  input  logic [Products*AW-1:0] a_i,      // of product 0 lowest
+  input  logic [Products*AW-1:0] a_i,      // product 0 lowest
   input  logic [Products*BW-1:0] b_i,
   output logic [Products*PW-1:0] p_o
 );
   if (Products < 1 || Every < 1 || Late >= Every) begin : gen_refuse
     $error("rc_mul_held: Products and Every must be at least 1, Late less than Every");
   end
-  // Registers within a multiplier; products that one can make; that one makes.
+
+  // Inside: registers within a multiplier. Most: products that one multiplier can make. Share:
+  // products that it makes.
   localparam int unsigned Inside      = rc_pkg::MulStages > 1 && Every > 2 + Late ? 2 : 0;
   localparam int unsigned Most        = Every - Inside - Late;
   localparam int unsigned Multipliers = (Products + Most - 1) / Most;
   localparam int unsigned Share       = (Products + Multipliers - 1) / Multipliers;
+
   for (genvar m = 0; m < Multipliers; m++) begin : gen_multiplier
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = Products - First < Share ? Products - First : Share;
-    localparam int          Early = Own - 1;   // that are not the last
+    localparam int          Early = Own - 1;   // products that are not the last
+
     logic [AW-1:0] a;
     logic [BW-1:0] b;
     logic [PW-1:0] p;
+
+    // Operands of the product that is made in this cycle.
     always_comb begin
       a = a_i[(First+Own-1)*AW +: AW];
       b = b_i[(First+Own-1)*BW +: BW];
@@ -45,9 +53,11 @@ module rc_mul_held #(
           b = b_i[(First+i)*BW +: BW];
         end
     end
+
     rc_mul #(.AW(AW), .BW(BW), .Signed(Signed), .Stages(Inside)) u_mul (
       .clk_i, .a_i(a), .b_i(b), .p_o(p));
-    // All but the last wait for it.
+
+    // All products except the last one wait for it.
     for (genvar i = 0; i < Own; i++) begin : gen_product
       if (i == Own - 1) begin : gen_last
         assign p_o[(First+i)*PW +: PW] = p;
@@ -58,6 +68,7 @@ module rc_mul_held #(
       end
     end
   end
+
   logic unused;
   assign unused = ^turn_i;
 endmodule

@@ -1,15 +1,15 @@
-// Product of two limbs of at most 18 bits, each signed or unsigned, moved to its place in a wider
-// product: one multiplier block with its own registers, latency 2. Part of rc_mul.
+// Product of two limbs of at most 18 bits, each signed or unsigned, shifted to its place in a wider
+// product. One multiplier block with its own registers, latency 2. Part of rc_mul.
 //
-// With RC_ECP5 defined it is the ECP5's block itself, since Yosys 0.23 leaves the block's registers
-// unused; elsewhere the same is inferred.
+// With RC_ECP5 defined it instantiates the ECP5's block, because Yosys 0.23 leaves the block's
+// registers unused. Otherwise the same function is inferred.
 `default_nettype none
 module rc_mul_limb #(
   parameter int unsigned AW      = 18,
   parameter int unsigned BW      = 18,
   parameter bit          ASigned = 1'b1,
   parameter bit          BSigned = 1'b1,
-  parameter int unsigned PW      = 36,   // of the wider product
+  parameter int unsigned PW      = 36,   // width of the wider product
   parameter int unsigned Place   = 0     // bits below the limbs' product
 ) (
   input  logic                 clk_i,
@@ -20,16 +20,21 @@ module rc_mul_limb #(
   if (AW < 1 || AW > 18 || BW < 1 || BW > 18) begin : gen_refuse
     $error("rc_mul_limb: AW and BW must lie in 1..18");
   end
+
+  // Operands, extended to 18 bits.
   logic [17:0] a, b;
   assign a = {{(18-AW){ASigned && a_i[AW-1]}}, a_i};
   assign b = {{(18-BW){BSigned && b_i[BW-1]}}, b_i};
+
   logic [35:0] p;
-  logic        minus;   // the product's sign
+  logic        minus;   // sign of the product
+
 `ifdef RC_ECP5
-  localparam bit IsBlock = AW > 2 && BW > 2;   // what is smaller takes less in LUTs
+  localparam bit IsBlock = AW > 2 && BW > 2;   // smaller products take less area in LUTs
 `else
   localparam bit IsBlock = 1'b0;
 `endif
+
   if (IsBlock) begin : gen_block
 `ifdef RC_ECP5
     MULT18X18D #(
@@ -53,8 +58,10 @@ module rc_mul_limb #(
     logic [17:0]        a_q, b_q;
     logic signed [18:0] a_signed, b_signed;
     logic signed [35:0] p_q;
+
     assign a_signed = $signed({ASigned && a_q[17], a_q});
     assign b_signed = $signed({BSigned && b_q[17], b_q});
+
     always_ff @(posedge clk_i) begin
       a_q <= a;
       b_q <= b;
@@ -62,15 +69,20 @@ module rc_mul_limb #(
     end
     assign p = p_q;
   end
+
+  // Shift to the place in the wider product.
   assign minus = (ASigned || BSigned) && p[35];
+
   if (Place >= PW) begin : gen_beyond
     assign p_o = '0;
+
     logic unused;
     assign unused = ^{p, minus};
   end else begin : gen_placed
     logic [PW+Place+35:0] wide;
     assign wide = {{(PW+Place){minus}}, p} << Place;
     assign p_o  = wide[PW-1:0];
+
     logic unused;
     assign unused = ^{wide[PW+Place+35:PW]};
   end

@@ -1,20 +1,22 @@
-// Products of several pairs of numbers that come together: each multiplier makes Share of them,
-// one after the other. All are told together, rc_pkg::MulStages + Share - 1 cycles after the
-// operands. In the Share - 1 cycles after operands no others may come. Product i is made by
-// multiplier i / Share, in its cycle i % Share.
+// Products of several pairs that come together. Each multiplier makes Share of them, one after the
+// other.
+//
+// All products are ready together, rc_pkg::MulStages + Share - 1 cycles after the operands. No
+// other operands may come in the Share - 1 cycles after operands. Multiplier i / Share makes
+// product i, in its cycle i % Share. Proof: tests/formal/mul_shared.sv.
 `default_nettype none
 module rc_mul_shared #(
   parameter  int unsigned AW       = 18,
   parameter  int unsigned BW       = 18,
   parameter  bit          Signed   = 1'b1,
-  parameter  int unsigned Sums     = 1,      // levels of them, as of rc_mul
+  parameter  int unsigned Sums     = 1,      // levels of sums, as in rc_mul
   parameter  int unsigned Products = 2,
   parameter  int unsigned Share    = 2,
   localparam int unsigned PW       = AW + BW
 ) (
   input  logic                   clk_i,
   input  logic                   valid_i,   // operands come
-  input  logic [Products*AW-1:0] a_i,       // of product 0 lowest
+  input  logic [Products*AW-1:0] a_i,       // product 0 lowest
   input  logic [Products*BW-1:0] b_i,
   output logic [Products*PW-1:0] p_o
 );
@@ -22,13 +24,16 @@ module rc_mul_shared #(
     $error("rc_mul_shared: Products and Share must be at least 1");
   end
   localparam int unsigned Multipliers = (Products + Share - 1) / Share;
+
   for (genvar m = 0; m < Multipliers; m++) begin : gen_multiplier
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = Products - First < Share ? Products - First : Share;
+
     logic [AW-1:0] a;
     logic [BW-1:0] b;
     logic [PW-1:0] p;
-    // Operands of later products wait, the next of them lowest.
+
+    // Operands. Those of later products wait, the next of them lowest.
     if (Own == 1) begin : gen_alone
       assign a = a_i[First*AW +: AW];
       assign b = b_i[First*BW +: BW];
@@ -42,14 +47,17 @@ module rc_mul_shared #(
         b_q <= valid_i ? b_i[(First+1)*BW +: (Own-1)*BW] : b_q >> BW;
       end
     end
+
     rc_mul #(.AW(AW), .BW(BW), .Signed(Signed), .Sums(Sums)) u_mul (
       .clk_i, .a_i(a), .b_i(b), .p_o(p));
-    // The first products wait for the last.
+
+    // Early products wait for the last one.
     for (genvar i = 0; i < Own; i++) begin : gen_product
       rc_path_register #(.Width(PW), .Stages(Share - 1 - i)) u_early (
         .clk_i, .data_i(p), .data_o(p_o[(First+i)*PW +: PW]));
     end
   end
+
   if (Products <= Multipliers) begin : gen_not_shared
     logic unused;
     assign unused = valid_i;

@@ -1,18 +1,19 @@
-// The counters of all units, as a host reads them: which_i is {group, unit, cause}. Group 0
-// are the units that all pipelines share, group p + 1 those of pipeline p, in the order of
-// rc_pkg's UnitsThere. A unit that the chip does not have has no counters.
-// Model: model/core/units.hpp.
+// The counters of all units, as the host reads them. which_i is {group, unit, cause}.
+//
+// Group 0 holds the units that all pipelines share, group p + 1 those of pipeline p, both in the
+// order of rc_pkg's SharedUnitsThere and PipelineUnitsThere. A unit that the chip does not have has
+// no counters. Model: model/core/units.hpp.
 `default_nettype none
 module rc_counters #(
   localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits
 ) (
   input  logic                         clk_i,
-  input  logic                         count_i,    // causes_i are counted
+  input  logic                         count_i,    // counts causes_i in this cycle
   input  logic [3*Units-1:0]           causes_i,   // shared units lowest, then pipeline by pipeline
-  input  logic                         clear_i,    // of all units the counter of which_i's cause
+  input  logic                         clear_i,    // clears which_i's cause in all units
   input  logic [10:0]                  which_i,
-  output logic                         there_o,
-  output logic [rc_pkg::TallyBits-1:0] count_o     // good while nothing is counted
+  output logic                         there_o,// which_i names a counter of this chip
+  output logic [rc_pkg::TallyBits-1:0] count_o     // valid only while nothing is counted
 );
   localparam int unsigned W = rc_pkg::TallyBits;
   localparam int unsigned S = rc_pkg::SharedUnits;
@@ -20,10 +21,13 @@ module rc_counters #(
 
   logic [7:0]         which_unit;    // {group, number}
   logic [2:0]         which_cause;
+
   assign {which_unit, which_cause} = which_i;
 
   logic [Units-1:0]   there;
   logic [Units*W-1:0] counts;
+
+  // One set of counters for each unit that exists; all others read 0.
   for (genvar k = 0; k < Units; k++) begin : gen_unit
     localparam int unsigned Group = k < S ? 0 : (k - S) / U + 1;
     localparam int unsigned Unit  = k < S ? k : (k - S) % U;
@@ -32,16 +36,19 @@ module rc_counters #(
       rc_cause_counters u_tally (
         .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_cause),
         .count_o(count));
+
       assign there[k]         = which_unit == {4'(Group), 4'(Unit)};
       assign counts[k*W +: W] = there[k] ? count : '0;
     end else begin : gen_none
       assign there[k]         = 1'b0;
       assign counts[k*W +: W] = '0;
+
       logic unused;
       assign unused = ^causes_i[3*k +: 3];
     end
   end
 
+  // The selected counter: at most one is not 0.
   assign there_o = there != '0;
   always_comb begin
     count_o = '0;

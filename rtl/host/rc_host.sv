@@ -1,18 +1,20 @@
-// The chip's face to a host: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
-// addresses). docs/chip.md has the registers to the bit, sim/run/gen/registers.hpp lists them.
+// The chip's host interface: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
+// addresses). docs/chip.md describes the registers bit by bit; sim/run/gen/registers.hpp lists
+// them.
 //
-// Every access is answered two cycles after it is seen: by ack, or by err if it asks for
-// what is not there or not possible now. An access that ends in err changes nothing. A start
-// first clears the counters and works out the number of pixels, in sixteen cycles, the same as
-// after a reset. start_o is high for one cycle, and the frame's cycle 0 is the next. The frame
-// ends with the cycle in which its last hit is taken.
+// Every access is answered two cycles after it is seen: with ack, or with err. err means that the
+// register does not exist or is not accessible now. An access that ends in err changes nothing.
+//
+// A start first clears the counters and computes the number of pixels, in sixteen cycles, as after
+// a reset. start_o is high for one cycle; the next cycle is the frame's cycle 0. The frame ends
+// with the cycle in which its last hit is accepted.
 `default_nettype none
 module rc_host #(
   parameter int unsigned Counters = 1
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
-  // The bus.
+  // Bus
   input  logic                         wb_cyc_i,
   input  logic                         wb_stb_i,
   input  logic                         wb_we_i,
@@ -21,31 +23,33 @@ module rc_host #(
   output logic [31:0]                  wb_dat_o,
   output logic                         wb_ack_o,
   output logic                         wb_err_o,
-  // The machine.
+  // To and from the machine
   output logic                         start_o,
   output rc_pkg::frame_t               frame_o,
   input  logic [rc_pkg::Pipelines-1:0] hit_fires_i,
-  // The counters.
+  // To and from the counters
   output logic                         count_o,     // this cycle is counted
-  output logic                         clear_o,     // of all units the counter that is selected
-  output logic [10:0]                  counter_o,   // the one that is selected
+  output logic                         clear_o,     // clears the selected counter of all units
+  output logic [10:0]                  counter_o,   // the selected counter
   input  logic                         counter_there_i,
   input  logic [rc_pkg::TallyBits-1:0] counter_i,
-  // What the chip does, for pins.
-  output logic                         running_o,   // this is a cycle of a frame
-  output logic                         done_o       // a frame has ended, none was started since
+  // Status, for pins
+  output logic                         running_o,   // this cycle belongs to a frame
+  output logic                         done_o       // a frame has ended and none was started since
 );
   localparam int unsigned W = rc_pkg::TallyBits;
-  localparam int unsigned S = rc_pkg::PixelBits + 1;  // a picture's side
+  localparam int unsigned S = rc_pkg::PixelBits + 1;  // side of a picture
   localparam int unsigned F = rc_pkg::FrameWords;
 
-  // ---- What is asked. The address's registers keep it while it is worked on.
+  // ---- Bus access: its registers hold the address and the data until the answer.
   logic        taken_q, ack_q, err_q, we_q, asks, fires, writes, good;
   logic [12:0] adr_q;
   logic [31:0] dat_q, read, read_q;
+
   assign asks   = wb_cyc_i && wb_stb_i && !taken_q && !ack_q && !err_q;
   assign fires  = taken_q && wb_cyc_i && wb_stb_i;
   assign writes = fires && we_q && good;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) {taken_q, ack_q, err_q} <= '0;
     else         {taken_q, ack_q, err_q} <= {asks, fires && good, fires && !good};
@@ -56,28 +60,34 @@ module rc_host #(
     end
     if (fires) read_q <= we_q ? '0 : read;
   end
+
   assign wb_ack_o = ack_q;
   assign wb_err_o = err_q;
   assign wb_dat_o = read_q;
 
-  // ---- The frame.
+  // ---- Frame.
   typedef enum logic [1:0] {StPrepare, StIdle, StStart, StRun} state_e;
   state_e       state_q;
   logic         wanted_q, done_q, start_q, goes, ends, is_idle;
   logic [3:0]   step_q;
   logic [31:0]  left_q, left_less;   // pixels
-  logic         some_q;              // there are any
-  logic [15:0]  rest_q;              // of height, its top bit first
+  logic         some_q;              // there are pixels
+  logic [15:0]  rest_q;              // remaining bits of the height, top bit first
   logic [3:0]   hits;
+
   assign is_idle = state_q == StIdle;
   assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
   assign start_o = start_q;   // in StStart, if there are pixels
   assign ends    = state_q == StStart ? !some_q : state_q == StRun && left_q == 32'(hits);
+
   always_comb begin
     hits = '0;
     for (int p = 0; p < rc_pkg::Pipelines; p++) hits = hits + 4'(hit_fires_i[p]);
   end
+
   assign left_less = left_q - 32'(hits);
+
+  // State machine. StPrepare computes width * height bit by bit, from the top bit of the height.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       state_q  <= StPrepare;
@@ -86,7 +96,7 @@ module rc_host #(
       step_q   <= '0;
       left_q   <= '0;
     end else begin
-      if (state_q == StPrepare) begin   // width times height, from the top bit of height
+      if (state_q == StPrepare) begin
         step_q <= step_q + 1'b1;
         if (wanted_q) left_q <= (left_q << 1) + (rest_q[15] ? 32'(frame_o.width) : '0);
         if (step_q == '1) state_q <= wanted_q ? StStart : StIdle;
@@ -103,27 +113,34 @@ module rc_host #(
       end
     end
   end
+
   always_ff @(posedge clk_i)
     start_q <= rst_ni && state_q == StPrepare && step_q == '1 && wanted_q && some_q;
-  always_ff @(posedge clk_i) begin   // the frame does not change while it is prepared
+  always_ff @(posedge clk_i) begin   // the frame does not change in StPrepare
     some_q <= frame_o.width != '0 && frame_o.height != '0;
     rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
   end
+
   assign running_o = state_q == StRun;
   assign done_o    = done_q;
 
-  // A word that nobody writes costs a simulation nothing. A chip does not ask.
+  // Frame registers. In a simulation the words are clocked only during an access of the bus. On
+  // silicon they are clocked in every cycle.
 `ifdef SYNTHESIS
   localparam bit Chip = 1'b1;
 `else
   localparam bit Chip = 1'b0;
 `endif
+
   logic [rc_pkg::FrameW-1:0] frame_q;
   assign frame_o = frame_q;
+
   for (genvar w = 0; w < F; w++) begin : gen_word
     localparam int unsigned At   = 32'(rc_pkg::FrameAt[16*w +: 16]);
     localparam int unsigned Bits = 32'(rc_pkg::FrameBits[16*w +: 16]);
-    // It is written a cycle later, when dat_q still has it: the start is asked for after that.
+
+    // The word is written one cycle after the access, when dat_q still holds it. A start can come
+    // only after that.
     logic write_q;
     always_ff @(posedge clk_i) begin
       if (Chip || fires || write_q) begin
@@ -134,17 +151,21 @@ module rc_host #(
   end
 
   // ---- Counters.
-  logic         counts_q;   // the host wants it
+  logic         counts_q;   // the host enables counting
   logic [W-1:0] cycles_q;
-  logic [31:0]  high_q;     // of cycles_q, when its lower word was read
+  logic [31:0]  high_q;     // upper word of cycles_q at the time of the read of its lower word
+
   assign count_o = Counters != 0 && running_o && counts_q;
   assign clear_o = Counters != 0 && state_q == StPrepare;
-  // A counter's address ends in {group, number, code} and the bit that asks for its upper word.
+
+  // A counter's address ends in {group, number, code} and the bit that selects its upper word.
   logic        of_counter, upper_word;
   logic [10:0] counter;
+
   assign of_counter            = adr_q >= 13'(rc_pkg::RegCounters);
   assign {counter, upper_word} = 12'(adr_q);
   assign counter_o             = clear_o ? {8'd0, step_q[2:0]} : counter;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni)                                          counts_q <= 1'b1;
     else if (writes && adr_q == 13'(rc_pkg::RegCount))    counts_q <= dat_q[0];
@@ -153,15 +174,18 @@ module rc_host #(
     if (fires && !we_q && adr_q == 13'(rc_pkg::RegCycles)) high_q  <= 32'(cycles_q >> 32);
   end
 
-  // ---- What may be read and written.
-  logic still;      // nothing is counted in this cycle nor was in the last
+  // ---- Read and write access.
+  logic still;      // nothing is counted in this cycle or was in the last
   logic was_counting_q;
+
   always_ff @(posedge clk_i) was_counting_q <= count_o;
   assign still = !count_o && !was_counting_q && state_q != StPrepare;
 
   logic [12:0] frame_word, parameter_word;
+
   assign frame_word     = adr_q - 13'(rc_pkg::RegFrame);
   assign parameter_word = adr_q - 13'(rc_pkg::RegParameters);
+
   always_comb begin
     read = '0;
     good = 1'b0;
@@ -190,6 +214,6 @@ module rc_host #(
   end
 
   logic unused;
-  assign unused = ^dat_q;   // the frame's widest word may be narrow
+  assign unused = ^dat_q;   // the widest word of the frame may be narrower
 endmodule
 `default_nettype wire

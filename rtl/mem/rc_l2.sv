@@ -1,8 +1,8 @@
-// The cache that all pipelines share, between their caches' misses and memory: rc_cache with
-// whole memory words. A machine without it has L2Sets = 0, and does not build it.
+// The cache that all pipelines share, between their caches' misses and memory: an rc_cache of whole
+// memory words. It exists only if L2Sets is above 0.
 //
-// Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
-// Model: model/mem/cache.hpp with l2_shape().
+// Latency 3 for a hit, one request per cycle. rc_cache.sv has the other latencies and the rules for
+// the user. Model: model/mem/cache.hpp with l2_shape().
 `default_nettype none
 module rc_l2 (
   input  logic             clk_i,
@@ -21,12 +21,13 @@ module rc_l2 (
   output rc_pkg::mem_req_t miss_o,
   input  logic             fill_fires_i,
   input  rc_pkg::mem_rsp_t fill_i,
-  // What it waits for, and what it did; rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic             waits_o,
   output logic [2:0]       deed_o
 );
-  logic                            next_fires;   // nobody reads anything by its answers
+  logic                            next_fires;   // unused
   logic [rc_pkg::ClientIdBits-1:0] next_id;
+
   rc_cache #(
     .IdBits(rc_pkg::ClientIdBits), .AddrBits(rc_pkg::AddrBits), .Parts(1),
     .PartW(rc_pkg::LineBits), .Sets(rc_pkg::L2Sets < 1 ? 1 : rc_pkg::L2Sets),

@@ -1,12 +1,14 @@
-// The lines of a cache that are on their way, and the requests that wait for them. Part of
-// rc_cache.
+// The lines of a cache that are in flight, and the requests that wait for them. Part of rc_cache.
 //
-// Each line has a miss status register (MSHR) with its set and way. The requests that wait for
-// it are a chain through their ids, first to last. A request takes a free MSHR or joins the chain
-// of the line that line_way_i waits for. Words come in any order; with the last of them the line is
-// filled, and its chain is answered from the next cycle on, one request per drain_i, while no
-// request may take or merge. The MSHR is free after the last of them.
-// Model: Mshr, ask() and drain() in model/mem/cache.cpp.
+// Each line in flight has a miss status holding register (MSHR) with its set and way. Its waiting
+// requests form a chain through their ids, first to last. A request takes a free MSHR, or joins the
+// chain of the line that line_way_i waits for.
+//
+// Words come in any order. The last word fills the line, and from the next cycle on its chain is
+// answered, one request per drain_i. In those cycles no request may take or merge. The MSHR is free
+// after the last answer.
+//
+// Model: Mshr, ask() and drain() in model/mem/cache.cpp. Proof: tests/formal/mshr.sv.
 `default_nettype none
 module rc_mshr #(
   parameter  int unsigned IdBits = 6,
@@ -14,32 +16,32 @@ module rc_mshr #(
   parameter  int unsigned Ways   = 4,
   parameter  int unsigned Words  = 1,   // of a line
   parameter  int unsigned Mshrs  = 8,
-  parameter  int unsigned Cut    = 0,   // 1: sets are compared in the cycle before, as in rc_tags
+  parameter  int unsigned Cut    = 0,   // 1: sets are compared one cycle earlier, as in rc_tags
   localparam int unsigned WayW   = Ways < 2 ? 1 : $clog2(Ways),
   localparam int unsigned WordW  = Words < 2 ? 1 : $clog2(Words),
   localparam int unsigned MshrW  = Mshrs < 2 ? 1 : $clog2(Mshrs)
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
-  // The request that is looked up
+  // Request in the look-up
   input  logic [IdBits-1:0] id_i,
   input  logic [SetW-1:0]   set_i,
   input  logic              load_i,        // with Cut: the request ahead is the next one
-  input  logic [SetW-1:0]   ahead_set_i,   // without: the same as set_i
+  input  logic [SetW-1:0]   ahead_set_i,   // without Cut: the same as set_i
   output logic [Ways-1:0]   waiting_o,     // ways of its set that wait for a line
-  output logic              full_o,        // no MSHR is free
-  output logic              waits_o,       // one is not
-  output logic [MshrW-1:0]  free_o,        // the lowest that is
+  output logic              full_o,        // all MSHRs are busy
+  output logic              waits_o,       // at least one MSHR is busy
+  output logic [MshrW-1:0]  free_o,        // the lowest free MSHR
   input  logic [WayW-1:0]   way_i,
   input  logic              take_i,        // takes the free MSHR: way_i waits from now on
   input  logic [WayW-1:0]   line_way_i,
   input  logic              merge_i,       // line_way_i waits already: joins the chain
-  // A word from memory, and where its line goes
+  // Word from memory, and the place of its line
   input  logic              fill_fires_i,
   input  logic [MshrW-1:0]  fill_mshr_i,
   output logic [SetW-1:0]   fill_set_o,
   output logic [WayW-1:0]   fill_way_o,
-  // The request to be answered, and where its line is
+  // Request to be answered, and the place of its line
   output logic              drain_valid_o,
   output logic [IdBits-1:0] drain_id_o,
   output logic [SetW-1:0]   drain_set_o,
@@ -55,17 +57,22 @@ module rc_mshr #(
   if (Mshrs < 1 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse_mshrs
     $error("rc_mshr: Words and Mshrs must be powers of two");
   end
+
   logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones
   logic             is_last;   // no other request waits for it
   logic [MshrW-1:0] joined;    // MSHR of line_way_i
   logic [Mshrs-1:0] busy;
 
+  // Registers. Each MSHR compares its set, and the results are combined from the lowest MSHR up.
   for (genvar m = 0; m < Mshrs; m++) begin : gen_mshr
-    logic            busy_q, takes, is_free;   // is_free: the lowest that is
+    logic            busy_q, takes, is_free;   // is_free: the lowest free one
     assign busy[m] = busy_q;
+
     logic [SetW-1:0] set_q;
     logic [WayW-1:0] way_q;
+
     assign takes = take_i && is_free;
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni) busy_q <= 1'b0;
       else if (takes) busy_q <= 1'b1;
@@ -76,10 +83,11 @@ module rc_mshr #(
       end
     end
 
-    // Of this MSHR and those below.
+    // Combined over this MSHR and those below.
     logic             here, some;
     logic [Ways-1:0]  waiting;
     logic [MshrW-1:0] free, match;
+
     if (Cut == 0) begin : gen_at_once
       assign here = busy_q && set_q == set_i;
     end else begin : gen_ahead
@@ -89,6 +97,7 @@ module rc_mshr #(
           same_set_q <= takes ? set_i == ahead_set_i : set_q == ahead_set_i;
       assign here = busy_q && same_set_q;
     end
+
     if (m == 0) begin : gen_first
       assign is_free = !busy_q;
       assign some    = busy_q;
@@ -103,15 +112,17 @@ module rc_mshr #(
       assign match   = here && way_q == line_way_i ? MshrW'(m) : gen_mshr[m-1].match;
     end
   end
+
   assign full_o    = &busy;
   assign waits_o   = gen_mshr[Mshrs-1].some;
   assign waiting_o = gen_mshr[Mshrs-1].waiting;
   assign free_o    = gen_mshr[Mshrs-1].free;
   assign joined    = gen_mshr[Mshrs-1].match;
 
-  // Chains. The last of a chain is kept twice, so that whom a request joins does not decide who is
-  // answered: two reads in one cycle.
+  // Chains. The tail of a chain is stored twice, for two reads in one cycle. So the chain that a
+  // request joins does not affect which request is answered.
   logic [IdBits-1:0] head, tail, last, next;
+
   rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_head (
     .clk_i, .write_i(take_i || drain_i), .write_addr_i(take_i ? free_o : drained),
     .write_data_i(take_i ? id_i : next), .read_addr_i(drained), .read_data_o(head));
@@ -124,18 +135,21 @@ module rc_mshr #(
   rc_ram #(.Width(IdBits), .Depth(1 << IdBits)) u_next (
     .clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),
     .read_addr_i(head), .read_data_o(next));
+
   assign is_last    = head == last;
   assign drain_id_o = head;
 
-  // Words that have come, modulo Words: zero again when the line is filled.
+  // Words received, modulo Words: 0 again when the line is filled.
   logic filled;
   if (Words == 1) begin : gen_word
     assign filled = fill_fires_i;
   end else begin : gen_words
     (* mem2reg *) logic [WordW-1:0] words_q [Mshrs < 2 ? 2 : Mshrs];
     logic [WordW-1:0] words;
+
     assign words  = words_q[fill_mshr_i];
     assign filled = fill_fires_i && words == WordW'(Words - 1);
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         for (int m = 0; m < (Mshrs < 2 ? 2 : Mshrs); m++) words_q[m] <= '0;
@@ -145,6 +159,7 @@ module rc_mshr #(
     end
   end
 
+  // Place of each line, and the queue of filled lines.
   rc_ram #(.Width(SetW + WayW), .Depth(Mshrs)) u_place (
     .clk_i, .write_i(take_i), .write_addr_i(free_o), .write_data_i({set_i, way_i}),
     .read_addr_i(fill_mshr_i), .read_data_o({fill_set_o, fill_way_o}));
@@ -157,7 +172,8 @@ module rc_mshr #(
   assign unused = ^{load_i, ahead_set_i};
 
 `ifndef SYNTHESIS
-  logic [Mshrs-1:0] awaits_q;   // words of its line
+  logic [Mshrs-1:0] awaits_q;   // words of its line are in flight
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) awaits_q <= '0;
     else begin
@@ -165,14 +181,18 @@ module rc_mshr #(
       if (filled) awaits_q[fill_mshr_i] <= 1'b0;
     end
   end
+
   always_ff @(posedge clk_i) if (rst_ni && fill_fires_i)
     a_fill_is_awaited: assert (awaits_q[fill_mshr_i])
     else $error("a word came for a line that is not on its way");
+
   always_ff @(posedge clk_i) if (rst_ni)
     a_one_thing: assert ($onehot0({take_i, merge_i, drain_i}))
     else $error("a request and a filled line at the chains in one cycle");
+
   always_ff @(posedge clk_i) if (rst_ni && take_i) a_take_is_free: assert (!full_o)
     else $error("no free MSHR to take");
+
   always_ff @(posedge clk_i) if (rst_ni && merge_i)
     a_merge_has_line: assert (waiting_o[line_way_i])
     else $error("merged with a line that is not on its way");

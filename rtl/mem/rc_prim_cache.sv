@@ -1,8 +1,8 @@
-// Cache of primitives: rc_cache with the primitives' parts of a memory word, of which there
-// are two, and all rays as ids. A request's address is that of half a word.
+// Cache of primitives: an rc_cache of the two halves of a memory word, with the ray as the id. A
+// request addresses half a word.
 //
-// Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
-// Model: model/mem/cache.hpp with prim_cache_shape().
+// Latency 3 for a hit, one request per cycle. rc_cache.sv has the other latencies and the rules for
+// the user. Model: model/mem/cache.hpp with prim_cache_shape().
 `default_nettype none
 module rc_prim_cache (
   input  logic               clk_i,
@@ -15,7 +15,7 @@ module rc_prim_cache (
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::prim_rsp_t  rsp_o,
-  output logic               next_fires_o,   // in a fast chip: an answer comes to the head, whose
+  output logic               next_fires_o,   // in a fast chip: an answer comes to the head
   output logic [rc_pkg::RayBits-1:0] next_ray_o,
   // To and from memory
   output logic               miss_valid_o,
@@ -23,15 +23,18 @@ module rc_prim_cache (
   output rc_pkg::prim_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::prim_fill_t fill_i,
-  // What it waits for, and what it did; rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
   localparam int unsigned PrimW = rc_pkg::PrimitiveW;
   localparam int unsigned RestW = rc_pkg::LineBits / 2 - PrimW;
+
   logic [PrimW-1:0] upper, lower;    // a primitive takes the lowest bits of half a word
   logic [RestW-1:0] beyond_upper, beyond_lower;
+
   assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;
+
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(2), .PartW(PrimW),
     .Sets(rc_pkg::PrimSets), .Ways(rc_pkg::PrimWays), .Words(rc_pkg::PrimWords),

@@ -1,8 +1,8 @@
-// Cache of surfaces: rc_cache with the surface's part of a memory word, and all rays as ids.
-// Only if the chip shades.
+// Cache of surfaces: an rc_cache of the surface's part of a memory word, with the ray as the id. It
+// exists only if the chip shades.
 //
-// Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
-// Model: model/mem/cache.hpp with surf_cache_shape().
+// Latency 3 for a hit, one request per cycle. rc_cache.sv has the other latencies and the rules for
+// the user. Model: model/mem/cache.hpp with surf_cache_shape().
 `default_nettype none
 module rc_surf_cache (
   input  logic               clk_i,
@@ -20,16 +20,19 @@ module rc_surf_cache (
   output rc_pkg::surf_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::surf_fill_t fill_i,
-  // What it waits for, and what it did; rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
   localparam int unsigned SurfaceW = rc_pkg::SurfaceW;
   logic [SurfaceW-1:0]                      word;     // a surface takes the lowest bits of a word
   logic [rc_pkg::LineBits-SurfaceW-1:0]     beyond;
+
   assign {beyond, word} = fill_i.line;
-  logic                       next_fires;   // what takes surfaces reads nothing by them
+
+  logic                       next_fires;   // unused: shade reads no memory by the next answer
   logic [rc_pkg::RayBits-1:0] next_ray;
+
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(SurfaceW),
     .Sets(rc_pkg::SurfSets), .Ways(rc_pkg::SurfWays), .Words(rc_pkg::SurfWords),

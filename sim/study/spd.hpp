@@ -20,8 +20,8 @@ namespace rayclock::spd {
 /// Eye rays that hit, reflected, refracted, shadow rays.
 using Kinds = std::array<std::uint64_t, 4>;
 
-/// An octree over the scene as given (sim/judge/reference/octree.hpp), and what the reference's rays would do in
-/// it.
+/// An octree over the scene as given (sim/judge/reference/octree.hpp), and what the reference's rays would do
+/// in it.
 struct Octree {
     int depth = 0;
     OctreeSize size;

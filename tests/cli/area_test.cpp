@@ -25,7 +25,8 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {
         return run_program(
-            {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
+            {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)},
+            cache);
     };
     const Outcome first = area("a.json");
     INFO(first.err);
@@ -65,11 +66,13 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
 
 TEST_CASE("area refuses what makes no sense") {
     const Folder folder;
-    check_refused(run_program({"study", "area", "--unit", "shad"}), {"'shad'", "did you mean 'shade'", "node_cache"});
+    check_refused(run_program({"study", "area", "--unit", "shad"}),
+                  {"'shad'", "did you mean 'shade'", "node_cache"});
     check_refused(run_program({"study", "area", "--unit", ""}), {"--unit"});
     check_refused(run_program({"study", "area", "--config", "smal"}), {"'smal'", "small"});
     check_refused(run_program({"study", "area", "--set", "contexts=0"}), {"contexts"});
-    check_refused(run_program({"study", "area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
+    check_refused(run_program({"study", "area", "--set", "primitive_test=sheared"}),
+                  {"primitive_test=exact"});
     check_refused(run_program({"study", "area", "--unit", "sched", "-o", folder.name("page.md")}),
                   {"--unit", "--output"});
     check_refused(run_program({"study", "area", "-o", folder.name("none/page.md")}), {"none/page.md"});

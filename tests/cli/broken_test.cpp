@@ -79,7 +79,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     const Folder folder;
     // u of every hit is one too large.
     const std::string rtl =
-        broken_rtl(folder, "isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (B+1)'(1) + {");
+        broken_rtl(folder, "unit/isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (B+1)'(1) + {");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
@@ -125,7 +125,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
 
 TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache") {
     const Folder folder;
-    const std::string rtl = broken_rtl(folder, "bvh/rc_rank.sv", "endmodule", "endmodul");
+    const std::string rtl = broken_rtl(folder, "unit/trav/rc_rank.sv", "endmodule", "endmodul");
     fs::create_directory(folder.name("cache"));
     const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
                                         {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});

@@ -30,7 +30,7 @@ std::string faulty_rtl(const Folder& folder, const std::string& file, const std:
 
 TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[slow]") {
     const Folder folder;
-    const std::string rtl = faulty_rtl(folder, "isect/rc_hitdiv.sv", "t_down + {{(T-1){1'b0}}, t_up}",
+    const std::string rtl = faulty_rtl(folder, "unit/isect/rc_hitdiv.sv", "t_down + {{(T-1){1'b0}}, t_up}",
                                        "t_down + {{(T-1){1'b0}}, t_up && 1'b0}");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};

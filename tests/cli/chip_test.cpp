@@ -392,8 +392,9 @@ TEST_CASE("dispatch is really placed and routed, and has the registers that Yosy
         return json::parse(bytes_of(folder.name(report)));
     };
     const json routed = chip("a.json", "1"), area = [&] {
-        run_program({"study", "area", "--config", "small", "--unit", "dispatch", "--json", folder.name("area.json")},
-                    environment);
+        run_program(
+            {"study", "area", "--config", "small", "--unit", "dispatch", "--json", folder.name("area.json")},
+            environment);
         return json::parse(bytes_of(folder.name("area.json")))["variants"][0]["units"][0]["count"];
     }();
     CHECK(routed["totals"]["ff"] == area["ff"]);

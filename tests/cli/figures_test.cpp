@@ -12,8 +12,9 @@ using nlohmann::json;
 
 TEST_CASE("figures writes a page that shows every picture it made, and each number that it has") {
     const Folder folder;
-    const Outcome outcome = run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
-                                         "reference,model", "--json", folder.name("numbers.json")});
+    const Outcome outcome =
+        run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
+                     "reference,model", "--json", folder.name("numbers.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err.empty());
@@ -77,8 +78,8 @@ TEST_CASE("figures refuses what it cannot do") {
 TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %") {
     const Folder folder;
     const Outcome outcome =
-        run_program({"study", "counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96",
-                     "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
+        run_program({"study", "counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size",
+                     "96x96", "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const json report = json::parse(bytes_of(folder.name("spd.json")));
@@ -95,8 +96,8 @@ TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999. Means change little with the picture's size.
 TEST_CASE("rays do in octrees what was published, within 3 %") {
-    const Outcome outcome =
-        run_program({"study", "counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
+    const Outcome outcome = run_program(
+        {"study", "counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
@@ -141,8 +142,9 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     CHECK(page.find("is not there") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"study", "structures"}), {"--output"});
-    check_refused(run_program({"study", "structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
-                  {"splits=on", "primitive_test"});
+    check_refused(
+        run_program({"study", "structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
+        {"splits=on", "primitive_test"});
 }
 
 TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {

@@ -313,8 +313,8 @@ TEST_CASE("a plot is a PDF if it is called so, and says what it needs for that")
 TEST_CASE("tradeoff writes its page with a plot for each scene") {
     const Folder folder;
     const std::string page = folder.name("page.md");
-    const Outcome outcome = run_program({"study", "tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2", "--size",
-                                         "24x18", "--no-netlist", "--min-psnr", "200"},
+    const Outcome outcome = run_program({"study", "tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2",
+                                         "--size", "24x18", "--no-netlist", "--min-psnr", "200"},
                                         {"RAYCLOCK_CACHE=" + folder.name("cache")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
@@ -333,7 +333,8 @@ TEST_CASE("tradeoff writes its page with a plot for each scene") {
         files.push_back(entry.path().filename().string());
     std::sort(files.begin(), files.end());
     CHECK(files == std::vector<std::string>{"cache", "page-icosphere-2.svg", "page-tetra-2.svg", "page.md"});
-    check_refused(run_program({"study", "tradeoff", "-o", folder.name("no/such/page.md")}), {"no/such/page.md"});
+    check_refused(run_program({"study", "tradeoff", "-o", folder.name("no/such/page.md")}),
+                  {"no/such/page.md"});
 }
 
 TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {

@@ -117,7 +117,7 @@ TEST_CASE("lockstep names the first wrong value") {
     const Event event =
         first_event<TriRsp>(job, Link::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
-    const Mutant mutant("isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
+    const Mutant mutant("unit/isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "tri", "tri_rsp");
     CHECK(result.value_mismatches > 1);
@@ -132,7 +132,7 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
     const Job job = small_job();
     const Event event = first_event<Ray>(job, Link::ray, [](const Ray& ray) { return ray.ray == 5; });
     const Mutant mutant(
-        "raygen/rc_raygen.sv", "assign ray_o = ray_data;",
+        "unit/raygen/rc_raygen.sv", "assign ray_o = ray_data;",
         "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "raygen", "ray");
@@ -147,7 +147,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
-        "bvh/rc_node_answer.sv", queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
+        "unit/trav/rc_node_answer.sv", queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
         "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
         "    late_q <= rst_ni && end_valid_i;\n    data_q <= queue_data;\n  end\n" +
             queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
@@ -169,7 +169,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
 }
 
 TEST_CASE("lockstep names the first cycle in which the RTL is early") {
-    const Mutant mutant("isect/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
+    const Mutant mutant("unit/isect/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
     const LockstepResult result = run_lockstep(small_job(4));
     REQUIRE(result.first);
     CHECK(result.first->unit == "tri");   // which took it too soon
@@ -183,7 +183,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is early") {
 TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     const Job job = small_job();
     LockstepResult result;
-    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o   = pixel_valid_i;",
+    const Mutant hanging("unit/sched/rc_sched.sv", "assign hit_valid_o   = pixel_valid_i;",
                          "assign hit_valid_o   = pixel_valid_i && place != (2*P)'(12 << P | 9);");
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
@@ -285,7 +285,7 @@ TEST_CASE("every field that a unit before a cache sends is a field of a link beh
 TEST_CASE("a ray that ends too early is told of the unit that ends it") {
     const Job job = small_job();
     // The group below the top never matters: the ray is done when it is left.
-    const Mutant mutant("bvh/rc_stack.sv", "below_matters = top_below <= tested.t_best;",
+    const Mutant mutant("unit/trav/rc_stack.sv", "below_matters = top_below <= tested.t_best;",
                         "below_matters = 1'b0;");
     const LockstepResult result = run_lockstep(job);
     REQUIRE(result.first);
@@ -320,7 +320,7 @@ TEST_CASE("a wrong register of cycles is told in a sentence") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     const Job job = small_job();
-    const Mutant mutant("bvh/rc_node_test.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
+    const Mutant mutant("unit/trav/rc_node_test.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());

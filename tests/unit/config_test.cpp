@@ -56,7 +56,7 @@ TEST_CASE("a parameter that does not exist or is no number is refused", "[config
 
 TEST_CASE("a named value that does not exist is refused with the nearest", "[config]") {
     Config config;
-    for (const std::string& name : names_of<Dram>()) {
+    for (const std::string& name : names_of<DramName>()) {
         set_parameter(config, "dram", name, "f");
         REQUIRE(name_of(config.dram) == name);
     }

@@ -267,25 +267,25 @@ TEST_CASE("a signal that is a bit too narrow is an overflow", "[fit]") {
 
 TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
     const std::pair<const char*, std::vector<const char*>> texts[] = {
-        {"isect/rc_edges.sv",
+        {"unit/isect/rc_edges.sv",
          {"localparam int unsigned D = N + 1;", "localparam int unsigned C = M + D + 1;",
           "localparam int unsigned X = 2 * D + 1;", "localparam int unsigned E = rc_pkg::EdgeBits",
           "localparam int unsigned U = rc_pkg::NumBits"}},
-        {"isect/rc_tri.sv",
+        {"unit/isect/rc_tri.sv",
          {"logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;",
           "localparam int unsigned D    = rc_pkg::EdgeBits;"}},
-        {"isect/rc_hitdiv.sv",
+        {"unit/isect/rc_hitdiv.sv",
          {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;",
           "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
-        {"bvh/rc_slab.sv",
+        {"engine/bvh/rc_slab.sv",
          {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D   = N + 1;",
           "localparam int unsigned P   = D + R1 + 1;", "localparam int unsigned V   = P + 1;",
           "logic [A-1:0]        placed_move, placed_right, ready_move;", "logic [R1-1:0]       placed_up;"}},
-        {"raygen/rc_raygen.sv",
+        {"unit/raygen/rc_raygen.sv",
          {"logic signed [G-1:0]    s1_right_q, s1_down_q, s1_corner;",
           "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
           "localparam int unsigned G       = GD + SubBits;"}},
-        {"raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, mag;"}}};
+        {"unit/raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, mag;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);
         std::ostringstream text;

@@ -23,7 +23,8 @@ Vec3i aligned(const Ray& ray, const Config& config);
 /// comes from the near side, it is on the plane at T = 2^S num / den, S = F + M - 1 - B. Both are cut off to
 /// crossing_bits, and q = floor(2^17 num / den) of these: T lies strictly between (q - 2) 2^x and (q + 2)
 /// 2^x, x = S - 17 + the difference of their lengths. The far side is entered at floor((q - 2) 2^x) at the
-/// earliest, the near side left at floor((q + 2) 2^x) + 1 at the latest. Mirror of rtl/engine/bsp/rc_crossing.sv.
+/// earliest, the near side left at floor((q + 2) 2^x) + 1 at the latest. Mirror of
+/// rtl/engine/bsp/rc_crossing.sv.
 PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std::int32_t at,
                     const Config& config);
 

@@ -3,9 +3,9 @@
 
 namespace rayclock {
 
-/// The exits of a treelet (or a slant, model/engine/bsp) unpacked for the model. They are told as children of a node
-/// are, inner ones first, so that what follows (trav, list) need not know which structure they come from;
-/// `exit` says where each of them lies.
+/// The exits of a treelet (or a slant, model/engine/bsp) unpacked for the model. They are told as children of
+/// a node are, inner ones first, so that what follows (trav, list) need not know which structure they come
+/// from; `exit` says where each of them lies.
 struct WideExits {
     WideNode exits;                               ///< no planes, org and exp
     std::array<std::uint8_t, max_width> exit{};   ///< [child]

@@ -31,8 +31,8 @@ namespace rayclock {
 ///
 /// Widths: |X| <= 2^(N+1) - 2: N + 2 bits. Two corners differ by at most 2^(N+1) - 2 in X and in Y, and twice
 /// a triangle's area is no more than that of the rectangle around it: det < 2^(2N+2). |A_z| < 2^N: num <
-/// 2^(3N+2). Mirror of rtl/unit/isect/rc_shear.sv and rc_edges2.sv in rc_tri.sv, latency Config::tri_latency() +
-/// 1, one triangle per cycle.
+/// 2^(3N+2). Mirror of rtl/unit/isect/rc_shear.sv and rc_edges2.sv in rc_tri.sv, latency
+/// Config::tri_latency() + 1, one triangle per cycle.
 void sheared_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
                   const Config& config, TriRsp& out);
 
@@ -40,7 +40,8 @@ void sheared_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, cons
 void sheared_test(const Vec3i& o, const Shear& shear, const PrimData& triangle, const Best& best,
                   const Config& config, TriRsp& out);
 
-/// What a direction gives; all zero for d = 0, which no triangle takes. Mirror of rtl/unit/raygen/rc_slope.sv.
+/// What a direction gives; all zero for d = 0, which no triangle takes. Mirror of
+/// rtl/unit/raygen/rc_slope.sv.
 Shear shear_of(const Vec3i& d, const Config& config);
 
 }   // namespace rayclock

@@ -8,8 +8,8 @@ namespace rayclock {
 /// the direction that were given.
 ///
 /// Its direction is what Frame says: the sum of the pixel's steps, moved up by a power of two until it fills
-/// M bits, and rounded. Mirror of rtl/unit/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per
-/// cycle.
+/// M bits, and rounded. Mirror of rtl/unit/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray
+/// per cycle.
 Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config);
 
 /// Camera ray of a context's new pixel: through its middle, or its first sample.

@@ -49,10 +49,10 @@ struct ShadeState {
     std::array<std::uint32_t, 3> share{};   ///< what it adds if nothing is in its way
     std::uint32_t total = 0;                ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
-    /// In the groups that a chip keeps and writes apart (rtl/unit/shade/rc_contexts.sv): the pixel; what every
-    /// pass changes; where a surface was hit and is seen; its sides and colours; a light's share; then what
-    /// only some chips need: of several samples, of refraction; the material, also for refraction and for
-    /// spheres.
+    /// In the groups that a chip keeps and writes apart (rtl/unit/shade/rc_contexts.sv): the pixel; what
+    /// every pass changes; where a surface was hit and is seen; its sides and colours; a light's share; then
+    /// what only some chips need: of several samples, of refraction; the material, also for refraction and
+    /// for spheres.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);

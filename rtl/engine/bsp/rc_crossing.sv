@@ -1,11 +1,14 @@
-// One plane of a slant, in any direction: whether the ray may be on the side that it meets first
-// (near) and on the other one (far), until when on the near side, rounded up, and from when on the
-// far side, rounded down. Part of rc_slant, which has the valid bits: operands come with
-// valid_i[0], the answer rc_pkg::CrossingStages later.
+// One plane of a slant, in any direction. It decides whether the ray may be on the side that it
+// meets first (near), and on the other side (far). It also gives the end of the near side, rounded
+// up, and the begin of the far side, rounded down.
 //
-// at - n . o and n . d are exact, so on which side the origin is, and which way the ray goes, are
-// decided exactly. Only for the time both are cut off to CrossingBits; their quotient is then less
-// than 2 off. Model: crossing() in model/engine/bsp/slant.hpp, which has the formulas.
+// Part of rc_slant, which has the valid bits. Operands come with valid_i[0]; the answer comes
+// rc_pkg::CrossingStages later.
+//
+// at - n . o and n . d are exact. So the origin's side and the ray's direction relative to the
+// plane are exact decisions. Only for the time both are truncated to CrossingBits; the error of
+// their quotient is then below 2. Model: crossing() in model/engine/bsp/slant.hpp, which has the
+// formulas.
 `default_nettype none
 module rc_crossing #(
   localparam int unsigned OW = rc_pkg::OriginWidth,
@@ -17,47 +20,57 @@ module rc_crossing #(
 ) (
   input  logic                 clk_i,
   input  logic [L-1:0]         valid_i,      // valid_i[i]: stage i holds a slant
+  // Ray: origin and direction
   input  logic [3*OW-1:0]      s0_o_i,
   input  logic [3*H-1:0]       s0_along_i,
+  // Plane: normal n and offset
   input  logic [3*B-1:0]       s0_normal_i,
   input  logic signed [AW-1:0] s0_at_i,
+  // Result
   output logic                 turned_o,     // the ray meets the upper side first
   output logic                 near_o,
   output logic                 far_o,
   output logic [T-1:0]         near_to_o,
   output logic [T-1:0]         far_from_o
 );
-  localparam int unsigned Frac = OW - rc_pkg::CoordBits;   // of the origin
+  localparam int unsigned Frac = OW - rc_pkg::CoordBits;   // fraction bits of the origin
   localparam int unsigned NW   = AW + Frac + 1;            // at - n . o, signed
   localparam int unsigned DW   = H + B + 1;                // n . d, signed
   localparam int unsigned V    = rc_pkg::CrossingBits;
-  localparam int unsigned E    = 6;                        // of a length, of a shift to the right
-  localparam int unsigned S    = 8;                        // of a shift, signed
+  localparam int unsigned E    = 6;                        // bits of a length, and of a right shift
+  localparam int unsigned S    = 8;                        // bits of a shift, signed
   localparam int unsigned M    = rc_pkg::MulStages;
   localparam int unsigned Cut  = rc_pkg::Cut;
   localparam int unsigned Div  = V / rc_pkg::QuotientBits;
-  // Stages: products, their sums, sizes cut off, the quotient; then it is moved to its place.
+
+  // Stages: products, their sums, truncated magnitudes, the quotient; then its shift.
   localparam int unsigned Product = M + 1;
   localparam int unsigned Sum     = Product + 1 + Cut;
   localparam int unsigned Size    = Sum + 1 + 3 * Cut;
-  // 2^T times as much is moved to the right by T - x, x = F + M - B - V and what lengths differ.
+
+  // 2^T times the quotient is shifted right by T - x, where x = F + M - B - V plus the difference
+  // of the lengths.
   localparam logic signed [S-1:0] RightBase = S'(T) + S'(Frac) + S'(V) - S'(rc_pkg::TFracBits)
       - S'(H);
 
-  // n . o and n . d.
+  // The products of n . o and n . d.
   logic [3*NW-1:0] origin_q;
   logic [3*DW-1:0] along_q;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [B-1:0]    normal;
     logic signed [OW-1:0]   o;
     logic signed [H-1:0]    along;
     logic signed [OW+B-1:0] origin_product;
     logic signed [H+B-1:0]  along_product;
+
     assign normal = s0_normal_i[k*B +: B];
     assign o      = s0_o_i[k*OW +: OW];
     assign along  = s0_along_i[k*H +: H];
+
     rc_mul #(.AW(OW), .BW(B)) u_origin (.clk_i, .a_i(o), .b_i(normal), .p_o(origin_product));
     rc_mul #(.AW(H), .BW(B)) u_along (.clk_i, .a_i(along), .b_i(normal), .p_o(along_product));
+
     always_ff @(posedge clk_i) begin
       if (valid_i[Product-1]) begin
         origin_q[k*NW +: NW] <= NW'(origin_product);
@@ -65,17 +78,24 @@ module rc_crossing #(
       end
     end
   end
+
   logic signed [AW-1:0] at, at_q;
+
   rc_path_register #(.Width(AW), .Stages(M)) u_at (.clk_i, .data_i(s0_at_i), .data_o(at));
   always_ff @(posedge clk_i) if (valid_i[Product-1]) at_q <= at;
+
+  // Their sums: num = at - n . o, den = n . d.
   logic [NW-1:0] num_less, num_more, num_two, num_rest, num_q;
   logic [DW-1:0] den_one, den_two, den_rest, den_q;
+
   assign num_less = origin_q[0 +: NW] + origin_q[NW +: NW];
   assign num_more = $unsigned(NW'(at_q) <<< Frac) - origin_q[2*NW +: NW];
   assign den_one  = along_q[0 +: DW] + along_q[DW +: DW];
+
   rc_path_register #(.Width(2 * NW + 2 * DW)) u_two (
     .clk_i, .data_i({num_less, num_more, den_one, along_q[2*DW +: DW]}),
     .data_o({num_two, num_rest, den_two, den_rest}));
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Sum-1]) begin
       num_q <= num_rest - num_two;
@@ -83,13 +103,14 @@ module rc_crossing #(
     end
   end
 
-  // Both along the ray. Of one that does not go to the plane only the origin's side matters.
+  // Both along the ray. If the ray does not approach the plane, only the origin's side matters.
   logic          neg, zero, ahead, on, near, far, timed;
   logic [NW-1:0] num;
   logic [NW-2:0] num_abs, num_size;
   logic [DW-1:0] den;
   logic [DW-2:0] den_abs, den_size;
   logic [3:0]    what;      // {neg, near, far, timed}
+
   assign neg   = den_q[DW-1];
   assign zero  = den_q == '0;
   assign num   = neg ? -num_q : num_q;
@@ -99,11 +120,13 @@ module rc_crossing #(
   assign near  = zero ? ahead || on : ahead;
   assign far   = !zero || !ahead;
   assign timed = !zero && ahead;
+
   rc_path_register #(.Width(NW + DW + 2)) u_abs (
     .clk_i, .data_i({num[NW-2:0], den[DW-2:0], neg, near, far, timed}),
     .data_o({num_abs, den_abs, what}));
 
-  // Their lengths, then the highest bits: by a multiple of eight first, then by what is left.
+  // Their bit lengths, then their highest V bits: the shift is first by a multiple of eight, then
+  // by the remaining three bits.
   logic [E-1:0]  num_len, den_len, num_long, den_long, num_short, den_short, num_up, den_up;
   logic [2:0]    num_fine, den_fine;
   logic [NW-2:0] num_coarse, num_rough, num_top;
@@ -112,29 +135,37 @@ module rc_crossing #(
   logic [E-1:0]  size_right, rough_right, right_q;
   logic [3:0]    len_what, rough_what, what_q;
   logic [V-1:0]  dividend_q, divisor_q;
+
   always_comb begin
     num_len = '0;
     den_len = '0;
     for (int i = 0; i < NW - 1; i++) if (num_abs[i]) num_len = E'(i + 1);
     for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = E'(i + 1);
   end
+
   rc_path_register #(.Width(NW + DW - 2 + 2 * E + 4)) u_len (
     .clk_i, .data_i({num_abs, den_abs, num_len, den_len, what}),
     .data_o({num_size, den_size, num_long, den_long, len_what}));
+
   assign num_short = E'(NW - 1) - num_long;
   assign den_short = E'(DW - 1) - den_long;
+
   assign right     = RightBase + $signed({{(S-E){1'b0}}, den_long})
                                - $signed({{(S-E){1'b0}}, num_long});
   assign size_right = right[S-1] ? '0 : right > $signed(S'(63)) ? E'(63) : right[E-1:0];
+
   assign num_up     = {num_short[E-1:3], 3'd0};
   assign den_up     = {den_short[E-1:3], 3'd0};
   assign num_coarse = num_size << num_up;
   assign den_coarse = den_size << den_up;
+
   rc_path_register #(.Width(NW + DW - 2 + 6 + E + 4)) u_coarse (
     .clk_i, .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_what}),
     .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_what}));
+
   assign num_top = num_rough << num_fine;
   assign den_top = den_rough << den_fine;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Size-1]) begin
       dividend_q <= num_top[NW-2 -: V];
@@ -144,18 +175,20 @@ module rc_crossing #(
     end
   end
 
-  // 2^(V-1) num / den.
+  // quo = 2^(V-1) num / den.
   logic [V-1:0] quo;
   logic [E-1:0] quo_right;
   logic [3:0]   quo_what;
   logic         inexact;
+
   rc_divide #(.Width(V), .Stages(Div), .Bits(rc_pkg::QuotientBits)) u_divide (
     .clk_i, .valid_i(valid_i[Size]), .rem_i({1'b0, dividend_q[V-1:1]}),
     .low_i({dividend_q[0], {(V-1){1'b0}}}), .den_i(divisor_q), .quo_o(quo), .inexact_o(inexact));
+
   rc_path_register #(.Width(E + 4), .Stages(Div)) u_beside (
     .clk_i, .data_i({right_q, what_q}), .data_o({quo_right, quo_what}));
 
-  // 2 less and 2 more, in t's unit. What is moved off at the top saturates.
+  // The times: quo - 2 and quo + 2, shifted to t's unit. An overflow at the top saturates.
   logic [V:0]     from_end, to_end, from_d, to_d, over;
   logic [E-1:0]   end_right;
   logic [3:0]     end_what, place_what, out_what;
@@ -164,25 +197,32 @@ module rc_crossing #(
   logic           from_over, to_over, from_many, to_many, from_most, to_most;
   logic [2:0]     fine;
   logic [T-1:0]   from_t, to_t;
+
   assign from_d = {1'b0, quo} - (V+1)'(2);
   assign to_d   = {1'b0, quo} + (V+1)'(2);
+
   rc_path_register #(.Width(2 * (V + 1) + E + 4)) u_ends (
     .clk_i, .data_i({from_d, to_d, quo_right, quo_what}),
     .data_o({from_end, to_end, end_right, end_what}));
+
   assign over       = {(V+1){1'b1}} << end_right;
   assign from_moved = {from_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
   assign to_moved   = {to_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
   assign from_over  = |(from_end & over);
   assign to_over    = |(to_end & over);
+
   rc_path_register #(.Width(2 * (T + 7) + 9)) u_place (
     .clk_i,
     .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_what}),
     .data_o({from_rest, to_rest, from_many, to_many, fine, place_what}));
+
   assign from_fine = from_rest >> fine;
   assign to_fine   = to_rest >> fine;
+
   rc_path_register #(.Width(2 * T + 6)) u_fine (
     .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_what}),
     .data_o({from_t, to_t, from_most, to_most, out_what}));
+
   always_ff @(posedge clk_i) begin
     if (valid_i[L-1]) begin
       turned_o   <= out_what[3];

@@ -1,12 +1,14 @@
-// Slab test of all children of a node, conservative, and their order.
+// Conservative slab test of all children of a node, and their order.
 //
 // Latency rc_pkg::BoxLatency + 1 (result queue), throughput 1 node every rc_pkg::BoxInterval
-// cycles, answers in order. Model: model/engine/bvh/box.hpp, which has the formulas. No box that holds a
-// point of the ray is left out; a child's t_near is never beyond such a point.
+// cycles, answers in order.
 //
-// If a node has more children than there are lanes, they are tested beat by beat, as many at once
-// as there are lanes. The node stays at the front until its last beat, its planes move on by a beat
-// in every cycle. What the first beats have found waits for the last one.
+// No box is left out that holds a point of the ray, and a child's t_near is never beyond such a
+// point. Model: model/engine/bvh/box.hpp, which has the formulas.
+//
+// If a node has more children than there are lanes, its children are tested in beats, one child per
+// lane in each beat. The node stays in the front stage until its last beat, and its planes shift by
+// one beat per cycle. Results of earlier beats wait for the last beat.
 `default_nettype none
 module rc_box (
   input  logic             clk_i,
@@ -15,7 +17,7 @@ module rc_box (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::box_req_t req_i,
-  output logic             rests_o,       // takes none: the last one's children are tested
+  output logic             rests_o,       // accepts no node: the last node's children are in test
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -32,41 +34,55 @@ module rc_box (
   localparam int unsigned T  = rc_pkg::TBits;
   localparam int unsigned TW = (T + 31) / 32 * 32;   // as rc_slab gives them
   localparam int unsigned L  = rc_pkg::BoxLatency;
-  // Stages: a node comes in, intervals of a beat's children are there, their intersections are.
-  // Those of the last beat are there when the node itself is K - 1 stages further.
+
+  // Stages in which a node has arrived, the intervals of a beat's children are ready, and their
+  // intersections are ready. The intersections of the last beat are ready when the node itself is K
+  // - 1 stages further.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
   localparam int unsigned Met  = L - rc_pkg::RankStages - K;
 
+  // Admission: an answer has a place in the result queue.
   logic admit, is_open;
+
   assign req_ready_o = is_open && !rests_o;
   assign admit       = req_valid_i && req_ready_o;
+
   rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(is_open));
 
   // valid[i]: stage i holds a node.
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
+
   assign valid = {valid_q, admit};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
-  // A stage takes over what comes to it if that is a node. In a fast chip it always does: an
-  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+
+  // A stage accepts its input if the input is a node. In a fast chip it accepts unconditionally: an
+  // enable of hundreds of registers is a long path, and invalid data is never used.
   logic [L:0] moves;
+
   assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
-  // Likewise of beats, up to Met: a node's first beat is where the node is, the last K - 1 behind.
+
+  // The same for beats, up to Met. A node's first beat is where the node is; its last is K - 1
+  // behind.
   logic [Met:0] beats, beat_moves;
+
   for (genvar i = 0; i <= Met; i++) begin : gen_beats
     assign beats[i] = |valid[i+K-1:i];
   end
+
   assign beat_moves = beats | {(Met+1){rc_pkg::Cut != 0}};
 
-  // The node, its planes from this beat's on; if there is one beat, just what comes. What does not
-  // go to slabs is taken with the first beat.
+  // The node in the front stage, with its planes from this beat on. With one beat this is the
+  // request. Fields that do not go to the slabs are used with the first beat only.
   rc_pkg::box_req_t           held, next, in;
   logic [rc_pkg::BoxReqW-1:0] next_flat, in_flat;
+
   if (K == 1) begin : gen_at_once
     assign rests_o = 1'b0;
     assign held    = '0;
@@ -80,6 +96,7 @@ module rc_box (
       assign held = held_q;
     end
   end
+
   always_comb begin
     next = req_i;
     if (rests_o) begin
@@ -93,10 +110,13 @@ module rc_box (
       next.hi    = held.hi >> 3 * S * B;
     end
   end
+
   assign next_flat = next;
   rc_path_register #(.Width(rc_pkg::BoxReqW)) u_in (.clk_i, .data_i(next_flat), .data_o(in_flat));
+
   assign in = in_flat;
 
+  // The node, unpacked.
   logic [3*OW-1:0]  in_o;
   logic [3*N-1:0]   in_org;
   logic [2:0]       in_neg;
@@ -104,6 +124,7 @@ module rc_box (
   logic [3*E-1:0]   in_len, in_exp;
   logic [3*W*B-1:0] in_lo, in_hi;
   logic [3*S*B-1:0] plane_lo, plane_hi, axis_lo, axis_hi;
+
   assign in_o     = in.o;
   assign in_org   = in.org;
   assign in_neg   = in.neg;
@@ -113,12 +134,13 @@ module rc_box (
   assign in_lo    = in.lo;
   assign in_hi    = in.hi;
 
-  // Planes wait until the ray and the node's corner have met. Memory holds them child by child; a
-  // slab wants those of its axis.
+  // The children's planes wait until the distance to the node's corner is ready. Memory holds them
+  // child by child; each slab uses those of its axis.
   rc_shift_register #(.Width(6 * S * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
     .clk_i, .valid_i(beat_moves[In+rc_pkg::SlabPlanes-1:In]),
     .data_i({in_lo[3*S*B-1:0], in_hi[3*S*B-1:0]}),
     .data_o({plane_lo, plane_hi}));
+
   for (genvar i = 0; i < S; i++) begin : gen_child_planes
     for (genvar k = 0; k < 3; k++) begin : gen_plane
       assign axis_lo[(k*S+i)*B +: B] = plane_lo[(3*i+k)*B +: B];
@@ -126,9 +148,10 @@ module rc_box (
     end
   end
 
-  // Of each axis and child: interval on that axis.
+  // For each axis and child: its interval on that axis.
   logic [3*S*TW-1:0] near, far;
   logic [3*S-1:0]    miss;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
       .clk_i, .valid_i(beat_moves[Meet:In]),
@@ -139,13 +162,15 @@ module rc_box (
       .near_o(near[k*S*TW +: S*TW]), .far_o(far[k*S*TW +: S*TW]), .miss_o(miss[k*S +: S]));
   end
 
-  // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
+  // The intersection of a child's intervals: the farthest near end, the nearest far end.
   logic [S-1:0]   met;
   logic [S*T-1:0] near_t;
+
   for (genvar i = 0; i < S; i++) begin : gen_child
     logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
     logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
     logic         there, there_q, may_hit;
+
     assign nx    = near[i*TW +: T];
     assign ny    = near[(S+i)*TW +: T];
     assign nz    = near[(2*S+i)*TW +: T];
@@ -155,23 +180,28 @@ module rc_box (
     assign nxy   = nx > ny ? nx : ny;
     assign fxy   = fx < fy ? fx : fy;
     assign there = !miss[i] && !miss[S+i] && !miss[2*S+i];
+
     rc_path_register #(.Width(T)) u_nxy (.clk_i, .data_i(nxy), .data_o(nxy_q));
     rc_path_register #(.Width(T)) u_fxy (.clk_i, .data_i(fxy), .data_o(fxy_q));
     rc_path_register #(.Width(T)) u_nz (.clk_i, .data_i(nz), .data_o(nz_q));
     rc_path_register #(.Width(T)) u_fz (.clk_i, .data_i(fz), .data_o(fz_q));
     rc_path_register u_there (.clk_i, .data_i(there), .data_o(there_q));
+
     assign first = nxy_q > nz_q ? nxy_q : nz_q;
     assign last  = fxy_q < fz_q ? fxy_q : fz_q;
+
     rc_path_register #(.Width(T)) u_enter (.clk_i, .data_i(first), .data_o(enter));
     rc_path_register #(.Width(T)) u_leave (.clk_i, .data_i(last), .data_o(leave));
     rc_path_register u_may_hit (.clk_i, .data_i(there_q), .data_o(may_hit));
+
     assign met[i]           = enter <= leave && may_hit;
     assign near_t[i*T +: T] = enter;
   end
 
-  // All children of the node, when its last beat is there.
+  // All children of the node, ready with its last beat.
   logic [W-1:0]   all_met;
   logic [W*T-1:0] all_near;
+
   if (K == 1) begin : gen_all
     assign all_met  = met;
     assign all_near = near_t;
@@ -180,6 +210,7 @@ module rc_box (
     logic [(W-S)*T-1:0] near_q;
     assign all_met  = {met, met_q};
     assign all_near = {near_t, near_q};
+
     always_ff @(posedge clk_i) begin
       if (beat_moves[Met]) begin
         met_q  <= all_met[W-1:S];
@@ -188,11 +219,14 @@ module rc_box (
     end
   end
 
+  // Their order, and the result queue.
   logic [rc_pkg::BoxRspW-1:0] rsp;
+
   rc_node_answer #(.Latency(L)) u_answer (
     .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
     .met_i(all_met), .near_i(all_near), .end_valid_i(valid_q[L-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+
   assign rsp_o = rsp;
 
 `ifndef SYNTHESIS

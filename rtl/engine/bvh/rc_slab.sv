@@ -1,9 +1,12 @@
-// One axis of the slab test for the children of a node that are tested at once: where the
-// ray enters and leaves each slab, rounded down and up. Part of rc_box, which has the valid
-// bits: operands and planes come with valid_i[0], the interval rc_pkg::SlabStages later.
-// If the origin has fraction bits, near planes are measured from the lattice point before
-// or beyond it that lies further along the ray, far planes from the other one: at most a
-// lattice step more (docs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
+// One axis of the slab test, for the children of one beat. For each slab it gives the times at
+// which the ray enters, rounded down, and leaves, rounded up.
+//
+// Part of rc_box, which has the valid bits. The ray and the node come with valid_i[0], the planes
+// rc_pkg::SlabPlanes later. The intervals come rc_pkg::SlabStages after valid_i[0].
+//
+// An origin with fraction bits lies between two lattice points. Near planes are measured from the
+// point that lies further along the ray, far planes from the other one. This costs at most one
+// lattice step (docs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
   localparam int unsigned W  = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // lanes
@@ -13,57 +16,66 @@ module rc_slab #(
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
   localparam int unsigned E  = rc_pkg::ExpBits,
   localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned TW = (T + 31) / 32 * 32,  // whole words: a simulation moves no bits
+  localparam int unsigned TW = (T + 31) / 32 * 32,  // whole words: a simulation shifts no bits
   localparam int unsigned L  = rc_pkg::SlabStages
 ) (
   input  logic                 clk_i,
   input  logic [L:0]           valid_i,   // valid_i[i]: stage i holds a node
+  // Ray, and the node's corner and exponent
   input  logic signed [OW-1:0] s0_o_i,
   input  logic signed [N-1:0]  s0_org_i,
   input  logic                 s0_neg_i,
   input  logic [R1-1:0]        s0_recip_i,
   input  logic [E-1:0]         s0_len_i,
   input  logic [E-1:0]         s0_exp_i,
+  // Planes of the children
   input  logic [W*B-1:0]       plane_lo_i,   // rc_pkg::SlabPlanes later than the others
   input  logic [W*B-1:0]       plane_hi_i,
+  // Intervals of the children
   output logic [W*TW-1:0]      near_o,
   output logic [W*TW-1:0]      far_o,
   output logic [W-1:0]         miss_o
 );
-  localparam int unsigned D   = N + 1;       // plane distance, signed
+  localparam int unsigned D   = N + 1;       // distance to the node's corner, signed
   localparam int unsigned P   = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
-  localparam int unsigned V   = P + 1;       // plus plane * r, signed
+  localparam int unsigned V   = P + 1;       // the product plus plane * r, signed
   localparam int unsigned S   = 8;           // shift, signed: -24..62
-  localparam int unsigned A   = 6;           // shift to the right of 2^T times as much
+  localparam int unsigned A   = 6;           // right shift of 2^T times the value
   localparam int unsigned Cut = rc_pkg::Cut;
   localparam int unsigned M   = rc_pkg::MulStages;
-  // Stages in which the node's corner has its place, the children's planes are multiplied, their
-  // products are there, and the planes have their places.
+
+  // Stages in which the node's corner is shifted, the children's planes are multiplied, their
+  // products are ready, and the sums are ready.
   localparam int unsigned Placed = 2 + M + Cut;
   localparam int unsigned Planes = rc_pkg::SlabPlanes;
   localparam int unsigned Ready  = Planes + M;
   localparam int unsigned Sum    = Ready + 1;
-  // shift = x + e = F + M - len - R + e, M as wide as a ray's direction; the constant part:
+
+  // shift = x + e = F + M - len - R + e, where M is the width of a ray's direction. Its constant
+  // part:
   localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
       - S'(rc_pkg::RecipBits);
 
-  // s0: the origin's lattice point before, and whether that is not the one beyond as well.
+  // s0: the lattice point below the origin, and whether the origin lies above that point.
   logic signed [N-1:0] s0_point;
   logic                s0_between;
+
   assign s0_point = s0_o_i[OW-1 -: N];
+
   if (rc_pkg::OriginBits == 0) begin : gen_on_lattice
     assign s0_between = 1'b0;
   end else begin : gen_between
     assign s0_between = |s0_o_i[OW-N-1:0];
   end
 
-  // s1: distance from the ray's origin to the node's, along the ray; the shorter one, that
-  // of near planes. That of far planes is one more if the origin lies between lattice points.
+  // s1: distance from the ray's origin to the node's corner, along the ray. This is the shorter
+  // one, for near planes. For far planes it is one more if the origin lies between lattice points.
   logic signed [D-1:0] s1_distance_q;
   logic                s1_between_q, s1_neg_q, s1_zero_q;
   logic [R1-1:0]       s1_r_q;
   logic [E-1:0]        s1_exp_q;
   logic signed [S-1:0] s1_shift_q;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0]) begin
       s1_distance_q <= s0_neg_i
@@ -79,31 +91,38 @@ module rc_slab #(
     end
   end
 
-  // D r; D (r + 1), or (D + 1) (r + 1), is the same and `more`. Up by 2^e is down after adding
-  // 2^e - 1, which is in `more` as well.
+  // near: D r. far: D (r + 1), or (D + 1) (r + 1), which is D r + more. The right shift by e rounds
+  // up for far planes: more includes 2^e - 1.
   logic signed [D+R1:0] product;
   logic signed [P-1:0]  s1_more, some, more, sum_near, sum_far, node_near, node_far;
   logic [R1-1:0]        s1_r_up;
   logic [E-1:0]         some_exp, node_exp;
   logic [P-1:0]         some_unit;
+
   rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(s1_distance_q), .b_i($signed({1'b0, s1_r_q})), .p_o(product));
+
   assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};
   assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))
                  + (s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0);
+
   rc_path_register #(.Width(P + E)) u_some (
     .clk_i, .data_i({s1_more, s1_exp_q}), .data_o({some, some_exp}));
+
   assign some_unit = ~({P{1'b1}} << some_exp);
   rc_path_register #(.Width(P), .Stages(M - Cut)) u_more (
     .clk_i, .data_i(some + $signed(some_unit)), .data_o(more));
+
   assign sum_near = P'(product);
   assign sum_far  = sum_near + more;
+
   rc_path_register #(.Width(P)) u_node_near (.clk_i, .data_i(sum_near), .data_o(node_near));
   rc_path_register #(.Width(P)) u_node_far (.clk_i, .data_i(sum_far), .data_o(node_far));
   rc_path_register #(.Width(E), .Stages(M)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
 
-  // Down: the node's corner, in units of 2^-shift.
+  // The right shift of the node's corner, in units of 2^-shift.
   logic signed [P-1:0] placed_near_q, placed_far_q;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Placed-1]) begin
       placed_near_q <= node_near >>> node_exp;
@@ -111,42 +130,51 @@ module rc_slab #(
     end
   end
 
-  // Meanwhile the shift becomes one to the right, of 2^T times as much; a shift to the left by T,
-  // and all beyond it, saturates. Rounding up adds 2^right - 1 if it goes to the right by itself.
+  // In parallel, the shift becomes a right shift of 2^T times the value; left shifts by T or more
+  // saturate. If the value itself shifts right, rounding up adds 2^right - 1.
   logic signed [S-1:0] s1_move;
   logic [A-1:0]        placed_move, placed_right, ready_move;
   logic                placed_zero, ready_zero;
   logic [R1-1:0]       placed_up;
   logic signed [V-1:0] far_up, ready_near, ready_far, ready_up;
+
   assign s1_move = s1_shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - s1_shift_q;
+
   rc_shift_register #(.Width(A + 1), .Stages(Placed - 1)) u_move (
     .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[A-1:0], s1_zero_q}),
     .data_o({placed_move, placed_zero}));
+
   assign placed_right = placed_move > A'(T) ? placed_move - A'(T) : '0;
   assign placed_up    = ~({R1{1'b1}} << placed_right);
   assign far_up       = V'(placed_far_q) + $signed({{(V-R1){1'b0}}, placed_up});
-  rc_path_register #(.Width(V)) u_ready_near (.clk_i, .data_i(V'(placed_near_q)), .data_o(ready_near));
-  rc_path_register #(.Width(V)) u_ready_far (.clk_i, .data_i(V'(placed_far_q)), .data_o(ready_far));
+
+  rc_path_register #(.Width(V)) u_ready_near (
+    .clk_i, .data_i(V'(placed_near_q)), .data_o(ready_near));
+  rc_path_register #(.Width(V)) u_ready_far (
+    .clk_i, .data_i(V'(placed_far_q)), .data_o(ready_far));
   rc_path_register #(.Width(V)) u_ready_up (.clk_i, .data_i(far_up), .data_o(ready_up));
   rc_path_register #(.Width(A + 1)) u_ready (
     .clk_i, .data_i({placed_move, placed_zero}), .data_o({ready_move, ready_zero}));
 
-  // The planes have come, in the order in which the ray meets them. The way of a step of theirs is
-  // turned once for all children if the ray goes down: r and r + 1, or -r and -(r + 1).
+  // Factors of the children's planes. If the ray goes down, r and r + 1 become -r and -(r + 1),
+  // once for all children.
   logic [R1-1:0]      plane_r;
   logic signed [R1:0] plane_near, plane_far;
   logic               plane_neg, plane_zero;
+
   rc_shift_register #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
     .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
     .data_o({plane_r, plane_neg, plane_zero}));
+
   assign plane_near = {plane_neg, {R1{plane_neg}} ^ plane_r} + {{R1{1'b0}}, plane_neg};
   assign plane_far  = {plane_neg, {R1{plane_neg}} ^ plane_r}
                     + {{R1{1'b0}}, plane_neg == plane_zero};
 
-  // What is moved off at the top saturates.
+  // Shift of the sums. over_q: bits that overflow at the top, which saturates.
   logic [V-1:0] over_q;
   logic [A-1:0] move_q, fine_move;
   logic         zero_q;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Sum-1]) begin
       over_q <= {V{1'b1}} << ready_move;
@@ -154,31 +182,40 @@ module rc_slab #(
       zero_q <= ready_zero;
     end
   end
+
   rc_path_register #(.Width(A)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
 
-  // Relaxed: planes that are not there cost a simulation nothing. A chip does not ask.
+  // In a simulation of a relaxed chip, invalid planes cost no work. Silicon has no such condition.
   logic holds, is_there;
+
 `ifdef SYNTHESIS
   assign {holds, is_there} = 2'b11;
 `else
   assign holds    = Cut != 0 || valid_i[Sum-1];
   assign is_there = valid_i[Sum];
 `endif
+
+  // ---- Children: planes in the order in which the ray meets them, and their products.
   for (genvar i = 0; i < W; i++) begin : gen_child
     logic [B-1:0]       first, last;
     logic signed [B+R1+1:0] near_way, far_way;
+
     assign first = plane_neg ? plane_hi_i[i*B +: B] : plane_lo_i[i*B +: B];
     assign last  = plane_neg ? plane_lo_i[i*B +: B] : plane_hi_i[i*B +: B];
+
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_near (
       .clk_i, .a_i($signed({1'b0, first})), .b_i(plane_near), .p_o(near_way));
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_far (
       .clk_i, .a_i($signed({1'b0, last})), .b_i(plane_far), .p_o(far_way));
 
+    // Sums of the corner and the planes.
     logic signed [V-1:0] near_q, up_q, near_path, far_path, far;
     logic                behind_q;
+
     assign near_path = holds ? V'(near_way) : '0;
     assign far_path  = holds ? V'(far_way) : '0;
     assign far       = ready_far + far_path;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[Sum-1]) begin
         near_q   <= ready_near + near_path;
@@ -187,9 +224,11 @@ module rc_slab #(
       end
     end
 
-    // 2^T times as much, moved to the right by a multiple of eight, then by what is left of that.
+    // The right shift of 2^T times the sums, first by a multiple of eight, then by the remaining
+    // three bits.
     logic [T+6:0] near_coarse, far_coarse, near_rest, far_rest;
     logic         near_over, far_over, near_zero, miss, near_many, far_many, near_none, miss_late;
+
     always_comb begin
       near_coarse = '0;
       far_coarse  = '0;
@@ -206,17 +245,25 @@ module rc_slab #(
         miss        = behind_q || (zero_q && !near_q[V-1] && near_q != '0);
       end
     end
-    rc_path_register #(.Width(T + 7)) u_near_rest (.clk_i, .data_i(near_coarse), .data_o(near_rest));
-    rc_path_register #(.Width(T + 7)) u_far_rest (.clk_i, .data_i(far_coarse), .data_o(far_rest));
+
+    rc_path_register #(.Width(T + 7)) u_near_rest (
+      .clk_i, .data_i(near_coarse), .data_o(near_rest));
+    rc_path_register #(.Width(T + 7)) u_far_rest (
+      .clk_i, .data_i(far_coarse), .data_o(far_rest));
     rc_path_register u_near_many (.clk_i, .data_i(near_over), .data_o(near_many));
     rc_path_register u_far_many (.clk_i, .data_i(far_over), .data_o(far_many));
     rc_path_register u_near_none (.clk_i, .data_i(near_zero), .data_o(near_none));
     rc_path_register u_miss_late (.clk_i, .data_i(miss), .data_o(miss_late));
+
     logic [T-1:0] near_t, far_t;
+
     assign near_t = near_none ? '0 : T'(near_rest >> fine_move[2:0]) | {T{near_many}};
     assign far_t  = T'(far_rest >> fine_move[2:0]) | {T{far_many}};
-    rc_path_register #(.Width(TW)) u_near_out (.clk_i, .data_i(TW'(near_t)), .data_o(near_o[i*TW +: TW]));
-    rc_path_register #(.Width(TW)) u_far_out (.clk_i, .data_i(TW'(far_t)), .data_o(far_o[i*TW +: TW]));
+
+    rc_path_register #(.Width(TW)) u_near_out (
+      .clk_i, .data_i(TW'(near_t)), .data_o(near_o[i*TW +: TW]));
+    rc_path_register #(.Width(TW)) u_far_out (
+      .clk_i, .data_i(TW'(far_t)), .data_o(far_o[i*TW +: TW]));
     rc_path_register u_miss_out (.clk_i, .data_i(miss_late), .data_o(miss_o[i]));
   end
 

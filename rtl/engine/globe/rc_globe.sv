@@ -1,8 +1,9 @@
-// Which globes (bounding spheres) of a node a ray meets, conservative, and their order.
+// The globes (bounding spheres) of a node that a ray meets, conservative, and their order.
 //
 // Latency rc_pkg::GlobeLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
-// Model: model/engine/globe/globe.hpp, which has the formulas. No globe that holds a point of the ray is
-// left out; a globe's t_near is never beyond such a point.
+//
+// No globe is left out that holds a point of the ray, and a globe's t_near is never beyond such a
+// point. Model: model/engine/globe/globe.hpp, which has the formulas.
 `default_nettype none
 module rc_globe (
   input  logic               clk_i,
@@ -23,31 +24,39 @@ module rc_globe (
   localparam int unsigned Cut = rc_pkg::Cut;
   localparam int unsigned In  = Cut;
 
+  // Admission: an answer has a place in the result queue.
   logic admit;
+
   assign admit = req_valid_i && req_ready_o;
+
   rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
 
-  // valid[i]: stage i holds a node. moves[i]: stage i + 1 takes over what is there; in a fast chip
-  // always, as in rc_box.
+  // valid[i]: stage i holds a node. moves[i]: stage i + 1 accepts it; unconditionally in a fast
+  // chip, as in rc_box.
   logic [L-1:0] valid_q;
   logic [L:0]   valid, moves;
+
   assign valid = {valid_q, admit};
   assign moves = valid | {(L+1){Cut != 0}};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
 
+  // The node, unpacked.
   rc_pkg::globe_req_t           in;
   logic [rc_pkg::GlobeReqW-1:0] in_flat;
+
   rc_path_register #(.Width(rc_pkg::GlobeReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
   assign in = in_flat;
 
-  // What all globes of the node have in common, then each of them.
+  // The part of the test that all globes of the node share.
   localparam int unsigned N = rc_pkg::CoordBits;
   localparam int unsigned G = rc_pkg::TowardBits;
   localparam int unsigned S = rc_pkg::GlobeStages;
+
   logic [3*(N+G+2)-1:0] moment;
   logic [3*G-1:0]       toward;
   logic [N+6:0]         way;
@@ -55,17 +64,21 @@ module rc_globe (
   logic [G-1:0]         square;
   logic [16:0]          inverse;
   logic [5:0]           right;
+
   rc_sight u_sight (
     .clk_i, .moves_i(moves[In +: S]), .s0_o_i(in.o), .s0_org_i(in.org), .s0_exp_i(in.exp),
     .s0_toward_i(in.toward), .s0_len_i(in.len), .toward_o(toward), .moment_o(moment), .way_o(way),
     .slack_o(slack), .square_o(square), .inverse_o(inverse), .right_o(right));
 
+  // The part of each globe.
   logic [3*W*Q-1:0] in_centre;
   logic [W*Q-1:0]   in_radius;
   logic [W-1:0]     met;
   logic [W*T-1:0]   near;
+
   assign in_centre = in.centre;
   assign in_radius = in.radius;
+
   for (genvar i = 0; i < W; i++) begin : gen_child
     rc_chord u_chord (
       .clk_i, .moves_i(moves[In +: S]), .s0_centre_i(in_centre[3*i*Q +: 3*Q]),
@@ -74,11 +87,14 @@ module rc_globe (
       .met_o(met[i]), .near_o(near[i*T +: T]));
   end
 
+  // Their order, and the result queue.
   logic [rc_pkg::GlobeRspW-1:0] rsp;
+
   rc_node_answer #(.Latency(L)) u_answer (
     .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
     .met_i(met), .near_i(near), .end_valid_i(valid_q[L-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+
   assign rsp_o = rsp;
 
   logic unused;

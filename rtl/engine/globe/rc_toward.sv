@@ -1,7 +1,9 @@
-// A ray as globes are tested with it: its direction is moved by a power of two until the longest
-// component fills TowardBits, and rounded to nearest, halves up; what would be 2^17 is one less.
-// Part of rc_trav, which keeps the result until the ray's nodes come: 3 cycles later in a fast
-// chip, in the same cycle in a relaxed one. Model: globe_ray() in model/engine/globe/globe.cpp.
+// A ray in the form in which globes are tested with it. The direction is shifted by a power of two
+// until its longest component fills TowardBits, and rounded to nearest, halves up. A component that
+// would become 2^17 is one less.
+//
+// Part of rc_trav, which stores the result until the ray's nodes come. Latency 3 in a fast chip, 0
+// in a relaxed one. Model: globe_ray() in model/engine/globe/globe.cpp.
 `default_nettype none
 module rc_toward #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -17,7 +19,7 @@ module rc_toward #(
   input  logic [I-1:0]     ray_i,
   input  logic [3*OW-1:0]  o_i,
   input  logic [3*H-1:0]   d_i,
-  input  logic             short_i,  // of DirBits only: len counts as if it were as long as others
+  input  logic             short_i,  // of DirBits only: len counts as for full width
   output logic             valid_o,
   output logic [I-1:0]     ray_o,
   output logic [KeptW-1:0] kept_o    // {o, direction, len}
@@ -25,10 +27,11 @@ module rc_toward #(
   localparam int unsigned Cut   = rc_pkg::Cut;
   localparam int unsigned Waits = 3 * Cut;
 
-  // Bits of the longest component, and how many above it are free.
+  // Bit length of the longest component, and the free bits above it.
   logic [H-2:0]   used;
   logic [E-1:0]   len, told, free, free_q;
   logic [3*H-1:0] dir_q;
+
   always_comb begin
     used = '0;
     for (int k = 0; k < 3; k++) used = used | (d_i[k*H +: H-1] ^ {(H-1){d_i[k*H+H-1]}});
@@ -41,17 +44,22 @@ module rc_toward #(
       end
     end
   end
+
   assign told = short_i ? len + E'(H - rc_pkg::DirBits) : len;
+
   rc_path_register #(.Width(3 * H)) u_dir (.clk_i, .data_i(d_i), .data_o(dir_q));
   rc_path_register #(.Width(E)) u_free (.clk_i, .data_i(free), .data_o(free_q));
 
-  // Moved, then rounded.
+  // The shift, then the rounding.
   logic [3*G-1:0] toward, toward_q;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic [H-1:0] moved, moved_q;
     logic [G-1:0] whole, rounded;
+
     assign moved = dir_q[k*H +: H] << free_q;
     rc_path_register #(.Width(H)) u_moved (.clk_i, .data_i(moved), .data_o(moved_q));
+
     if (H > G) begin : gen_round
       logic unused;
       assign whole   = moved_q[H-1 -: G];
@@ -61,15 +69,20 @@ module rc_toward #(
       assign whole   = G'(moved_q) << (G - H);
       assign rounded = whole;
     end
+
     assign toward[k*G +: G] = !whole[G-1] && rounded[G-1] ? whole : rounded;
   end
+
   rc_path_register #(.Width(3 * G)) u_toward (.clk_i, .data_i(toward), .data_o(toward_q));
 
+  // Delays of the other fields, and of the valid bit.
   logic [3*OW-1:0] o_q;
   logic [E-1:0]    len_q;
+
   rc_path_register #(.Width(I), .Stages(Waits)) u_ray (.clk_i, .data_i(ray_i), .data_o(ray_o));
   rc_path_register #(.Width(3 * OW), .Stages(Waits)) u_o (.clk_i, .data_i(o_i), .data_o(o_q));
   rc_path_register #(.Width(E), .Stages(Waits)) u_len (.clk_i, .data_i(told), .data_o(len_q));
+
   assign kept_o = {o_q, toward_q, len_q};
 
   if (Cut == 0) begin : gen_now

@@ -1,6 +1,8 @@
-// Where a ray enters and leaves the box around what a treelet's or a slant's cell holds: parallel
-// planes, the fast case of rc_plane. Part of rc_treelet and rc_slant, which have the valid bits:
-// operands come with valid_i[0], the answer rc_pkg::PlaneStages + 1 + Cut later.
+// The times at which a ray enters and leaves the box around the content of a treelet's or a slant's
+// cell. Its planes come in parallel pairs: the fast case of rc_plane.
+//
+// Part of rc_treelet and rc_slant, which have the valid bits. Operands come with valid_i[0]; the
+// answer comes rc_pkg::PlaneStages + 1 + Cut cycles later.
 `default_nettype none
 module rc_bounds #(
   localparam int unsigned N  = rc_pkg::CoordBits,
@@ -12,49 +14,58 @@ module rc_bounds #(
   localparam int unsigned L  = P + 1 + rc_pkg::Cut
 ) (
   input  logic            clk_i,
-  input  logic [L-1:0]    valid_i,   // valid_i[i]: stage i holds a treelet
+  input  logic [L-1:0]    valid_i,   // valid_i[i]: stage i holds a node
+  // Ray: origin, signs, reciprocals and lengths of its direction
   input  logic [3*OW-1:0] s0_o_i,
   input  logic [2:0]      s0_neg_i,
   input  logic [3*R1-1:0] s0_recip_i,
   input  logic [3*E-1:0]  s0_len_i,
-  input  logic            s0_open_i, // there is no box
+  // Box
+  input  logic            s0_open_i, // the cell has no box
   input  logic [3*N-1:0]  s0_lo_i,
   input  logic [3*N-1:0]  s0_hi_i,
+  // Interval of times in the box
   output logic [T-1:0]    enter_o,
   output logic [T-1:0]    leave_o,
   output logic            met_o
 );
   logic [3*T-1:0] box_from, box_to;
   logic [2:0]     box_there, unused_side;
+
+  // For each axis, the plane that the ray meets first, and the other one.
   for (genvar k = 0; k < 3; k++) begin : gen_side
     logic signed [N-1:0] lo, hi, first, last;
     logic [T-1:0] unused_to, unused_from;
     logic         turned, near_last, far_first;
     logic         unused_turned, unused_turned_last, unused_near, unused_far;
     logic [1:0]   axis;
+
     assign axis   = s0_open_i ? 2'd3 : 2'(k);
     assign turned = s0_neg_i[k] && s0_len_i[E*k +: E] != '0;
     assign lo     = $signed(s0_lo_i[N*k +: N]);
     assign hi     = $signed(s0_hi_i[N*k +: N]);
     assign first  = turned ? hi : lo;
     assign last   = turned ? lo : hi;
-    // The plane that the ray meets first, and the other one.
+
     rc_plane #(.HasTo(1'b0)) u_first (
       .clk_i, .valid_i(valid_i[P-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
       .s0_axis_i(axis), .s0_at_i(first),
       .turned_o(unused_turned), .near_o(unused_near), .far_o(far_first),
       .near_to_o(unused_to), .far_from_o(box_from[k*T +: T]));
+
     rc_plane u_last (
       .clk_i, .valid_i(valid_i[P-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
       .s0_axis_i(axis), .s0_at_i(last),
       .turned_o(unused_turned_last), .near_o(near_last), .far_o(unused_far),
       .near_to_o(box_to[k*T +: T]), .far_from_o(unused_from));
+
     assign box_there[k]   = far_first && near_last;
     assign unused_side[k] = ^{unused_turned, unused_turned_last, unused_near, unused_far, unused_to,
                               unused_from};
   end
+
   rc_span u_box (
     .clk_i, .valid_i(valid_i[L-1]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
     .from_o(enter_o), .to_o(leave_o), .there_o(met_o));

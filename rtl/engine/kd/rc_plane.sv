@@ -1,16 +1,21 @@
-// One plane of a treelet: whether the ray may be on the side that it meets first (near) and on the
-// other one (far), until when on the near side, rounded up, and from when on the far side, rounded
-// down. Part of rc_treelet, which has the valid bits: operands come with valid_i[0], the answer
-// rc_pkg::PlaneStages later.
+// One plane of a treelet: whether the ray may be on the side that it meets first (near), and on the
+// other side (far). It also gives the end of the near side, rounded up, and the begin of the far
+// side, rounded down.
 //
-// The way to the plane is counted in lattice steps, rounded down: way. far_from is
-// floor(2^shift r way). One move serves both times: near_to is far_from, a 2^(R-1)th of it, what
-// rounding may lose, and, if the origin lies between lattice points, at least as much as a step
-// of the way takes, which is 2^(shift + R).
+// Part of rc_treelet and rc_bounds, which have the valid bits. Operands come with valid_i[0]; the
+// answer comes rc_pkg::PlaneStages later.
+//
+// way is the distance to the plane in lattice steps, rounded down. far_from is floor(2^shift r
+// way). One shift serves both times: near_to is far_from plus these bounds:
+// - far_from / 2^(R-1);
+// - the rounding errors;
+// - if the origin lies between lattice points, at least the time of one lattice step, 2^(shift +
+//   R).
+//
 // Model: plane_sides() in model/engine/kd/treelet.hpp, which has the formulas.
 `default_nettype none
 module rc_plane #(
-  parameter  bit          HasTo = 1'b1,   // near_to_o is wanted, and not the latest time
+  parameter  bit          HasTo = 1'b1,   // 0: near_to_o is always the latest time
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned OW = rc_pkg::OriginWidth,
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
@@ -19,39 +24,46 @@ module rc_plane #(
   localparam int unsigned L  = rc_pkg::PlaneStages
 ) (
   input  logic                clk_i,
-  input  logic [L-1:0]        valid_i,   // valid_i[i]: stage i holds a treelet
+  input  logic [L-1:0]        valid_i,   // valid_i[i]: stage i holds a node
+  // Ray: origin, signs, reciprocals and lengths of its direction
   input  logic [3*OW-1:0]     s0_o_i,
   input  logic [2:0]          s0_neg_i,
   input  logic [3*R1-1:0]     s0_recip_i,
   input  logic [3*E-1:0]      s0_len_i,
+  // Plane
   input  logic [1:0]          s0_axis_i,
   input  logic signed [N-1:0] s0_at_i,
+  // Result
   output logic                turned_o,  // the ray meets the upper side first
   output logic                near_o,
   output logic                far_o,
   output logic [T-1:0]        near_to_o,
   output logic [T-1:0]        far_from_o
 );
-  localparam int unsigned D   = N + 1;        // the way to the plane, signed
+
+  localparam int unsigned D   = N + 1;        // distance to the plane, signed
   localparam int unsigned V   = N + R1 - 1;   // its product with r <= 2^R, if it is not negative
   localparam int unsigned M   = rc_pkg::MulStages;
   localparam int unsigned Cut = rc_pkg::Cut;
-  // Stages: the way is there, then its product, moved to its place, then both ends.
+
+  // Stages: the distance; then its product, shifted; then both times.
   localparam int unsigned Way = 1 + Cut;
   localparam int unsigned End = Way + M + 1 + Cut;
-  // shift = F + M - R - len, M as wide as a ray's direction: 2^(F+M-R) times the product, if need
-  // be rounded down, is moved to the right by len.
+
+  // shift = F + M - R - len, where M is the width of a ray's direction. 2^(F+M-R) times the
+  // product, rounded down if necessary, is shifted right by len.
   localparam int unsigned Time  = rc_pkg::TFracBits + rc_pkg::RayDirBits;
   localparam int unsigned Up    = Time > R1 - 1 ? Time - (R1 - 1) : 0;
   localparam int unsigned Down  = Time > R1 - 1 ? 0 : R1 - 1 - Time;
   localparam int unsigned B     = V + Up;
   localparam int unsigned Parts = 1 << (E - 3);
 
-  // s0: the plane's axis of the ray.
+  // s0: the ray's components on the plane's axis.
   logic [OW-1:0] s0_o;
   logic          s0_neg;
   logic [R1-1:0] s0_r;
   logic [E-1:0]  s0_len;
+
   always_comb begin
     s0_o   = '0;
     s0_neg = 1'b0;
@@ -66,10 +78,13 @@ module rc_plane #(
       end
     end
   end
-  // The lattice point before the origin, and whether that is not the one beyond as well.
+
+  // The lattice point below the origin, and whether the origin lies above that point.
   logic signed [N-1:0] s0_point;
   logic                s0_between;
+
   assign s0_point = s0_o[OW-1 -: N];
+
   if (rc_pkg::OriginBits == 0) begin : gen_on_lattice
     assign s0_between = 1'b0;
   end else begin : gen_between
@@ -79,19 +94,22 @@ module rc_plane #(
   logic signed [N-1:0] way_point, way_at;
   logic [R1-1:0] way_r;
   logic [E-1:0]  way_len;
+
   rc_path_register #(.Width(4 + 2 * N + R1 + E)) u_axis (
     .clk_i,
     .data_i({s0_neg, s0_len == '0, s0_axis_i == 2'd3, s0_between, s0_point, s0_at_i, s0_r,
              s0_len}),
     .data_o({way_neg, way_zero, way_whole, way_between, way_point, way_at, way_r, way_len}));
 
-  // The way to the plane.
+  // The distance to the plane, rounded down along the ray.
   logic signed [D-1:0] way, way_q;
   logic                neg_q, zero_q, whole_q, between_q;
   logic [R1-1:0]       r_q;
   logic [E-1:0]        len_q;
+
   assign way = way_neg ? D'(way_point) - D'(way_at)
                        : D'(way_at) - D'(way_point) - $signed({{(D-1){1'b0}}, way_between});
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Way-1]) begin
       way_q     <= way;
@@ -104,26 +122,30 @@ module rc_plane #(
     end
   end
 
-  // Which sides there are. Of a ray that does not move on this axis the origin's side, or both.
+  // The sides that exist. A ray that does not move on this axis has the origin's side, or both.
   logic ahead, at_or_ahead, s_near, s_far, s_timed;
+
   assign at_or_ahead = !way_q[D-1];
   assign ahead       = at_or_ahead && (between_q || way_q != '0);   // the way rounded up is
   assign s_near      = whole_q || (zero_q ? at_or_ahead : ahead);
   assign s_far       = whole_q || !zero_q || !ahead;
   assign s_timed     = !whole_q && !zero_q && ahead;
 
+  // Product of the distance and the reciprocal.
   logic signed [D+R1:0] product;
   rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(way_q), .b_i($signed({1'b0, r_q})), .p_o(product));
+
   logic [E-1:0] product_len;
   logic         product_between, product_neg, product_near, product_far, product_timed;
+
   rc_path_register #(.Width(E + 5), .Stages(M)) u_beside (
     .clk_i,
     .data_i({len_q, between_q, neg_q && !zero_q && !whole_q, s_near, s_far, s_timed}),
     .data_o({product_len, product_between, product_neg, product_near, product_far, product_timed}));
 
-  // Moved by a multiple of eight first, then by what is left. What is moved off at the top
-  // saturates: part[i] says whether a move by 8 i leaves something above the rest.
+  // The shift, first by a multiple of eight, then by the remaining three bits. An overflow at the
+  // top saturates: part[i] is set if a shift by 8 i leaves bits above `rest`.
   logic [V-1:0]     low;
   logic [B-1:0]     base, moved;
   logic [Parts-1:0] part;
@@ -132,9 +154,11 @@ module rc_plane #(
   logic [T-1:0]     from_q;
   logic             rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed;
   logic             between_end_q, neg_end_q, near_end_q, far_end_q, timed_end_q;
+
   assign low   = product[V-1:0] >> Down;
   assign base  = B'(low) << Up;
   assign moved = base >> {product_len[E-1:3], 3'd0};
+
   for (genvar i = 0; i < Parts; i++) begin : gen_part
     if (T + 7 + 8 * i < B) begin : gen_above
       assign part[i] = |base[B-1:T+7+8*i];
@@ -142,11 +166,13 @@ module rc_plane #(
       assign part[i] = 1'b0;
     end
   end
+
   rc_path_register #(.Width(T + 7 + E + 6)) u_coarse (
     .clk_i,
     .data_i({moved[T+6:0], product_len, part[product_len[E-1:3]], product_between, product_neg,
              product_near, product_far, product_timed}),
     .data_o({rest, rest_len, rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed}));
+
   assign fine = rest >> rest_len[2:0];
   always_ff @(posedge clk_i) begin
     if (valid_i[End-1]) begin
@@ -160,10 +186,12 @@ module rc_plane #(
     end
   end
 
-  // What the near side has more. A step's bit is F + M - len; beyond T it saturates.
+  // Both times. more is the part of near_to beyond far_from. A lattice step is bit F + M - len;
+  // beyond T it saturates.
   logic [T-1:0] step, more, from_late, more_late;
   logic [T:0]   to;
   logic         step_many, many_late, out_timed, out_neg, out_near, out_far;
+
   for (genvar i = 0; i < T; i++) begin : gen_step
     if (i >= rc_pkg::TFracBits && i < Time) begin : gen_reached
       assign step[i] = HasTo && between_end_q && end_len_q == E'(Time - i);
@@ -171,16 +199,20 @@ module rc_plane #(
       assign step[i] = 1'b0;
     end
   end
+
   if (Time < T) begin : gen_few
     assign step_many = 1'b0;
   end else begin : gen_many
     assign step_many = HasTo && between_end_q && end_len_q <= E'(Time - T);
   end
+
   assign more      = HasTo ? (from_q >> (R1 - 2)) + T'(2) + step : '0;
+
   rc_path_register #(.Width(2 * T + 5)) u_more (
     .clk_i,
     .data_i({from_q, more, step_many, neg_end_q, near_end_q, far_end_q, timed_end_q}),
     .data_o({from_late, more_late, many_late, out_neg, out_near, out_far, out_timed}));
+
   assign to = HasTo ? {1'b0, from_late} + {1'b0, more_late} : '1;
   always_ff @(posedge clk_i) begin
     if (valid_i[L-1]) begin

@@ -1,8 +1,10 @@
-// Which exits of a treelet a ray meets, conservative, and their order.
+// The exits of a treelet that a ray meets, conservative, and their order.
 //
 // Latency rc_pkg::TreeletLatency + 1 (result queue), throughput 1 treelet per cycle, answers in
-// order. Model: model/engine/kd/treelet.hpp, which has the formulas. No exit whose cell holds a point of
-// the ray is left out; an exit's t_near is never beyond such a point.
+// order.
+//
+// No exit is left out whose cell holds a point of the ray, and an exit's t_near is never beyond
+// such a point. Model: model/engine/kd/treelet.hpp, which has the formulas.
 `default_nettype none
 module rc_treelet (
   input  logic                 clk_i,
@@ -21,10 +23,12 @@ module rc_treelet (
   localparam int unsigned N  = rc_pkg::CoordBits;
   localparam int unsigned T  = rc_pkg::TBits;
   localparam int unsigned L  = rc_pkg::TreeletLatency;
-  // Stages: a treelet comes in, its planes' times are there.
+
+  // Stages in which a treelet has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
 
+  // Admission: an answer has a place in the result queue.
   logic admit;
   assign admit = req_valid_i && req_ready_o;
   rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
@@ -33,35 +37,43 @@ module rc_treelet (
   // valid[i]: stage i holds a treelet.
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
+
   assign valid = {valid_q, admit};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
 
+  // The treelet, unpacked.
   rc_pkg::treelet_req_t           in;
   logic [rc_pkg::TreeletReqW-1:0] in_flat;
   logic [2*Q-1:0]                 in_axis;
   logic [N*Q-1:0]                 in_at;
+
   rc_path_register #(.Width(rc_pkg::TreeletReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+
   assign in      = in_flat;
   assign in_axis = in.axis;
   assign in_at   = in.at;
 
-  // Where the ray enters and leaves the box around what the treelet's cell holds.
+  // The times at which the ray enters and leaves the box around the content of the treelet's cell.
   logic [T-1:0] box_enter, box_leave;
   logic         box_met;
+
   rc_bounds u_bounds (
     .clk_i, .valid_i(valid[Meet+In:In]), .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip),
     .s0_len_i(in.len), .s0_open_i(in.open), .s0_lo_i(in.lo), .s0_hi_i(in.hi),
     .enter_o(box_enter), .leave_o(box_leave), .met_o(box_met));
 
-  // Of each plane: which sides there are, and when the ray changes from one to the other.
+  // For each plane: the sides that exist, and when the ray changes from one to the other.
   logic [Q-1:0]   turned, near, far;
   logic [Q*T-1:0] near_to, far_from;
+
   for (genvar i = 0; i < Q; i++) begin : gen_plane
     logic signed [N-1:0] at;   // Yosys 0.23 refuses a whole vector as $signed at a port
     assign at = in_at[N*i +: N];
+
     rc_plane u_plane (
       .clk_i, .valid_i(valid[Meet-1:In]),
       .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
@@ -70,18 +82,23 @@ module rc_treelet (
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end
 
+  // The exits that are met.
   logic [W-1:0]   met;
   logic [W*T-1:0] near_t;
+
   rc_exits u_exits (
     .clk_i, .valid_i(valid[Meet+In]), .turned_i(turned), .near_i(near), .far_i(far),
     .near_to_i(near_to), .far_from_i(far_from), .enter_i(box_enter), .leave_i(box_leave),
     .met_i(box_met), .met_o(met), .near_o(near_t));
 
+  // Their order, and the result queue.
   logic [rc_pkg::TreeletRspW-1:0] rsp;
+
   rc_node_answer #(.Latency(L), .Exits(1'b1)) u_answer (
     .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
     .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+
   assign rsp_o = rsp;
 
   logic unused;

@@ -1,10 +1,11 @@
-// No structure: every ray is given the list of all primitives, page by page. The face is that of
-// every engine (rtl/README.md), but there are no nodes, and so none is asked for.
+// The engine without a structure: gives every ray the list of all primitives, page by page. It has
+// the interface of every engine (rtl/README.md), but requests no nodes.
 //
 // A page is NodeWidth leaves of four primitives, all of them from t = 0 on. A ray begins with the
-// first page. When list has tested a page, the next one follows two cycles later, unless it was
-// the last, or list says stop. Pages under way go before new rays. Model: model/engine/none/page.hpp,
-// and Trav (model/unit/trav/trav.hpp), which says when.
+// first page. When list has tested a page, the next page follows two cycles later, unless the page
+// was the last or list requests a stop. Pages of rays in flight go before new rays.
+//
+// Model: model/engine/none/page.hpp, and Trav (model/unit/trav/trav.hpp) for the timing.
 `default_nettype none
 module rc_none (
   input  logic            clk_i,
@@ -20,12 +21,13 @@ module rc_none (
   input  logic            tested_valid_i,
   output logic            tested_ready_o,
   input  rc_pkg::tested_t tested_i,
+  // A finished ray, to list
   output logic            done_valid_o,
   input  logic            done_ready_i,
   output rc_pkg::done_t   done_o,
-  output logic            done_next_fires_o,   // in a fast chip: the next one comes, and whose
+  output logic            done_next_fires_o,   // in a fast chip: the next one comes, and its ray
   output rc_pkg::done_t   done_next_o,
-  // What it did; rc_pkg::trav_cause_e
+  // What it did: rc_pkg::trav_cause_e
   output logic [2:0]      trav_cause_o
 );
   localparam int unsigned I  = rc_pkg::RayBits;
@@ -37,9 +39,9 @@ module rc_none (
   localparam int unsigned O  = rc_pkg::OffsetBits;
   localparam int unsigned C  = rc_pkg::CountBits;
   localparam int unsigned Leaf = 4;          // primitives of a leaf: page_leaf
-  localparam int unsigned Page = Leaf * W;   // of a page
+  localparam int unsigned Page = Leaf * W;   // primitives of a page
 
-  // How many primitives there are; no other chip has that register.
+  // Number of primitives. Only this engine has that register.
   logic [A:0] listed;
   if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_listed
     assign listed = frame_i.listed;
@@ -47,56 +49,67 @@ module rc_none (
     assign listed = '0;
   end
 
-  // A page was tested: is there another? Primitives are counted from the list's first on.
+  // s1: a page was tested. Is there another? Primitives are counted from the list's first one.
   logic         s1_valid_q, s1_stop_q, more;
   logic [I-1:0] s1_ray_q;
   logic [A:0]   kept;
   logic [A+1:0] next;
+
   assign tested_ready_o = 1'b1;
   assign trav_cause_o   = tested_valid_i ? rc_pkg::TravBusyWork : rc_pkg::TravStarvedList;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
     else         s1_valid_q <= tested_valid_i;
     if (tested_valid_i) s1_ray_q <= tested_i.ray;
   end
+
   if (rc_pkg::Shading != 0) begin : gen_stop
     always_ff @(posedge clk_i) if (tested_valid_i) s1_stop_q <= tested_i.stop;
   end else begin : gen_go_on
     assign s1_stop_q = 1'b0;
   end
+
   assign next = {1'b0, kept} + (A+2)'(Page);
   assign more = next < {1'b0, listed} && !s1_stop_q;
 
-  // Pages to give; new rays wait for a gap.
+  // Pages to send. New rays wait for a gap.
   logic           page_valid, page_ready, spawn_valid, spawn_ready, ready;
   logic [I+A:0]   page_data;
   logic [I-1:0]   spawn_ray, ray;
-  logic [A:0]     first;   // primitive of the page
+  logic [A:0]     first;   // first primitive of the page
+
   assign ready = 1'b1;
+
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_page (
     .clk_i, .rst_ni, .push_i(s1_valid_q && more), .data_i({s1_ray_q, next[A:0]}),
     .valid_o(page_valid), .pop_i(page_valid && page_ready), .data_o(page_data));
+
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
     .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
+
   rc_priority_merge #(.Width(I + A + 1)) u_leaves (
     .clk_i, .rst_ni,
     .first_valid_i(page_valid), .first_ready_o(page_ready), .first_i(page_data),
     .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
     .second_i({spawn_ray, {(A+1){1'b0}}}),
     .valid_o(leaves_fires_o), .ready_i(ready), .data_o({ray, first}));
+
   rc_ram #(.Width(A + 1), .Depth(T)) u_first (
     .clk_i, .write_i(leaves_fires_o), .write_addr_i(ray), .write_data_i(first),
     .read_addr_i(s1_ray_q), .read_data_o(kept));
 
-  // Its leaves: four primitives each, the last one what is left.
+  // Leaves of the page: four primitives each, fewer in the last leaf.
   logic [A:0]     left;
   logic [G-1:0]   leaves;
   logic [A-1:0]   base;
   logic [W*O-1:0] offset;
   logic [W*C-1:0] count;
+
   assign left = listed - first;
   assign base = frame_i.root + first[A:1];
+
   always_comb begin
     leaves = '0;
     offset = '0;
@@ -109,20 +122,23 @@ module rc_none (
       end
     end
   end
+
   assign leaves_o = {ray, base, leaves, {(W*TB){1'b0}}, offset, count};
 
+  // Rays whose last page was tested.
   logic done_place;
   rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(s1_valid_q && !more), .ready_o(done_place), .data_i(s1_ray_q),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
+
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && s1_valid_q && !more)
     a_done_never_full: assert (done_place)
     else $error("a queue that cannot overflow did");
 `endif
 
-  logic [rc_pkg::RayW-1:0]    ray_flat;   // what tri alone uses, or the host said of the picture
+  logic [rc_pkg::RayW-1:0]    ray_flat;   // fields that only other units use
   logic [rc_pkg::FrameW-1:0]  frame_flat;
   logic [rc_pkg::TestedW-1:0] tested_flat;
   logic                       unused;

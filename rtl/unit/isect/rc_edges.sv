@@ -1,14 +1,15 @@
-// Edge functions of a ray and a triangle, turned so that det > 0, and whether the
-// ray's line crosses the triangle at t > 0. Part of rc_tri, which has the valid bits:
-// operands come with valid_i[0], answers rc_pkg::EdgesStages later; det, num, u and v are sure
-// to be non-negative only if hit. If operands come only every few cycles, products share
-// multipliers (rc_mul_shared). Model: tri_test() in model/unit/isect/tri.cpp.
+// Edge functions of a ray and a triangle, with signs such that det > 0, and whether the ray's line
+// crosses the triangle at t > 0.
 //
-// If the chip shades, origins have B fraction bits, and of rays that leave a surface u, v,
-// num and det are in units of 2^-B; of those that begin beyond the lattice, of 2^(FarDrop - B). A
-// plane is a triangle whose edges do not count: u and v
-// may then be negative, and are given as magnitude and sign. Model: flat_test() in
-// model/unit/isect/any.cpp.
+// Part of rc_tri, which has the valid bits. Operands come with valid_i[0], answers
+// rc_pkg::EdgesStages later. det, num, u and v are sure to be non-negative only if hit is set. If
+// operands come only every few cycles, products share multipliers (rc_mul_shared). Model:
+// tri_test() in model/unit/isect/tri.cpp.
+//
+// If the chip shades, origins have B fraction bits. For rays that leave a surface u, v, num and det
+// are in units of 2^-B. For rays that begin beyond the lattice the unit is 2^(FarDrop - B). A plane
+// is a triangle whose edges do not count: u and v may then be negative, and are returned as
+// magnitude and sign. Model: flat_test() in model/unit/isect/any.cpp.
 `default_nettype none
 module rc_edges #(
   localparam int unsigned N = rc_pkg::CoordBits,
@@ -20,15 +21,17 @@ module rc_edges #(
 ) (
   input  logic                clk_i,
   input  logic [L-1:0]        valid_i,       // valid_i[i]: stage i holds a triangle
-  input  logic [L-1:0]        there_i,       // the same; valid_i may be set where nothing is
+  input  logic [L-1:0]        there_i,       // valid bits alone; valid_i may be set without them
+  // Ray and triangle
   input  logic                s0_leaves_i,   // from a surface: o has a fraction
-  input  logic                s0_far_i,      // of such o is 2^FarDrop times as much
+  input  logic                s0_far_i,      // from beyond the lattice: o in units of 2^-Far
   input  logic                s0_plane_i,
   input  logic [3*W-1:0]      s0_o_i,
   input  logic [3*M-1:0]      s0_d_i,
   input  logic [3*N-1:0]      s0_a_i,
   input  logic [3*N-1:0]      s0_b_i,
   input  logic [3*N-1:0]      s0_c_i,
+  // Result
   output logic                hit_o,
   output logic signed [E-1:0] det_o,
   output logic signed [U-1:0] num_o,
@@ -48,23 +51,26 @@ module rc_edges #(
   localparam int unsigned Mul = rc_pkg::MulStages;
   localparam int unsigned CrossShare = rc_pkg::CrossShare;
   localparam int unsigned DotShare   = rc_pkg::DotShare;
+
   // Stages that hold the edges, their cross products, the edge functions.
   localparam int unsigned Edge  = 1;
   localparam int unsigned Cross = Edge + Mul + CrossShare;
   localparam int unsigned Dot   = Cross + Mul + DotShare;
 
-  // Edges from a, and a to the origin, 2^B (o - a).
+  // s1: the edges from a, and the vector from a to the origin, 2^B (o - a).
   for (genvar k = 0; k < 3; k++) begin : gen_edge
     logic signed [N-1:0] s0_a, s0_b, s0_c;
     logic signed [W-1:0] s0_o;
     logic signed [S-1:0] s0_s, s_q, dot_s;
     logic signed [D-1:0] e1_q, e2_q, dot_e1;
     logic signed [M-1:0] d_q;
+
     assign s0_a = s0_a_i[k*N +: N];
     assign s0_b = s0_b_i[k*N +: N];
     assign s0_c = s0_c_i[k*N +: N];
     assign s0_o = s0_o_i[k*W +: W];
     assign s0_s = S'(s0_o) - (S'(s0_a) <<< (s0_far_i ? Far : B));
+
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
         d_q  <= s0_d_i[k*M +: M];
@@ -73,24 +79,30 @@ module rc_edges #(
         s_q  <= s0_leaves_i ? s0_s : s0_s >>> B;
       end
     end
+
     rc_shift_register #(.Width(D), .Stages(Cross - Edge)) u_e1 (
       .clk_i, .valid_i(valid_i[Cross-1:Edge]), .data_i(e1_q), .data_o(dot_e1));
     rc_shift_register #(.Width(S), .Stages(Cross - Edge)) u_s (
       .clk_i, .valid_i(valid_i[Cross-1:Edge]), .data_i(s_q), .data_o(dot_s));
   end
+
+  // Flags that wait.
   logic dot_leaves, dot_far, end_plane;
+
   rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_leaves (
     .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_leaves_i), .data_o(dot_leaves));
+
   if (rc_pkg::Horizon == 1) begin : gen_far
     rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_far (
       .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_far_i), .data_o(dot_far));
   end else begin : gen_near
     assign dot_far = 1'b0;
   end
+
   rc_shift_register #(.Width(1), .Stages(L - 1)) u_plane (
     .clk_i, .valid_i(valid_i[L-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
 
-  // P1 = d x e1, P2 = d x e2, n = e1 x e2.
+  // Cross products: P1 = d x e1, P2 = d x e2, n = e1 x e2.
   for (genvar k = 0; k < 3; k++) begin : gen_cross
     localparam int unsigned Y = (k + 1) % 3;
     localparam int unsigned Z = (k + 2) % 3;
@@ -98,6 +110,7 @@ module rc_edges #(
     logic signed [2*D-1:0] n_yz, n_zy;
     logic signed [C-1:0]   p1_q, p2_q;
     logic signed [X-1:0]   n_q;
+
     if (CrossShare == 1) begin : gen_at_once
       rc_mul #(.AW(M), .BW(D)) u_p1_yz (
         .clk_i, .a_i(gen_edge[Y].d_q), .b_i(gen_edge[Z].e1_q), .p_o(p1_yz));
@@ -111,6 +124,7 @@ module rc_edges #(
         .clk_i, .a_i(gen_edge[Y].e1_q), .b_i(gen_edge[Z].e2_q), .p_o(n_yz));
       rc_mul #(.AW(D), .BW(D)) u_n_zy (
         .clk_i, .a_i(gen_edge[Z].e1_q), .b_i(gen_edge[Y].e2_q), .p_o(n_zy));
+
     end else begin : gen_shared
       localparam int unsigned A = M > D ? M : D;
       logic [3*(A+D)-1:0] yz, zy;
@@ -122,15 +136,18 @@ module rc_edges #(
         .clk_i, .valid_i(there_i[Edge]),
         .a_i({A'(gen_edge[Z].e1_q), A'(gen_edge[Z].d_q), A'(gen_edge[Z].d_q)}),
         .b_i({gen_edge[Y].e2_q, gen_edge[Y].e2_q, gen_edge[Y].e1_q}), .p_o(zy));
+
       assign p1_yz = yz[0 +: M+D];
       assign p2_yz = yz[A+D +: M+D];
       assign n_yz  = yz[2*(A+D) +: 2*D];
       assign p1_zy = zy[0 +: M+D];
       assign p2_zy = zy[A+D +: M+D];
       assign n_zy  = zy[2*(A+D) +: 2*D];
+
       logic unused;
       assign unused = ^{yz, zy};
     end
+
     always_ff @(posedge clk_i) begin
       if (valid_i[Cross-1]) begin
         p1_q <= C'(p1_yz) - C'(p1_zy);
@@ -140,44 +157,52 @@ module rc_edges #(
     end
   end
 
-  // An edge function of zero takes the sign of the first non-zero component of its gradient: P2
-  // for u, -P1 for v, P1 - P2 for w.
+  // Ties: an edge function of zero takes the sign of the first non-zero component of its gradient:
+  // P2 for u, -P1 for v, P1 - P2 for w.
   logic [1:0] u_there, v_there, w_there, tie_u_there, tie_v_there, tie_w_there;   // is not zero
   logic [2:0] u_sign, v_sign, w_sign, tie_u_sign, tie_v_sign, tie_w_sign;
   logic       tie_u, tie_v, tie_w, end_tie_u, end_tie_v, end_tie_w;
-  logic holds;   // relaxed: what is not there costs a simulation nothing
+  logic holds;   // relaxed: invalid operands cost a simulation no work
+
   assign holds = Cut != 0 || valid_i[Cross];
+
   for (genvar k = 0; k < 3; k++) begin : gen_tie
     if (k < 2) begin : gen_there
       assign u_there[k] = holds && gen_cross[k].p2_q != '0;
       assign v_there[k] = holds && gen_cross[k].p1_q != '0;
       assign w_there[k] = holds && gen_cross[k].p1_q != gen_cross[k].p2_q;
     end
+
     assign u_sign[k]  = gen_cross[k].p2_q[C-1];
     assign v_sign[k]  = !gen_cross[k].p1_q[C-1];
     assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;
   end
+
   rc_path_register #(.Width(15)) u_tie (
     .clk_i, .data_i({u_there, v_there, w_there, u_sign, v_sign, w_sign}),
     .data_o({tie_u_there, tie_v_there, tie_w_there, tie_u_sign, tie_v_sign, tie_w_sign}));
+
   function automatic logic first_sign(input logic [1:0] there, input logic [2:0] sign);
     first_sign = there[0] ? sign[0] : there[1] ? sign[1] : sign[2];
   endfunction
+
   assign tie_u = first_sign(tie_u_there, tie_u_sign);
   assign tie_v = first_sign(tie_v_there, tie_v_sign);
   assign tie_w = first_sign(tie_w_there, tie_w_sign);
+
   rc_shift_register #(.Width(3), .Stages(Dot - Cross - Cut)) u_ties (
     .clk_i, .valid_i(valid_i[Dot-1:Cross+Cut]), .data_i({tie_u, tie_v, tie_w}),
     .data_o({end_tie_u, end_tie_v, end_tie_w}));
 
-  // det = P2.e1, u = P2.s, v = -P1.s, num = n.s. Each term may exceed the sum's proven width; the
-  // sum modulo 2^E does not care.
+  // Edge functions: det = P2.e1, u = P2.s, v = -P1.s, num = n.s. A term may exceed the sum's proven
+  // width; the sum modulo 2^E is exact.
   for (genvar k = 0; k < 3; k++) begin : gen_dot
     logic signed [C+D-1:0] det_wide;
     logic signed [C+S-1:0] u_wide, v_wide;
     logic signed [X+S-1:0] num_wide;
     logic signed [E-1:0]   det, u, v;
     logic signed [U-1:0]   num;
+
     if (DotShare == 1) begin : gen_at_once
       rc_mul #(.AW(C), .BW(D)) u_det (
         .clk_i, .a_i(gen_cross[k].p2_q), .b_i(gen_edge[k].dot_e1), .p_o(det_wide));
@@ -190,29 +215,37 @@ module rc_edges #(
     end else begin : gen_shared
       localparam int unsigned A = C > X ? C : X;
       logic [4*(A+S)-1:0] wide;
+
       rc_mul_shared #(.AW(A), .BW(S), .Products(4), .Share(DotShare)) u_products (
         .clk_i, .valid_i(there_i[Cross]),
         .a_i({A'(gen_cross[k].n_q), A'(gen_cross[k].p2_q), A'(gen_cross[k].p1_q),
               A'(gen_cross[k].p2_q)}),
         .b_i({gen_edge[k].dot_s, S'(gen_edge[k].dot_e1), gen_edge[k].dot_s, gen_edge[k].dot_s}),
         .p_o(wide));
+
       assign u_wide   = wide[0 +: C+S];
       assign v_wide   = wide[A+S +: C+S];
       assign det_wide = wide[2*(A+S) +: C+D];
       assign num_wide = wide[3*(A+S) +: X+S];
+
       logic unused;
       assign unused = ^wide;
     end
+
     assign det = E'(det_wide);
     assign u   = E'(u_wide);
     assign v   = E'(v_wide);
     assign num = U'(num_wide);
+
     logic unused;
     assign unused = ^{det_wide, u_wide, v_wide, num_wide};
   end
+
   logic signed [E-1:0] det_sum, det_q, u_q, v_q;
   logic signed [U-1:0] num_q;
+
   assign det_sum = gen_dot[0].det + gen_dot[1].det + gen_dot[2].det;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Dot-1]) begin
       det_q <= dot_far ? det_sum <<< Far : dot_leaves ? det_sum <<< B : det_sum;
@@ -222,21 +255,24 @@ module rc_edges #(
     end
   end
 
-  // Signs. w = det - u - v; less one if a zero counts as negative.
+  // Decision. w = det - u - v; minus one if a zero counts as negative.
   logic signed [E-1:0] w, end_det, end_u, end_v;
   logic signed [U-1:0] end_num;
   logic                u_neg, v_neg, end_u_neg, end_v_neg, end_w_neg, end_edge_on, end_here;
   logic                end_flip, end_u_goes, end_v_turn;
+
   assign w     = det_q - u_q - v_q - $signed({{(E-1){1'b0}}, end_tie_w});
   assign u_neg = u_q != '0 ? u_q[E-1] : end_tie_u;
   assign v_neg = v_q != '0 ? v_q[E-1] : end_tie_v;
+
   rc_path_register #(.Width(3 * E + U + 5)) u_end (
     .clk_i,
     .data_i({det_q, u_q, v_q, num_q, u_neg, v_neg, w[E-1], det_q == '0, num_q == '0}),
     .data_o({end_det, end_u, end_v, end_num, end_u_neg, end_v_neg, end_w_neg, end_edge_on,
              end_here}));
+
   assign end_flip = end_det[E-1];
-  // Of a triangle that is hit the turned u and v are their magnitudes.
+  // For a triangle that is hit, u and v with these signs are their magnitudes.
   assign end_u_goes = rc_pkg::Planes == 1 ? end_u[E-1] : end_flip;
   assign end_v_turn = rc_pkg::Planes == 1 ? end_v[E-1] : end_flip;
 

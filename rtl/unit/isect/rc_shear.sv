@@ -1,9 +1,9 @@
-// The sheared triangle test up to its decision: the corners in the ray's plane, one
-// rounding each, then exact 2-D edge functions. Part of rc_tri, as rc_edges is, but that
-// num / det is the hit's distance along z; size = |d_z|.
+// The sheared triangle test up to its decision: the corners in the ray's plane, with one rounding
+// each, then exact 2-D edge functions.
 //
-// Latency 6, throughput 1 per cycle; stage k works if valid_i[k]. Model, formulas and the
-// proof of the widths: model/unit/isect/sheared.hpp.
+// Part of rc_tri, in place of rc_edges. Here num / det is the hit's distance along z; size = |d_z|.
+// Latency 6, throughput 1 per cycle; stage k works if valid_i[k] is set. Model, formulas and the
+// proof of the widths: model/unit/isect/sheared.hpp (Woop et al. 2013).
 `default_nettype none
 module rc_shear #(
   localparam int unsigned N = rc_pkg::CoordBits,
@@ -13,11 +13,13 @@ module rc_shear #(
 ) (
   input  logic                clk_i,
   input  logic [5:0]          valid_i,   // of stages 0..5
+  // Ray and triangle
   input  logic [3*M+2:0]      s0_shear_i,
   input  logic [3*N-1:0]      s0_o_i,
   input  logic [3*N-1:0]      s0_a_i,
   input  logic [3*N-1:0]      s0_b_i,
   input  logic [3*N-1:0]      s0_c_i,
+  // Result
   output logic                s6_hit_o,
   output logic [M-1:0]        s6_size_o,
   output logic signed [E-1:0] s6_det_o,
@@ -37,28 +39,32 @@ module rc_shear #(
            : axis == 2'd1 ? {p[2*N-1:0], p[3*N-1:2*N]} : p;
   endfunction
 
-  // ---- s1: corners from the origin.
+  // ---- s1: corners relative to the origin.
   logic [1:0]           s0_axis;
   logic                 s0_neg;
   logic [M-1:0]         s0_size, s0_slope_y, s0_slope_x;
+
   assign {s0_axis, s0_neg, s0_size, s0_slope_y, s0_slope_x} = s0_shear_i;
 
   logic [3*N-1:0] s0_o;
   assign s0_o = turned(s0_o_i, s0_axis);
 
   logic [M-1:0] s1_slope_x_q, s1_slope_y_q;
+
   always_ff @(posedge clk_i)
     if (valid_i[0]) {s1_slope_y_q, s1_slope_x_q} <= {s0_slope_y, s0_slope_x};
 
-  // What waits until the decision.
+  // Fields that wait for the decision.
   logic         s5_neg;
   logic [M-1:0] s5_size;
+
   rc_shift_register #(.Width(M + 1), .Stages(5)) u_wait (
     .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_neg, s0_size}), .data_o({s5_neg, s5_size}));
 
   logic [3*N*3-1:0] s0_corners;
   logic [3*D-1:0]   s4_z;
   logic [3*Q-1:0]   s3_x, s3_y;
+
   assign s0_corners = {s0_c_i, s0_b_i, s0_a_i};
 
   for (genvar k = 0; k < 3; k++) begin : gen_corner
@@ -66,10 +72,13 @@ module rc_shear #(
     logic signed [D-1:0]   s1_x_q, s1_y_q, s1_z_q, s2_x_q, s2_y_q, s2_z_q, s3_z_q, s4_z_q;
     logic signed [P-1:0]   s2_px_q, s2_py_q, s2_up_x, s2_up_y;
     logic signed [Q-1:0]   s3_x_q, s3_y_q;
+
     assign s0_p = turned(s0_corners[k*3*N +: 3*N], s0_axis);
-    // s2: slopes times z. s3: one rounding, r - slope z + 1/2, rounded down (Q(N+2).0).
+
+    // s2: slopes times z. s3: one rounding, r - slope z + 1/2, rounded down, Q(N+2).0.
     assign s2_up_x = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_px_q;
     assign s2_up_y = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_py_q;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
         s1_x_q <= D'($signed(s0_p[N-1:0])) - D'($signed(s0_o[N-1:0]));
@@ -88,45 +97,53 @@ module rc_shear #(
       end
       if (valid_i[3]) s4_z_q <= s3_z_q;
     end
+
     assign s3_x[k*Q +: Q] = s3_x_q;
     assign s3_y[k*Q +: Q] = s3_y_q;
     assign s4_z[k*D +: D] = s4_z_q;
+
     logic unused;
     assign unused = ^{s2_up_x[S-1:0], s2_up_y[S-1:0]};
   end
 
-  // ---- s4: the edge function from corner k to the next, which weighs the third: v, w, u.
-  // A zero has the sign that it would have if the ray went by at (eps, eps^2).
+  // ---- s4: the edge function from corner k to the next, which weighs the third corner: v, w, u. A
+  // zero has the sign of a ray that is displaced by (eps, eps^2).
   logic [3*F-1:0] s4_edge;
   logic [2:0]     s4_neg;
+
   for (genvar k = 0; k < 3; k++) begin : gen_edge
     localparam int unsigned To = k == 2 ? 0 : k + 1;
     logic signed [Q-1:0] s3_px, s3_py, s3_qx, s3_qy;
     logic signed [F-1:0] s4_edge_q;
     logic                s4_tie_q;
+
     assign s3_px = $signed(s3_x[k*Q +: Q]);
     assign s3_py = $signed(s3_y[k*Q +: Q]);
     assign s3_qx = $signed(s3_x[To*Q +: Q]);
     assign s3_qy = $signed(s3_y[To*Q +: Q]);
+
     always_ff @(posedge clk_i) begin
       if (valid_i[3]) begin
         s4_edge_q <= F'(s3_px) * F'(s3_qy) - F'(s3_py) * F'(s3_qx);
         s4_tie_q  <= s3_py != s3_qy ? s3_py < s3_qy : s3_qx < s3_px;
       end
     end
+
     assign s4_edge[k*F +: F] = s4_edge_q;
     assign s4_neg[k] = s4_edge_q != '0 ? s4_edge_q[F-1] : s4_tie_q;
   end
 
-  // ---- s5: determinant and numerator. Of a hit they fit E and U bits; of others only the
+  // ---- s5: determinant and numerator. For a hit they fit E and U bits. Otherwise only the
   // determinant's sign counts.
   logic signed [F-1:0] s4_u, s4_v, s4_w, s5_det_q;
   logic signed [E-1:0] s5_u_q, s5_v_q;
   logic signed [U-1:0] s5_num_q;
   logic [2:0]          s5_neg_q;
+
   assign s4_v = $signed(s4_edge[F-1:0]);
   assign s4_w = $signed(s4_edge[2*F-1:F]);
   assign s4_u = $signed(s4_edge[3*F-1:2*F]);
+
   always_ff @(posedge clk_i) begin
     if (valid_i[4]) begin
       s5_det_q <= s4_u + s4_v + s4_w;
@@ -138,10 +155,12 @@ module rc_shear #(
     end
   end
 
-  // ---- s6: all of one sign, and ahead.
+  // ---- s6: all edge functions have one sign, and the hit is ahead.
   logic s5_flip, s5_turn;
+
   assign s5_flip = s5_det_q[F-1];
   assign s5_turn = s5_flip != s5_neg;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[5]) begin
       s6_hit_o  <= s5_det_q != '0 && s5_size != '0 && s5_neg_q == {3{s5_flip}}

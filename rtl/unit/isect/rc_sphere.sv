@@ -1,13 +1,15 @@
-// Ray and sphere: whether they meet is decided exactly, the distance holds a square root
-// that is rounded so that t is never too small; and the comparison with the best hit. Part
-// of rc_tri, which has the best hit wait. Formulas, rules, the error's bound and the proof
-// of the widths: model/unit/isect/any.hpp; model: sphere_test() in model/unit/isect/any.cpp.
+// Ray and sphere: whether they meet is decided exactly. The distance includes a square root,
+// rounded so that t is never too small. Then the comparison with the best hit.
 //
-// Latency rc_pkg::SphereStages, throughput 1 every rc_pkg::TriInterval cycles: then products share
-// multipliers, and steps of the root and of the division a stage. Its stages are counted in
-// model/core/stages.cpp as well. What one holds has its name: s1 the way from the centre, s2 the
-// products, s3 those of these, s4 the decision, s5 the discriminant that is left, r its root, w
-// the way along the ray (V bits), t the distance, p the products with the best hit.
+// Part of rc_tri, which delays the best hit. Formulas, rules, the error bound and the proof of the
+// widths: model/unit/isect/any.hpp. Model: sphere_test() in model/unit/isect/any.cpp.
+//
+// Latency rc_pkg::SphereStages, throughput 1 every rc_pkg::TriInterval cycles. With an interval
+// above 1, products share multipliers, and steps of the root and of the division share a stage.
+// model/core/stages.cpp counts its stages as well. A stage's prefix is its content:
+// - s1: the vector from the centre; s2: the products; s3: products of these; s4: the decision;
+// - s5: the shortened discriminant; r: its root; w: the way along the ray (V bits);
+// - t: the distance; p: the products with the best hit.
 `default_nettype none
 module rc_sphere #(
   localparam int unsigned N = rc_pkg::CoordBits,
@@ -23,48 +25,53 @@ module rc_sphere #(
   input  logic           clk_i,
   input  logic           rst_ni,
   input  logic           s0_valid_i,
+  // Ray
   input  logic           s0_any_i,      // any hit will do: a ray from or to a light
-  input  logic           s0_leaves_i,   // from a surface; any that does not comes from a light
+  input  logic           s0_leaves_i,   // from a surface; other rays with s0_any come from a light
   input  logic           s0_own_i,      // the sphere on which the ray begins or ends
   input  logic           s0_inside_i,   // the ray is inside its own sphere
   input  logic [3*W-1:0] s0_o_i,
   input  logic [3*H-1:0] s0_d_i,
+  // Sphere
   input  logic [3*N-1:0] s0_c_i,        // centre
   input  logic [2*N-1:0] s0_rr_i,       // square of the radius
-  input  logic           s0_glass_i,    // seen from inside as well: its material transmits
-  output logic           best_next_o,   // best is wanted in the next cycle
+  input  logic           s0_glass_i,    // visible from inside as well: its material transmits
+  // Best hit
+  output logic           best_next_o,   // requests the best hit for the next cycle
   input  logic           best_found_i,
   input  logic           best_first_i,  // this sphere's number is not the higher one
   input  logic [U-1:0]   best_num_i,
   input  logic [E-1:0]   best_det_i,
+  // Result
   output logic           closer_o,
   output logic           blocked_o,     // instead of closer, if any hit will do
   output logic           far_o,
   output logic [T-1:0]   t_o            // if closer
 );
   localparam int unsigned S = W + 1;            // s
-  localparam int unsigned G = 2 * M;            // d.d of all but shadow rays
+  localparam int unsigned G = 2 * M;            // d.d of all rays except shadow rays
   localparam int unsigned A = 2 * W + 3 > G + 1 ? 2 * W + 3 : G + 1;   // d.d, and a sign
-  localparam int unsigned V = M + W + 2 > G + 1 ? M + W + 2 : G + 1;   // d.s but of shadow rays
+  localparam int unsigned V = M + W + 2 > G + 1 ? M + W + 2 : G + 1;   // d.s except of shadow rays
   localparam int unsigned L = V > N + W + 3 ? V : N + W + 3;           // d.s
   localparam int unsigned C = 2 * W + 3;        // s.s - R2
   localparam int unsigned D = 2 * (M + W) + 2 > 2 * (N + W) + 4
                             ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
   localparam int unsigned RootW  = rc_pkg::RootBits;
-  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // of one met
+  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // if met
   localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
   localparam int unsigned RightW = Levels > 0 ? Levels : 1;
   localparam int unsigned Cut    = rc_pkg::Cut;
   localparam int unsigned Mul    = rc_pkg::MulStages;
   localparam int unsigned Every  = rc_pkg::TriInterval;
-  localparam int unsigned Three  = rc_pkg::CrossShare;     // of three products one multiplier makes
-  localparam int unsigned Share  = rc_pkg::PairShare;      // of two, or parts of them
-  localparam int unsigned Pair   = rc_pkg::PairStages;     // two products take, but Mul
+  localparam int unsigned Three  = rc_pkg::CrossShare;     // of three products, per multiplier
+  localparam int unsigned Share  = rc_pkg::PairShare;      // of two products, or their parts
+  localparam int unsigned Pair   = rc_pkg::PairStages;     // cycles of two products, without Mul
   localparam bit          Parts  = rc_pkg::PairParts == 1;
-  localparam int unsigned Bits   = rc_pkg::QuotientBits;   // of root and quotient, a step
+  localparam int unsigned Bits   = rc_pkg::QuotientBits;   // of root and quotient, per step
   localparam int unsigned RootSteps = RootW / Bits;
   localparam int unsigned DivSteps  = (T + Bits - 1) / Bits;
-  // So many cycles after it came a sphere is in a stage.
+
+  // Cycles from a sphere's arrival to each stage.
   localparam int unsigned AtS2 = 1 + Mul + Three;
   localparam int unsigned AtS3 = AtS2 + Mul + Pair;
   localparam int unsigned AtS4 = AtS3 + Cut + 1;
@@ -74,19 +81,23 @@ module rc_sphere #(
   localparam int unsigned AtT  = AtW + DivSteps + 2 * Cut;
   localparam int unsigned AtP  = AtT + Mul + 1 + (Parts ? 1 + Cut : 0);
   localparam int unsigned End  = AtP + Cut + 1;
+
   if (End != rc_pkg::SphereStages || RootW % Bits != 0) begin : gen_refuse
     $error("rc_sphere: its stages are not those of model/core/stages.cpp");
   end
 
-  // there[k]: it came k cycles ago; met, from s4 on: and is met by a ray that wants to know where.
+  // there[k]: a sphere came k cycles ago. met, from s4 on: a ray that needs the distance meets it.
   logic [End-1:0]    there_q;
   logic [End:0]      there, moves;
   logic [End-1:AtS4] met_q, met_moves, far_q, blocked_q;
   logic              s3_met, s3_blocks, s3_far;
+
   assign there = {there_q, s0_valid_i};
-  // As in rc_tri: a fast chip's stages always move.
+
+  // In a fast chip the stages always accept, as in rc_tri.
   assign moves     = there | {(End+1){Cut != 0}};
   assign met_moves = met_q | {(End-AtS4){Cut != 0}};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       there_q   <= '0;
@@ -102,13 +113,17 @@ module rc_sphere #(
     far_o     <= far_q[End-1];
   end
 
-  // ---- s1: from the centre to the origin, 2^B (o - c); in lattice steps for a shadow ray.
+  // ---- s1: the vector from the centre to the origin, 2^B (o - c); in lattice steps for a shadow
+  // ray.
   logic [2*W-1:0] s1_rr_q, s2_rr;
   logic           s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q;
   logic           s2_any, s2_shadow, s2_own, s2_inside, s2_glass;
+
   assign s0_shadow = s0_any_i && !s0_leaves_i;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     localparam int unsigned X = H > S ? H : S;
+
     logic signed [W-1:0]   s0_o;
     logic signed [N-1:0]   s0_c;
     logic signed [S-1:0]   s0_s, s1_s_q;
@@ -116,33 +131,41 @@ module rc_sphere #(
     logic signed [H+S-1:0] along;
     logic signed [2*H-1:0] square;
     logic signed [2*S-1:0] power;
+
     assign s0_o = s0_o_i[k*W +: W];
     assign s0_c = s0_c_i[k*N +: N];
     assign s0_s = S'(s0_o) - (S'(s0_c) <<< B);
+
     always_ff @(posedge clk_i) begin
       if (moves[0]) begin
         s1_d_q <= s0_d_i[k*H +: H];
         s1_s_q <= s0_shadow ? s0_s >>> B : s0_s;
       end
     end
+
     if (Three == 1) begin : gen_at_once
       rc_mul #(.AW(H), .BW(S)) u_along (.clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
       rc_mul #(.AW(H), .BW(H)) u_square (.clk_i, .a_i(s1_d_q), .b_i(s1_d_q), .p_o(square));
       rc_mul #(.AW(S), .BW(S)) u_power (.clk_i, .a_i(s1_s_q), .b_i(s1_s_q), .p_o(power));
     end else begin : gen_shared
       logic [3*2*X-1:0] products;
+
       rc_mul_shared #(.AW(X), .BW(X), .Products(3), .Share(Three)) u_products (
         .clk_i, .valid_i(there[1]), .a_i({X'(s1_d_q), X'(s1_d_q), X'(s1_s_q)}),
         .b_i({X'(s1_s_q), X'(s1_d_q), X'(s1_s_q)}), .p_o(products));
+
       assign power  = products[0 +: 2*S];
       assign square = products[2*X +: 2*H];
       assign along  = products[4*X +: H+S];
+
       logic unused;
       assign unused = ^products;
     end
+
     logic unused;
     assign unused = ^{along, square, power};
   end
+
   always_ff @(posedge clk_i) begin
     if (moves[0]) begin
       s1_rr_q <= s0_shadow ? {{(2*B){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*B){1'b0}}};
@@ -151,6 +174,7 @@ module rc_sphere #(
       s1_inside_q              <= s0_inside_i && s0_glass_i;
     end
   end
+
   if (Mul + Three == 1) begin : gen_rr_now
     assign s2_rr = s1_rr_q;
   end else begin : gen_rr_waits   // up to the cycle before s2
@@ -158,6 +182,7 @@ module rc_sphere #(
       .clk_i, .rst_ni, .valid_i(moves[AtS2-2:1]), .there_i(there[AtS2-2:1]), .data_i(s1_rr_q),
       .data_o(s2_rr));
   end
+
   rc_shift_register #(.Width(5), .Stages(AtS2 - 1)) u_flags (
     .clk_i, .valid_i(moves[AtS2-1:1]),
     .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q}),
@@ -167,6 +192,7 @@ module rc_sphere #(
   logic signed [L-1:0] s2_along_q;
   logic signed [A-1:0] s2_square_q;
   logic signed [C-1:0] s2_power_q;
+
   always_ff @(posedge clk_i) begin
     if (moves[AtS2-1]) begin
       s2_along_q  <= L'(gen_axis[0].along) + L'(gen_axis[1].along) + L'(gen_axis[2].along);
@@ -176,17 +202,20 @@ module rc_sphere #(
     end
   end
 
-  // ---- s3: b b and A C, modulo 2^D since their difference fits; of A and C one is long for a
-  // shadow ray, the other for all others.
+  // ---- s3: b b and A C, modulo 2^D, because their difference fits. For a shadow ray A is the long
+  // factor, for other rays C.
   localparam int unsigned Short = G + 1 > 2 * N + 3 ? G + 1 : 2 * N + 3;
   localparam int unsigned Long  = A > C ? A : C;
+
   logic signed [Long-1:0]       s2_long;
   logic signed [Short-1:0]      s2_short;
   logic signed [2*L-1:0]        s2_bb;
   logic signed [Long+Short-1:0] s2_ac;
   logic signed [D-1:0]          s3_bb_q, s3_ac_q, s3_disc;
+
   assign s2_long  = s2_shadow ? Long'(s2_square_q) : Long'(s2_power_q);
   assign s2_short = s2_shadow ? Short'(s2_power_q) : Short'(s2_square_q);
+
   if (Share == 1) begin : gen_at_once
     rc_mul #(.AW(L), .BW(L), .Sums(2)) u_bb (
       .clk_i, .a_i(s2_along_q), .b_i(s2_along_q), .p_o(s2_bb));
@@ -198,8 +227,10 @@ module rc_sphere #(
     logic [2*(X+Y)-1:0] products;
     logic [2*X-1:0]     a;
     logic [2*Y-1:0]     b;
+
     assign a = {X'(s2_along_q), X'(s2_long)};
     assign b = {Y'(s2_along_q), Y'(s2_short)};
+
     if (Parts) begin : gen_parts
       rc_mul_parts #(.AW(X), .BW(Y), .Sums(2), .Products(2), .Share(Share)) u_products (
         .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
@@ -207,40 +238,49 @@ module rc_sphere #(
       rc_mul_shared #(.AW(X), .BW(Y), .Sums(2), .Share(Share)) u_products (
         .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
     end
+
     assign s2_ac = products[0 +: Long+Short];
     assign s2_bb = products[X+Y +: 2*L];
+
     logic unused;
     assign unused = ^products;
   end
+
   always_ff @(posedge clk_i) begin
     if (moves[AtS3-1]) begin
       s3_bb_q <= D'(s2_bb);
       s3_ac_q <= D'(s2_ac);
     end
   end
+
   rc_path_register #(.Width(D)) u_disc (.clk_i, .data_i(s3_bb_q - s3_ac_q), .data_o(s3_disc));
 
-  // Meanwhile: |O - c|^2 - R2, where a shadow ray ends; is its point nearest to the centre before
-  // that?
+  // In parallel, for a shadow ray: |O - c|^2 - R2 at its end O, and whether its point nearest to
+  // the centre comes before O.
   localparam int unsigned Foot = (L + B > A ? L + B : A) + 1;
+
   logic signed [C-1:0]    s2_end, sum_end;
   logic signed [Foot-1:0] s2_foot, sum_foot;
   logic                   s2_on, s2_still, sum_on, sum_still, sum_out, sum_nearing;
   logic                   s3_any, s3_shadow, s3_own, s3_inside, s3_glass;
   logic                   s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out;
+
   assign s2_end   = C'(s2_square_q) + (C'(s2_along_q) <<< (B + 1)) + (s2_power_q <<< (2 * B));
   assign s2_foot  = (Foot'(s2_along_q) <<< B) + Foot'(s2_square_q);
   assign s2_on    = s2_power_q == '0;
   assign s2_still = s2_square_q == '0;
+
   rc_path_register #(.Width(C + Foot + 4)) u_sums (
     .clk_i, .data_i({s2_end, s2_foot, s2_on, s2_still, !s2_power_q[C-1], s2_along_q[L-1]}),
     .data_o({sum_end, sum_foot, sum_on, sum_still, sum_out, sum_nearing}));
+
   rc_shift_register #(.Width(7), .Stages(AtS3 - AtS2)) u_tests (
     .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2+Cut]),
     .data_i({sum_still, sum_nearing, sum_out && !sum_on, sum_on,
              !sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],
              !sum_end[C-1] && sum_end != '0}),
     .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
+
   rc_shift_register #(.Width(5), .Stages(AtS3 + Cut - AtS2)) u_kind (
     .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]),
     .data_i({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}),
@@ -249,11 +289,13 @@ module rc_sphere #(
   // ---- s4: the discriminant, and all decisions.
   logic             s3_meets, s3_goes, s3_blocked;
   logic [Plain-1:0] s4_disc_q;
+
   assign s3_meets = s3_nearing && !s3_disc[D-1];
   assign s3_goes  = (!s3_own || s3_inside)
                  && (s3_outside ? s3_meets : s3_glass && (s3_on ? s3_nearing : !s3_still));
   assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
   assign s3_far   = s3_own || !s3_outside;
+
   always_comb begin
     if (!s3_shadow)      s3_blocked = s3_goes;
     else if (s3_own)     s3_blocked = s3_inside && s3_outside;
@@ -261,19 +303,23 @@ module rc_sphere #(
                                    && (s3_glass || s3_end_out);
     else                 s3_blocked = s3_end_out && (!s3_on || s3_nearing);
   end
+
   assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
+
   if (Plain > D) begin : gen_short_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= Plain'(s3_disc);
   end else begin : gen_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= s3_disc[Plain-1:0];
   end
 
-  // ---- s5: the discriminant cut to 2 RootW bits by an even number of places, 2 s5_right.
+  // ---- s5: the discriminant, shortened to 2 RootW bits by an even shift of 2 s5_right.
   logic [2*RootW-1:0] s5_cut_q, s4_cut;
   logic [RightW:0]    s5_right_lost_q, s4_right_lost;
+
   rc_shrink #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_shrink (
     .clk_i, .all_i(s4_disc_q), .cut_o(s4_cut), .right_o(s4_right_lost[RightW:1]),
     .lost_o(s4_right_lost[0]));
+
   always_ff @(posedge clk_i) begin
     if (met_moves[AtS5-1]) begin
       s5_cut_q        <= s4_cut;
@@ -281,50 +327,62 @@ module rc_sphere #(
     end
   end
 
-  // ---- Root: what goes with it waits, up to the cycle before.
+  // ---- Root. The fields that go with it wait, up to the cycle before.
   localparam int unsigned RightLate = (RootSteps - 1 + Every - 1) / Every;
   localparam int unsigned RayLate   = (AtR - 1 - AtS2 + Every - 1) / Every;
+
   logic [RootW-1:0]    r_root;
   logic                r_inexact, r_lost;
   logic [RightW-1:0]   r_right;
   logic signed [V-1:0] r_along;
   logic [G-1:0]        r_square;
   logic [RightW:0]     late_right_lost;
-  logic [V-1:0]        s2_near_along;    // all but shadow rays' have so many bits
+  logic [V-1:0]        s2_near_along;    // all rays except shadow rays have so many bits
   logic [G-1:0]        s2_near_square;
   logic [V+G-1:0]      late_ray;
+
   assign s2_near_along  = s2_along_q[V-1:0];
   assign s2_near_square = s2_square_q[G-1:0];
+
   rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
     .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
     .root_o(r_root), .inexact_o(r_inexact));
+
   rc_stage_delay #(.Width(RightW + 1), .Stages(RightLate), .Every(Every)) u_right (
     .clk_i, .rst_ni, .come_i(met_q[AtS5]), .leave_i(met_q[AtR-1]), .data_i(s5_right_lost_q),
     .data_o(late_right_lost));
+
   rc_stage_delay #(.Width(V + G), .Stages(RayLate), .Every(Every)) u_ray (
     .clk_i, .rst_ni, .come_i(there[AtS2]), .leave_i(there[AtR-1]),
     .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
+
   rc_path_register #(.Width(RightW + 1 + V + G), .Stages(1)) u_late (
     .clk_i, .data_i({late_right_lost, late_ray}),
     .data_o({r_right, r_lost, r_along, r_square}));
 
-  // ---- The way to the near root, -b - r, with r rounded down, or to the far one, -b + r, with
-  // r rounded up.
+  // ---- The way to the near root, -b - r with r rounded down, or to the far root, -b + r with r
+  // rounded up.
   logic [V-1:0]      r_size, w_size, w_back, w_way, w_way_q;
   logic [RootW:0]    r_up, up;
   logic [RightW-1:0] up_right;
   logic [V-1:0]      up_back;
   logic [G-1:0]      up_square, w_square, w_square_q;
+
   assign r_up = {1'b0, r_root} + {{RootW{1'b0}}, far_q[AtR] && (r_inexact || r_lost)};
+
   rc_path_register #(.Width(RootW + 1 + RightW + V + G)) u_up (
     .clk_i, .data_i({r_up, r_right, -r_along, r_square}),
     .data_o({up, up_right, up_back, up_square}));
+
   assign r_size = V'(up) << up_right;
+
   rc_path_register #(.Width(2 * V + G)) u_size (
     .clk_i, .data_i({r_size, up_back, up_square}), .data_o({w_size, w_back, w_square}));
+
   rc_addsub #(.Width(V)) u_way (
     .minus_i(!far_q[AtW-1]), .a_i(w_back), .b_i(w_size),
     .sum_o(w_way));
+
   always_ff @(posedge clk_i) begin
     if (met_moves[AtW-1]) begin
       w_way_q    <= w_way;
@@ -335,40 +393,52 @@ module rc_sphere #(
   // ---- Distance: ceil(2^(M-1+F-B) way / d.d), saturated, as in rc_hitdiv.
   localparam int unsigned Q     = Bits * DivSteps;
   localparam int unsigned Right = N + 3 + B > M ? N + 3 + B - M : 1;   // at least 2: M <= N + B + 1
+
   logic [V-1:0]   w_above;
   logic [Q+V-1:0] w_below;
   logic           w_beyond, d_beyond, d_inexact, d_up, t_up;
   logic [G-1:0]   d_rem, d_den;
   logic [Q-1:0]   d_low, d_quo;
   logic [T-1:0]   t_down, t;
+
   assign w_above  = w_way_q >> Right;
   assign w_below  = {w_way_q, {Q{1'b0}}} >> Right;
   assign w_beyond = w_above >= {{(V-G){1'b0}}, w_square_q};
+
   rc_path_register #(.Width(2 * G + Q)) u_first (
     .clk_i, .data_i({w_beyond && Cut == 0 ? '0 : w_above[G-1:0], w_square_q, w_below[Q-1:0]}),
     .data_o({d_rem, d_den, d_low}));
+
   rc_divide #(
     .Width(G), .Stages(DivSteps), .Bits(Bits), .Every(Every), .Lows(Right < Q ? Right : Q)) u_t (
     .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_moves[AtW+Cut]), .rem_i(d_rem),
     .low_i(d_low), .den_i(d_den), .quo_o(d_quo), .inexact_o(d_inexact));
+
   rc_shift_register #(.Width(1), .Stages(AtT - AtW)) u_beyond (
     .clk_i, .valid_i(met_moves[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
+
   if (Q > T) begin : gen_spare_bit
     assign d_up = d_inexact || d_quo[0];
   end else begin : gen_exact_bits
     assign d_up = d_inexact;
   end
+
   rc_path_register #(.Width(T + 1)) u_last (
     .clk_i, .data_i({d_up, d_quo[Q-1 -: T]}), .data_o({t_up, t_down}));
+
   assign t = d_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
 
-  // ---- t / 2^(M-1+F) against best_num / best_det; then closer, or as close with a lower number.
+  // ---- Comparison: t / 2^(M-1+F) against best_num / best_det. Closer, or equally close with a
+  // lower number.
   localparam int unsigned P = T + E > U + M - 1 + F ? T + E : U + M - 1 + F;
+
   logic [T+E-1:0] t_mine;
   logic           t_found, t_first, p_found_q, p_first_q, p_before, last_before;
   logic [U-1:0]   t_num;
   logic [P-1:0]   p_mine_q, p_theirs_q;
+
   assign best_next_o = there[AtT-1];
+
   if (Parts) begin : gen_mine_in_parts
     rc_mul_parts #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .valid_i(there[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
@@ -376,8 +446,10 @@ module rc_sphere #(
     rc_mul #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
   end
+
   rc_path_register #(.Width(U + 2), .Stages(AtP - AtT - 1)) u_theirs (
     .clk_i, .data_i({best_found_i, best_first_i, best_num_i}), .data_o({t_found, t_first, t_num}));
+
   always_ff @(posedge clk_i) begin
     if (met_moves[AtP-1]) begin
       p_found_q  <= t_found;
@@ -386,9 +458,12 @@ module rc_sphere #(
       p_theirs_q <= {{(P-U){1'b0}}, t_num} << (M - 1 + F);
     end
   end
+
   assign p_before = !p_found_q || {p_mine_q, 1'b0} < {p_theirs_q, p_first_q};
   rc_path_register #(.Width(1)) u_before (.clk_i, .data_i(p_before), .data_o(last_before));
+
   always_ff @(posedge clk_i) closer_o <= met_q[End-1] && last_before;
+
   rc_shift_register #(.Width(T), .Stages(End - AtT)) u_end (
     .clk_i, .valid_i(met_moves[End-1:AtT]), .data_i(t), .data_o(t_o));
 

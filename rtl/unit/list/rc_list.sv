@@ -1,22 +1,21 @@
-// The leaves of a node. Takes them from trav, sends their triangles to tri one by one,
-// nearest leaf first and none beyond the best hit, and then tells trav the distance to beat.
-// Keeps each ray's best hit, and gives it out when trav is done. Which structure the leaves
-// come from is not known here.
+// The leaves of a node. Accepts them from trav, and sends their triangles to tri one by one,
+// nearest leaf first and none beyond the best hit. Then it returns the distance to beat to trav. It
+// stores each ray's best hit, and outputs it when trav is done. It does not depend on the
+// structure.
 //
-// A ray that asks for a light (kinds shadow and away) ends with the first primitive in its
-// way: no other is tested, and trav is told to stop. A shadow ray also ends at t = 2^-B:
-// 2^(N+F) is its distance to beat.
+// A ray from or to a light (kinds shadow and away) ends with the first primitive in its way. No
+// other is tested, and trav gets a stop. A shadow ray also ends at t = 2^-B: its distance to beat
+// is 2^(N+F).
 //
-// Leaves and an answer of tri are accepted in every cycle. trav gives leaves only if the
-// nearest is not beyond the distance to beat, so that its first triangle is always tested.
-// An answer of tri sends its ray to one of two links, prim or tested. Each source has a
-// queue of its own on the link prim, so that neither waits for the other; tri's rays go
-// first. One triangle of a ray is under way at a time. A triangle that comes back from
-// memory goes on to tri, with its ray, in the same cycle.
+// Leaves and an answer of tri are accepted in every cycle. trav sends leaves only if the nearest is
+// not beyond the distance to beat, so its first triangle is always tested. An answer of tri sends
+// its ray to one of two links, prim or tested. Each source has its own queue on the link prim, so
+// neither waits for the other; tri's rays go first. One triangle per ray is in flight. A triangle
+// from memory goes on to tri, with its ray, in the same cycle.
 //
-// A ray's start clears its hit; when it goes to trav it is only kept for tri. With two levels tri
-// gets the ray in the space of the instance that it entered last, and the number of that instance's
-// first primitive is added to a primitive's own. Model: model/unit/list/list.hpp.
+// A ray's start clears its hit. When the ray goes to trav, list only stores it for tri. With two
+// levels tri gets the ray in the space of the instance that it entered last. The number of the
+// instance's first primitive is added to a primitive's own number. Model: model/unit/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,
@@ -26,7 +25,7 @@ module rc_list (
   input  rc_pkg::start_t    start_i,
   input  logic              ray_fires_i,
   input  rc_pkg::ray_t      ray_i,
-  // With two levels: it changes
+  // With two levels: a ray was transformed
   input  logic              change_fires_i,
   input  rc_pkg::change_t   change_i,
   // From trav
@@ -39,7 +38,7 @@ module rc_list (
   input  logic              prim_rsp_valid_i,
   output logic              prim_rsp_ready_o,
   input  rc_pkg::prim_rsp_t prim_rsp_i,
-  input  logic              prim_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic              prim_next_fires_i,   // in a fast chip: the next one comes, and its ray
   input  logic [rc_pkg::RayBits-1:0] prim_next_i,
   // To and from tri
   output logic              tri_req_valid_o,
@@ -55,7 +54,7 @@ module rc_list (
   input  logic              done_valid_i,
   output logic              done_ready_o,
   input  rc_pkg::done_t     done_i,
-  input  logic              done_next_fires_i,   // likewise
+  input  logic              done_next_fires_i,   // in a fast chip: the next one comes
   input  rc_pkg::done_t     done_next_i,
   // To sched, or shade
   output logic              closest_valid_o,
@@ -72,53 +71,64 @@ module rc_list (
   localparam int unsigned TB = rc_pkg::TBits;
   localparam int unsigned T  = rc_pkg::Contexts;
 
-  // ---- The two events of a cycle: leaves of trav (in), an answer of tri (came). In a
-  // fast chip the answer is in a register first.
+  // ---- The two events of a cycle: leaves from trav (in), an answer from tri (came). In a fast
+  // chip the answer is in a register first.
   logic             in_fires, came_fires, closer, tri_prim;
   rc_pkg::leaves_t  in;
   rc_pkg::tri_rsp_t came;
   logic [rc_pkg::TriRspW-1:0] came_flat;
+
   assign tri_rsp_ready_o = 1'b1;
   assign in_fires        = leaves_fires_i;
   assign in              = leaves_i;
-  rc_path_register #(.Width(rc_pkg::TriRspW)) u_came (.clk_i, .data_i(tri_rsp_i), .data_o(came_flat));
+
+  rc_path_register #(.Width(rc_pkg::TriRspW)) u_came (
+    .clk_i, .data_i(tri_rsp_i), .data_o(came_flat));
   assign came = came_flat;
+
   rc_pulse_register u_came_fires (.clk_i, .rst_ni, .fires_i(tri_rsp_valid_i), .fires_o(came_fires));
   rc_pulse_register u_closer (
     .clk_i, .rst_ni, .fires_i(tri_rsp_valid_i && tri_rsp_i.closer), .fires_o(closer));
 
-  // What is kept of an answer is written, in a fast chip, a cycle after it came (it), since a few
-  // hundred cells take it: it is asked for when the ray's next primitive is, or later.
+  // Results of an answer, stored one cycle later in a fast chip (it), because a few hundred cells
+  // hold them. They are read with the ray's next primitive at the earliest.
   localparam int unsigned BestW  = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
   localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1 - (rc_pkg::Homes == 1 ? A : 0);
+
   logic              it_fires, it_closer;
   logic [I-1:0]      it_ray;
   logic [TB-1:0]     it_came_t;
   logic [BestW-1:0]  it_best;
   logic [FoundW-1:0] came_found, it_found;
+
   if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
     assign came_found = {came.back, came.prim, came.t, came.u, came.v};
   end else begin : gen_no_side
     assign came_found = {came.prim, came.t, came.u, came.v};
   end
+
   rc_pulse_register u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
   rc_pulse_register u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
   rc_path_register #(.Width(I + TB + BestW + FoundW)) u_it_kept (
     .clk_i, .data_i({came.ray, came.t, came.num, came.det, came.prim, came_found}),
     .data_o({it_ray, it_came_t, it_best, it_found}));
 
-  // ---- Best hits. found says whether the memories hold one for a ray.
+  // ---- Best hits. found: the memories hold a hit of the ray.
   logic [I-1:0] start_ray;
   logic [T-1:0] found;
   logic         ends_at_any, it_blocked;
+
   assign start_ray  = start_i.ray;
   assign it_blocked = it_closer && ends_at_any;
+
   rc_flags #(.Flags(T)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(it_closer), .set_at_i(it_ray), .flags_o(found));
+
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic         to_light;
-    logic [T-1:0] any_hit;   // which rays any hit ends
+    logic [T-1:0] any_hit;   // rays that any hit ends
+
     assign to_light = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
     rc_bit_array #(.Marks(T)) u_any (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(to_light),
@@ -129,21 +139,26 @@ module rc_list (
     assign ends_at_any = 1'b0;
   end
 
-  logic [TB-1:0]   old_t;   // of came, or in a fast chip of a cycle later
-  logic [2*TB-1:0] nears;   // where another leaf may follow
+  // ---- Distances to beat.
+  logic [TB-1:0]   old_t;   // of came; in a fast chip one cycle later
+  logic [2*TB-1:0] nears;   // nearest points of the leaves that may follow
   logic [1:0]      it_within, old_within;
+
   rc_ray_t_max #(.Nears(2)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(it_closer), .write_ray_i(it_ray), .write_t_i(it_came_t),
     .read_ray_i(came.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
-  // ---- Leaves under way per ray, written by trav, read by tri's answer.
+
+  // ---- Leaves in flight per ray: written by trav's leaves, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
   logic [GroupW-1:0] tri_group;
+
   rc_ram_prefetch #(.Width(GroupW), .Depth(T)) u_group (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
     .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}), .head_addr_i(came.ray),
     .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
-  // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
+
+  // ---- Cursors: leaf and triangle in flight per ray. They are 0, 0 until tri has answered once.
   logic [T-1:0] moved;
   logic [S-1:0]   cursor_leaf, next_leaf;
   logic [C-1:0]   cursor_triangle, next_triangle;
@@ -151,18 +166,21 @@ module rc_list (
   logic           was_moved;
   logic           end_fires;
   logic [I-1:0]   end_ray;
+
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
     .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
     .write_data_i({next_leaf, next_triangle}),
     .read_addr_i(came.ray), .read_data_o(cursor));
+
   rc_flags #(.Flags(T)) u_moved (
     .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
     .set_i(it_fires), .set_at_i(it_ray), .flags_o(moved));
+
   rc_bit_select #(.Flags(T)) u_was_moved (
     .clk_i, .flags_i(moved), .index_i(came.ray), .flag_o(was_moved));
 
-  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. In a
-  // fast chip what is known of the ray is read, in two cycles, compared and sent on in one each.
+  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. A fast
+  // chip reads the ray's state in two cycles, compares in one, and sends in one.
   logic            end_blocked;
   logic [TB-1:0]   it_t, end_t;
   logic [A-1:0]    group_base, end_base;
@@ -170,9 +188,12 @@ module rc_list (
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
   logic [W*C-1:0]  group_count;
+
   rc_path_register #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
+
   assign it_t = it_closer ? it_came_t : old_t;
   assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
+
   rc_path_register #(.Width(GroupW)) u_it_group (
     .clk_i, .data_i(tri_group),
     .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
@@ -181,13 +202,16 @@ module rc_list (
   logic [C-1:0] leaf_count, end_triangle;
   logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
   logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
-  // Whether another leaf follows is found for both cursors, since it is known late which it is.
+
+  // Whether another leaf follows: computed for both cursors, because the selection is known late.
   logic [TB-1:0] it_near;
   logic          more_after_it, more_after_first;
+
   assign it_leaf     = it_cursor[C +: S];
   assign it_next     = it_leaf + S'(1);
   assign nears       = {it_near, group_near[TB +: TB]};
   assign it_within   = it_closer ? {it_near <= it_came_t, nears[TB-1:0] <= it_came_t} : old_within;
+
   always_comb begin
     leaf_count  = '0;
     this_offset = '0;
@@ -200,18 +224,22 @@ module rc_list (
       if (it_next == S'(i))     it_near     = it_near | group_near[i*TB +: TB];
     end
   end
+
   assign at_next          = cursor_leaf + S'(1);
   assign more_triangles   = cursor_triangle + C'(1) < leaf_count;
   assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_within[1];
   assign more_after_first = group_leaves > G'(1) && it_within[0];
   assign more_leaves      = was_moved ? more_after_it : more_after_first;
+
   rc_path_register #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
     .clk_i,
     .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group_base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
     .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
              end_triangle, end_this_offset, end_next_offset}));
+
   rc_pulse_register u_end_fires (.clk_i, .rst_ni, .fires_i(it_fires), .fires_o(end_fires));
+
   assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + S'(1);
   assign next_triangle = end_more_triangles ? end_triangle + C'(1) : '0;
   assign end_offset    = end_more_triangles ? end_this_offset : end_next_offset;
@@ -221,15 +249,18 @@ module rc_list (
   logic         next_valid, next_ready, first_valid, first_ready;
   logic [I+A:0] next_data, first_data;
   logic [A:0]   next_addr, first_addr;
+
   assign next_addr  = {end_base, 1'b0} + {{(A+1-O){1'b0}}, end_offset}
       + {{(A+1-C){1'b0}}, next_triangle};
   assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in.offset[O-1:0]};
+
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_next (
     .clk_i, .rst_ni, .push_i(end_fires && tri_prim), .data_i({end_ray, next_addr}),
     .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_first (
     .clk_i, .rst_ni, .push_i(in_fires), .data_i({in.ray, first_addr}),
     .valid_o(first_valid), .pop_i(first_valid && first_ready), .data_o(first_data));
+
   rc_priority_merge #(.Width(I + A + 1)) u_prim (
     .clk_i, .rst_ni,
     .first_valid_i(next_valid), .first_ready_o(next_ready), .first_i(next_data),
@@ -238,21 +269,24 @@ module rc_list (
 
   // ---- Rays whose leaves are tested, back to trav.
   logic [rc_pkg::TestedW-1:0] ended;
-  if (rc_pkg::Shading != 0) begin : gen_stop   // at the first hit of a ray that any hit ends
+
+  if (rc_pkg::Shading != 0) begin : gen_stop   // the first hit of a ray that any hit ends
     assign ended = {end_ray, end_blocked, end_t};
   end else begin : gen_go_on
     assign ended = {end_ray, end_t};
   end
+
   rc_queue #(.Width(rc_pkg::TestedW), .Depth(T)) u_tested (
     .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i(ended),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i), .data_o(tested_o));
 
-  // ---- Triangle, ray (what tri wants of it has the same names in ray_t) and hit to beat, to tri.
+  // ---- To tri: triangle, ray (fields with the same names as in ray_t) and hit to beat.
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
   logic               keep, keeps, tri_found;
   logic [I-1:0]       keep_ray, keeps_ray;
   logic [TriRayW-1:0] ray_for_tri, keeps_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
+
   if (rc_pkg::Levels == 1) begin : gen_ray
     assign keep     = ray_fires_i;
     assign keep_ray = ray_i.ray;
@@ -260,13 +294,15 @@ module rc_list (
     assign keep     = change_fires_i;
     assign keep_ray = change_i.ray;
   end
+
   if (rc_pkg::Homes == 1) begin : gen_changed_ray_with_kind
-    // Which primitives the ray asks does not change, and is kept as it came.
+    // The set of primitives that the ray tests does not change: it is stored as it came.
     localparam int unsigned MovedW = 3 * rc_pkg::OriginWidth + 3 * rc_pkg::RayDirBits;
     localparam int unsigned AsksW  = TriRayW - MovedW - 2;
     localparam int unsigned Whole  = AsksW == 0 ? 1 : AsksW;
     logic [Whole-1:0]    asks, kept_asks;
     logic [MovedW+2-1:0] there;
+
     if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_asks_all
       assign asks = {ray_i.is_partial, ray_i.self, ray_i.is_inside};
     end else if (rc_pkg::Planes != 0) begin : gen_asks_planes
@@ -276,9 +312,11 @@ module rc_list (
     end else begin : gen_asks_triangles
       assign asks = '0;
     end
+
     rc_ram #(.Width(Whole), .Depth(T)) u_asks (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(asks),
       .read_addr_i(change_i.ray), .read_data_o(kept_asks));
+
     assign there = {change_i.kind, change_i.o, change_i.d};
     if (AsksW == 0) begin : gen_moved
       assign ray_for_tri = there;
@@ -303,79 +341,97 @@ module rc_list (
   end else begin : gen_ray_of_triangles
     assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
   end
-  // A fast chip writes it a cycle later: no primitive comes for a ray so soon after it.
+
+  // A fast chip stores the ray one cycle later. Its first primitive comes much later.
   rc_pulse_register u_keeps (.clk_i, .rst_ni, .fires_i(keep), .fires_o(keeps));
   rc_path_register #(.Width(I + TriRayW)) u_keeps_ray (
     .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
+
   rc_ram_prefetch #(.Width(TriRayW), .Depth(T)) u_ray (
     .clk_i, .rst_ni, .write_i(keeps), .write_addr_i(keeps_ray), .write_data_i(keeps_for_tri),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_ray));
+
   rc_ram_prefetch #(.Width(BestW), .Depth(T)) u_best (
     .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_best));
-  // Whether a ray has a hit to beat does not change while its primitive is asked for. A fast chip
-  // looks at its flag then, and keeps it with what is read in the end. So a primitive must not
-  // come in the cycle after it was asked for; no cache is that quick.
+
+  // A ray's `found` does not change while its primitive is requested. A fast chip reads the flag
+  // with the request, and stores it until the primitive comes. So a primitive must not come in the
+  // cycle after its request; every cache is slower.
   if (rc_pkg::Cut == 0) begin : gen_found_now
     assign tri_found = found[prim_rsp_i.ray];
   end else begin : gen_found_before
     logic         asked_q, was_found;
     logic [I-1:0] asked_ray_q;
+
     always_ff @(posedge clk_i) begin
       asked_q     <= prim_req_valid_o && prim_req_ready_i;
       asked_ray_q <= prim_req_o.ray;
     end
+
     rc_bit_select #(.Flags(T)) u_was_found (
       .clk_i, .flags_i(found), .index_i(prim_req_o.ray), .flag_o(was_found));
     rc_ram #(.Width(1), .Depth(T)) u_was (
       .clk_i, .write_i(asked_q), .write_addr_i(asked_ray_q), .write_data_i(was_found),
       .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_found));
+
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) if (rst_ni && prim_rsp_valid_i && asked_q)
       a_not_at_once: assert (prim_rsp_i.ray != asked_ray_q)
       else $error("a primitive came in the cycle after it was asked for");
 `endif
   end
+
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
+
   logic [rc_pkg::PrimBits-1:0]   prim_number;
   logic [rc_pkg::PrimitiveW-1:0] prim_data;
+
   if (rc_pkg::Levels == 1) begin : gen_own_number
     assign prim_number = prim_rsp_i.prim;
   end else begin : gen_scene_number
     logic [rc_pkg::PrimBits-1:0] first_number;
+
     rc_ram_prefetch #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
       .clk_i, .rst_ni, .write_i(change_fires_i), .write_addr_i(change_i.ray),
       .write_data_i(change_i.first), .head_addr_i(prim_rsp_i.ray),
       .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i), .read_data_o(first_number));
+
     assign prim_number = prim_rsp_i.prim + first_number;
   end
+
   if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
     assign prim_data = {prim_rsp_i.prim_kind, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
                         prim_number};
   end else begin : gen_triangles
     assign prim_data = {prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_number};
   end
+
   assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_data, tri_found,
                       tri_found ? tri_best : {BestW{1'b0}}};
 
-  // ---- The answer for a ray that trav has finished.
-  // It is asked for much later, and lies far from what else is kept of a hit.
+  // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
+  // placed far from the other state of a hit.
   logic              kept, is_found;
   logic [I-1:0]      kept_ray;
   logic [FoundW-1:0] kept_found, end_found;
+
   rc_pulse_register #(.Stages(rc_pkg::FarCut)) u_is_kept (
     .clk_i, .rst_ni, .fires_i(it_closer), .fires_o(kept));
   rc_path_register #(.Width(I + FoundW), .Stages(rc_pkg::FarCut)) u_kept (
     .clk_i, .data_i({it_ray, it_found}), .data_o({kept_ray, kept_found}));
+
   rc_ram_prefetch #(.Width(FoundW), .Depth(T)) u_found (
     .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_found),
     .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
     .read_data_o(end_found));
-  if (rc_pkg::Homes == 1) begin : gen_place   // of the instance that the ray is in
+
+  if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in
     logic [A-1:0] here, it_here, end_place;
+
     rc_path_register #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
     rc_ram #(.Width(A), .Depth(T)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
@@ -384,16 +440,20 @@ module rc_list (
       .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
       .read_data_o(end_place));
+
     assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,
                         is_found ? end_found : {FoundW{1'b0}}};
   end else begin : gen_no_place
     assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
   end
+
   rc_bit_prefetch #(.Flags(T)) u_was_best (
     .clk_i, .rst_ni, .flags_i(found), .head_valid_i(done_valid_i), .head_i(done_i.ray),
     .next_fires_i(done_next_fires_i), .next_i(done_next_i.ray), .flag_o(is_found));
+
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
+
   logic unused;
   assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came};
 endmodule

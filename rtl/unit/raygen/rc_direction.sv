@@ -1,13 +1,13 @@
-// Direction of a camera ray from the sums of the pixel's steps, one for each axis.
+// Direction of a camera ray, from the sums of the pixel's steps, one per axis.
 //
-// The three sums are moved up together until one fills its width, by MostShift bits at most,
-// so that a ray in the middle of a wide picture has as many bits as one in its corners.
-// Then they are rounded to DirBits, to nearest, halves up; what would round to 2^(DirBits-1),
-// which does not fit, is one less, and with two levels -2^(DirBits-1) is one more.
-// model/core/frame.hpp has the rule.
+// The three sums are shifted left together until one fills its width, by at most MostShift bits. So
+// a ray in the middle of a wide picture has as many bits as one in its corners. Then they are
+// rounded to DirBits, to nearest, halves up. A component that would round to 2^(DirBits-1), which
+// does not fit, is one less. With two levels -2^(DirBits-1) is one more. model/core/frame.hpp has
+// the rule.
 //
 // Latency rc_pkg::DirectionStages, throughput 1 per cycle. Model: direction_of() in
-// model/unit/raygen/raygen.cpp. The host sees to it that the sums fit and that none of them is too
+// model/unit/raygen/raygen.cpp. The host ensures that the sums fit and that not all of them are too
 // short.
 `default_nettype none
 module rc_direction #(
@@ -15,7 +15,7 @@ module rc_direction #(
   localparam int unsigned M = rc_pkg::DirBits,
   localparam int unsigned L = rc_pkg::DirectionStages
 ) (
-  input  logic           clk_i,
+  input  logic           clk_i,// valid_i[i]: stage i holds a ray
   input  logic [L-1:0]   valid_i,   // valid_i[i]: stage i holds a ray
   input  logic [3*G-1:0] sum_i,
   output logic [3*M-1:0] dir_o
@@ -24,11 +24,14 @@ module rc_direction #(
   localparam int unsigned Most = rc_pkg::MostShift;
   localparam int unsigned S    = $clog2(Most + 1);
 
-  // s0: bits that differ from the sign in any component, and how many above them are free.
+  // s0: the bits that differ from the sign in any component, and the free bits above them.
   logic [3*G-1:0] s0_sum;
+
   rc_path_register #(.Width(3 * G)) u_sum (.clk_i, .data_i(sum_i), .data_o(s0_sum));
+
   logic [G-2:0] s0_used;
   logic [S-1:0] s0_shift;
+
   always_comb begin
     s0_used = '0;
     for (int k = 0; k < 3; k++) begin
@@ -40,6 +43,7 @@ module rc_direction #(
 
   logic [3*G-1:0] s1_sum_q;
   logic [S-1:0]   s1_shift_q;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[Cut]) begin
       s1_sum_q   <= s0_sum;
@@ -47,22 +51,27 @@ module rc_direction #(
     end
   end
 
-  // s1: moved up and rounded (Q(M).0).
+  // s1: the shift, then the rounding, Q(M).0.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic [G-1:0] s1_moved;
     logic [M-1:0] s1_whole, whole, rounded;
     logic         s1_up, up;
+
     assign s1_moved = s1_sum_q[k*G +: G] << s1_shift_q;
     assign s1_whole = s1_moved[G-1 -: M];
+
     if (rc_pkg::Levels == 1) begin : gen_nearest
       assign s1_up = s1_moved[G-M-1];
-    end else begin : gen_with_opposite   // the least number has none, and a mirror needs it
+    end else begin : gen_with_opposite   // the least number has no opposite, and a mirror needs it
       assign s1_up = s1_moved[G-M-1] || s1_whole == {1'b1, {(M-1){1'b0}}};
     end
+
     rc_path_register #(.Width(M + 1)) u_whole (
       .clk_i, .data_i({s1_whole, s1_up}), .data_o({whole, up}));
+
     assign rounded = whole + {{(M-1){1'b0}}, up};
     assign dir_o[k*M +: M] = !whole[M-1] && rounded[M-1] ? whole : rounded;
+
     logic unused;
     assign unused = ^s1_moved[G-M-2:0];
   end

@@ -1,18 +1,18 @@
-// A ray's request -> the ray with reciprocal direction.
+// Makes rays: a request becomes a ray with the reciprocals of its direction.
 //
-// Takes a context's new pixel from sched and, if the chip shades, rays from shade, which go
-// first. A camera ray begins at the eye and goes through the middle of its pixel or of
-// its sample in it; other rays come with origin and direction.
+// Accepts a context's new pixel from sched and, if the chip shades, rays from shade, which go
+// first. A camera ray begins at the eye and goes through the middle of its pixel, or through its
+// sample. Other rays come with origin and direction.
 //
-// Latency rc_pkg::RaygenLatency + 1 (result queue), a ray every rc_pkg::RaygenInterval cycles,
+// Latency rc_pkg::RaygenLatency + 1 (result queue), one ray every rc_pkg::RaygenInterval cycles,
 // answers in order. Model: model/unit/raygen/raygen.hpp. The host scales the camera vectors so that
-// every sum fits, and none is too short; frame_i does not change while rays are under way.
+// every sum fits and none is too short. It holds frame_i while rays are in flight.
 `default_nettype none
 module rc_raygen (
   input  logic           clk_i,
   input  logic           rst_ni,
   input  rc_pkg::frame_t frame_i,
-  // From shade; 0, unless the chip shades
+  // From shade; 0 unless the chip shades
   input  logic           spawn_valid_i,
   output logic           spawn_ready_o,
   input  rc_pkg::spawn_t spawn_i,
@@ -24,7 +24,7 @@ module rc_raygen (
   output logic           ray_valid_o,
   input  logic           ray_ready_i,
   output rc_pkg::ray_t   ray_o,
-  output logic           rests_o         // begins none: the last one is being divided
+  output logic           rests_o         // begins no ray: the last one is in division
 );
   localparam int unsigned M       = rc_pkg::DirBits;
   localparam int unsigned RD      = rc_pkg::RayDirBits;
@@ -34,20 +34,22 @@ module rc_raygen (
   localparam int unsigned I       = rc_pkg::RayBits;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
   localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // of rc_sample
+  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // stages of rc_sample
   localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
-  localparam int unsigned Q       = P + 1 + SubBits;                     // place, signed
+  localparam int unsigned Q       = P + 1 + SubBits;                     // position, signed
   localparam int unsigned GD      = rc_pkg::GuardDirBits;
   localparam int unsigned G       = GD + SubBits;
   localparam int unsigned RecipL  = rc_pkg::RecipStages;
-  // Stages that hold the pixel's steps, the ray's direction.
+
+  // Stages that hold the pixel's steps, and the ray's direction.
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
 
-  // s0: a new pixel is a camera ray through its first sample.
+  // s0: requests. A new pixel is a camera ray through its first sample.
   logic                      req_valid, req_ready, is_open, admit;
   logic [rc_pkg::SpawnW-1:0] req_flat;
   rc_pkg::spawn_t            req, new_pixel;
+
   always_comb begin
     new_pixel      = '0;
     new_pixel.ray  = slot_i.ray;
@@ -55,6 +57,7 @@ module rc_raygen (
     new_pixel.x    = slot_i.x;
     new_pixel.y    = slot_i.y;
   end
+
   if (rc_pkg::Shading != 0) begin : gen_merge
     rc_priority_merge #(.Width(rc_pkg::SpawnW)) u_req (
       .clk_i, .rst_ni,
@@ -69,50 +72,64 @@ module rc_raygen (
     assign spawn_ready_o = 1'b0;
     assign req_flat      = new_pixel;
   end
+
   assign req       = req_flat;
   assign req_ready = is_open && !rests_o;
   assign admit     = req_valid && req_ready;
+
   rc_credit_counter #(.Credits(rc_pkg::RaygenQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(is_open));
 
-  // valid[i]: stage i takes over a ray.
+  // valid[i]: stage i accepts a ray.
   logic [Latency-1:0] valid_q;
   logic [Latency:0]   valid;
   logic [I-1:0]       end_ray;
+
   assign valid = {valid_q, admit};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[Latency-1:0];
   end
+
   if (Every > 1) begin : gen_rests
-    logic rests_q;   // one of the last has begun: a register, since those that wait are far away
+    logic rests_q;   // a register, because the sources that wait are far away
     assign rests_o = rests_q;
+
     always_ff @(posedge clk_i) rests_q <= rst_ni && |valid[Every-2:0];
   end else begin : gen_never
     assign rests_o = 1'b0;
   end
-  // A stage takes over what comes to it if that is a ray's. In a fast chip it always does: an
-  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+
+  // A stage accepts its input if the input is a ray. In a fast chip it accepts unconditionally: an
+  // enable of hundreds of registers is a long path, and invalid data is never used.
   logic [Latency:0] moves;
+
   assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
+
   rc_interval_delay #(.Width(I), .Stages(Latency), .Every(Every)) u_ray (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
     .data_i(req.ray), .data_o(end_ray));
 
-  // Place in the picture, in pixels with SubBits of fraction, when stage SampleL begins.
+  // Position in the picture, in pixels with SubBits of fraction, at the begin of stage SampleL.
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic signed [Q-1:0]       x, y;
+
   assign frame_flat = frame_i;
+
   if (rc_pkg::Supersampling != 0) begin : gen_sample
     logic signed [7:0] offset_x, offset_y;
     logic [P-1:0]      wait_x, wait_y;
+
     rc_sample u_sample (
       .clk_i, .valid_i(moves[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
       .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
       .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
+
     rc_shift_register #(.Width(2 * P), .Stages(SampleL)) u_pixel (
       .clk_i, .valid_i(moves[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
+
     assign x = $signed({1'b0, wait_x, 8'd0}) + Q'(offset_x);
     assign y = $signed({1'b0, wait_y, 8'd0}) + Q'(offset_y);
   end else begin : gen_middle
@@ -120,46 +137,57 @@ module rc_raygen (
     assign y = $signed({1'b0, req.y});
   end
 
+  // Camera vectors.
   logic [3*R1-1:0] recip;
   logic [3*E-1:0]  len;
   logic [3*GD-1:0] corner, right, down;
+
   assign corner = frame_i.corner;
   assign right  = frame_i.right;
   assign down   = frame_i.down;
 
+  // Axes: direction and reciprocal.
   logic [3*G-1:0]  sum;
   logic [3*M-1:0]  made_dir;
   logic [3*RD-1:0] new_dir, dir_q, end_dir;
   logic            is_short;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    // Pixel steps; modulo 2^G, since only the sum is sure to fit. The last sum of limbs is in the
-    // register that a relaxed chip has as well.
+    // Pixel steps, modulo 2^G, because only the sum is sure to fit. Of the multiplier's sums the
+    // last one is in a register that a relaxed chip has as well.
     logic signed [GD+Q-1:0] right_wide, down_wide;
     logic signed [G-1:0]    s1_right_q, s1_down_q, s1_corner;
+
     rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_right (
       .clk_i, .a_i($signed(right[k*GD +: GD])), .b_i(x), .p_o(right_wide));
     rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_down (
       .clk_i, .a_i($signed(down[k*GD +: GD])), .b_i(y), .p_o(down_wide));
+
     always_ff @(posedge clk_i) begin
       if (moves[Step-1]) begin
         s1_right_q <= right_wide[G-1:0];
         s1_down_q  <= down_wide[G-1:0];
       end
     end
-    // Their sum with the corner, and the direction of the three.
+
+    // Their sum with the corner. rc_direction makes the direction from all three axes.
     assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
-    logic asks;   // a sum of no ray costs a simulation nothing; a chip does not ask
+    // In a simulation, a sum without a ray costs no work.
+    logic asks;
 `ifdef SYNTHESIS
     assign asks = 1'b1;
 `else
     assign asks = moves[Step];
 `endif
+
     assign sum[k*G +: G] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
+
     logic [R1+E-1:0] made;
     rc_recip #(.Every(Every)) u_recip (
       .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : moves[Dir]), .short_i(is_short),
       .d_i($signed(dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
+
     if (Latency - Dir == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
@@ -167,21 +195,26 @@ module rc_raygen (
         .clk_i, .valid_i(moves[Latency-1:Dir+RecipL]), .data_i(made),
         .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
     end
+
     logic unused;
     assign unused = ^{right_wide, down_wide};
   end
+
   rc_direction #(.G(G)) u_direction (
     .clk_i, .valid_i(moves[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
-  // Direction and origin wait beside the reciprocals.
+  // Direction and origin are delayed to match the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
-  logic [HeadW-1:0] end_head;   // what ray_t has between number and direction
+  logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
   logic [3*rc_pkg::CoordBits-1:0] eye;
+
   assign eye = frame_i.eye;
   always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
+
   rc_interval_delay #(.Width(3 * RD), .Stages(Latency - Dir), .Every(Every)) u_dir (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
+
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
@@ -189,35 +222,46 @@ module rc_raygen (
     logic [3*OW-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
     logic [3*RD-1:0] given_d;
     logic            is_camera;
-    // A pixel's ray has neither: it may have those of a ray that waits, which costs no gates.
+
+    // The ray of a new pixel has neither field: it may carry those of a waiting ray, which costs no
+    // gates.
     rc_interval_delay #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1), .Every(Every)) u_given (
       .clk_i, .rst_ni, .valid_i(moves[Dir-2:0]), .there_i(valid[Dir-2:0]),
       .data_i({req.kind, spawn_i.o, spawn_i.d}),
       .data_o({kind, given_o, given_d}));
+
     assign is_camera = kind == rc_pkg::RayCamera;
+
     for (genvar k = 0; k < 3; k++) begin : gen_eye
       assign new_dir[k*RD +: RD] = is_camera ? RD'($signed(made_dir[k*M +: M]))
                                              : given_d[k*RD +: RD];
       assign camera_o[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
+
     assign new_o = is_camera ? camera_o : given_o;
     always_ff @(posedge clk_i) if (moves[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
+
     rc_interval_delay #(.Width(2 + 3 * OW), .Stages(Latency - Dir), .Every(Every)) u_head (
       .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
       .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
+
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
-    // What says which primitives the ray asks stays as it came.
+
+    // The fields that select the primitives that the ray tests stay as they came.
     localparam int unsigned TagW = HeadW - 2 - 3 * OW;
     if (TagW != 0) begin : gen_tag
       localparam int unsigned HomeW = rc_pkg::Homes == 1 ? rc_pkg::AddrBits + 3 * (OW + RD) : 0;
       logic [TagW-1:0] req_tag, asks, home, end_tag;
+
       assign req_tag = asks << HomeW | home;
+
       if (rc_pkg::Homes == 1) begin : gen_home
         assign home = TagW'({req.home, req.home_o, req.home_d});
       end else begin : gen_no_home
         assign home = '0;
       end
+
       if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
         assign asks = TagW'({req.is_partial, req.self, req.is_inside});
       end else if (rc_pkg::Planes != 0) begin : gen_planes
@@ -227,9 +271,11 @@ module rc_raygen (
       end else begin : gen_triangles
         assign asks = '0;
       end
+
       rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
         .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
         .data_i(req_tag), .data_o(end_tag));
+
       assign end_head = {end_kind, end_tag, end_o};
     end else begin : gen_no_tag
       assign end_head = {end_kind, end_o};
@@ -239,12 +285,15 @@ module rc_raygen (
     assign unused   = ^{req};
     assign new_dir  = made_dir;
     assign is_short = 1'b1;
-    // The sheared triangle test has slopes as well.
+
+    // The sheared triangle test needs slopes as well.
     if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_sheared
       localparam int unsigned ShearW = 3 * M + 3;
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear;
+
       rc_slope u_slope (.clk_i, .valid_i(moves[Dir]), .d_i(dir_q), .shear_o(made));
+
       if (Latency - Dir == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
@@ -257,12 +306,15 @@ module rc_raygen (
     end
   end
 
+  // Result queue.
   logic                    queue_ready;
   logic [rc_pkg::RayW-1:0] queue_data, ray_data;
+
   assign queue_data = {end_ray, end_head, end_dir, recip, len};
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));
+
   assign ray_o = ray_data;
 
 `ifndef SYNTHESIS

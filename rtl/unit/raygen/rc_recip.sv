@@ -1,11 +1,12 @@
 // Reciprocal of one direction component, rounded down.
 //
-// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m), an
-// R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1. M is the width of
-// a ray's direction; len of one that has only DirBits counts as if it were as long.
-// Latency rc_pkg::RecipStages. A component may come every Every cycles; if that is more than one,
-// so many steps of the division share a stage, and valid_i must be true of what comes. Model:
-// model/unit/raygen/raygen.hpp (reciprocal).
+// For |d| of bit length len, m = |d| << (M - len) and recip = floor(2^(M+R-1) / m). recip has R + 1
+// bits and lies in 2^(R-1)..2^R. d = 0 gives len 0, recip 1. M is the width of a ray's direction.
+// For a direction of DirBits only, len counts as for full width.
+//
+// Latency rc_pkg::RecipStages. A component may come every Every cycles. If Every is above 1, Every
+// steps of the division share a stage, and valid_i must be set for valid components only. Model:
+// reciprocal() in model/unit/raygen/raygen.hpp.
 `default_nettype none
 module rc_recip #(
   parameter int unsigned Every = 1
@@ -29,21 +30,25 @@ module rc_recip #(
   // valid[i]: stage i holds a component.
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
+
   assign valid = {valid_q, valid_i};
   always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
 
   // Magnitude.
   logic [M-1:0] s0_mag, mag;
   logic         mag_short;
+
   assign s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
+
   rc_path_register #(.Width(M + 1)) u_mag (
     .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
 
-  // Its bit length; and by how much to move it up until its top bit is set.
+  // Its bit length, and the left shift that sets its top bit.
   logic [E-1:0] mag_len, mag_up, len, len_told, len_up;
   logic [M-1:0] len_mag;
-  logic         mag_power, len_power;   // of two, or zero
+  logic         mag_power, len_power;   // a power of two, or zero
   logic         len_short;
+
   always_comb begin
     mag_len = '0;
     mag_up  = E'(M);
@@ -56,27 +61,34 @@ module rc_recip #(
       end
     end
   end
+
   assign mag_power = (mag & (mag - 1'b1)) == '0;
+
   rc_path_register #(.Width(M + 2 * E + 2)) u_len (
     .clk_i, .data_i({mag, mag_short, mag_len, mag_up, mag_power}),
     .data_o({len_mag, len_short, len, len_up, len_power}));
+
   assign len_told = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
 
-  // Moved by fours and more, then by less.
+  // The shift, first by multiples of four, then by the remaining two bits.
   logic [M-1:0] coarse_mag, coarse, fine_m;
   logic [E-1:0] coarse_told;
   logic [1:0]   coarse_up;
   logic         coarse_power;
+
   assign coarse_mag = len_mag << {len_up[E-1:2], 2'b00};
+
   rc_path_register #(.Width(M + E + 3)) u_coarse (
     .clk_i, .data_i({coarse_mag, len_told, len_up[1:0], len_power}),
     .data_o({coarse, coarse_told, coarse_up, coarse_power}));
+
   assign fine_m = coarse << coarse_up;
 
-  // The quotient's top bit is one only for a power of two, which divides exactly.
+  // Top bit of the quotient: it is set only for a power of two, which divides exactly.
   logic         top_q;
   logic [M-1:0] m_q, rem_q;
   logic [E-1:0] len_q;
+
   always_ff @(posedge clk_i) begin
     if (valid[Moved-1]) begin
       m_q   <= fine_m;
@@ -86,15 +98,18 @@ module rc_recip #(
     end
   end
 
-  // The other R bits; if two are made in a stage, for an odd R one bit too many, dropped below.
+  // The other R bits. With two bits per stage and an odd R there is one bit too many, dropped
+  // below.
   logic [Bits*Stages-1:0] quo;
   logic                   inexact;
+
   rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
     .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*Stages)'(0)),
     .den_i(m_q), .quo_o(quo), .inexact_o(inexact));
 
-  // Bit length and top bit wait beside the divider.
+  // Bit length and top bit are delayed to match the divider.
   logic top;
+
   rc_interval_delay #(.Width(E + 1), .Stages(Stages), .Every(Every)) u_wait (
     .clk_i, .rst_ni, .valid_i(valid[L-1:Moved]), .there_i(valid[L-1:Moved]),
     .data_i({top_q, len_q}), .data_o({top, len_o}));

@@ -1,10 +1,12 @@
-// Where a sample lies: from the pixel's middle, right and down, in 1/256 of a pixel.
+// The position of a sample relative to the pixel's middle, right and down, in 1/256 of a pixel.
 //
-// A pixel has side x side cells; sample s lies in cell s * stride mod side^2: in its middle
-// or, with jitter, where a hash of seed, pixel and sample says (Jenkins 1997, one at a
-// time, over the words x, y and s). Latency 4, throughput 1 per cycle, no stall; stage i
-// works when valid_i[i] is set. Model: sample_offset() in model/scene/whitted.cpp. The host
-// sees to it that side is 1..8, stride at most and s less than side^2.
+// A pixel has side x side cells. Sample s lies in cell s * stride mod side^2. It lies in the cell's
+// middle. With jitter a hash of seed, pixel and sample gives its place in the cell. The hash is
+// Jenkins's one at a time (1997), over the words x, y and s.
+//
+// Latency 4, throughput 1 per cycle, no stall; stage i works when valid_i[i] is set. Model:
+// sample_offset() in model/scene/whitted.cpp. The host ensures that side is in 1..8, stride at most
+// side, and s below side^2.
 `default_nettype none
 module rc_sample #(
   localparam int unsigned P = rc_pkg::PixelBits,
@@ -12,17 +14,21 @@ module rc_sample #(
 ) (
   input  logic              clk_i,
   input  logic [3:0]        valid_i,
-  input  logic [3:0]        side_i,    // of the frame, as the three that follow
+  // From the frame
+  input  logic [3:0]        side_i,
   input  logic [S-1:0]      stride_i,
   input  logic              jitter_i,
   input  logic [31:0]       seed_i,
+  // Sample
   input  logic [P-1:0]      x_i,
   input  logic [P-1:0]      y_i,
   input  logic [S-1:0]      sample_i,
+  // Position
   output logic signed [7:0] x_o,       // right
   output logic signed [7:0] y_o        // down
 );
-  // One word of the hash.
+
+  // Mixes one word into the hash.
   function automatic logic [31:0] mix(input logic [31:0] h, input logic [31:0] word);
     logic [31:0] sum, folded;
     sum    = h + word;
@@ -30,9 +36,10 @@ module rc_sample #(
     mix    = folded ^ (folded >> 6);
   endfunction
 
-  // A step of s * stride mod side^2, from the top bit of s on.
+  // One step of s * stride mod side^2, from the top bit of s on.
   logic [S:0] cells;
   assign cells = (S+1)'(side_i) * (S+1)'(side_i);
+
   function automatic logic [S-1:0] take(input logic [S-1:0] at, input logic more,
       input logic [S-1:0] stride, input logic [S:0] all);
     logic [S+1:0] far, once;
@@ -41,12 +48,13 @@ module rc_sample #(
     take = once >= {1'b0, all} ? S'(once - {1'b0, all}) : S'(once);
   endfunction
 
-  // s1, s2: x and y, three bits of s each. s3: s, the last mix, the cell's column and row.
+  // s1, s2: x and y, and three bits of s each. s3: s, the last mix, the cell's column and row.
   logic [31:0]  s1_hash_q, s2_hash_q, s2_last, s2_turned;
   logic [15:0]  s3_hash_q;
   logic [P-1:0] s1_y_q;
   logic [S-1:0] s0_at, s1_at, s1_at_q, s2_at_q, s1_sample_q, s2_sample_q;
   logic [2:0]   s3_column_q, s3_row_q;
+
   always_comb begin
     s0_at = '0;
     s1_at = s1_at_q;
@@ -55,10 +63,13 @@ module rc_sample #(
       else            s1_at = take(s1_at, s1_sample_q[i], stride_i, cells);
     end
   end
+
   assign s2_last   = mix(s2_hash_q, 32'(s2_sample_q));
   assign s2_turned = s2_last + (s2_last << 3);
+
   logic [S-1:0] s2_rest;
   logic [2:0]   s2_row;
+
   always_comb begin
     s2_rest = s2_at_q;
     s2_row  = '0;
@@ -69,6 +80,7 @@ module rc_sample #(
       end
     end
   end
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0]) begin
       s1_hash_q   <= mix(seed_i, 32'(x_i));
@@ -81,7 +93,7 @@ module rc_sample #(
       s2_sample_q <= s1_sample_q;
       s2_at_q     <= s1_at;
     end
-    if (valid_i[2]) begin   // the hash's lower half: h ^ h >> 11, and h << 15 added
+    if (valid_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
       s3_hash_q   <= s2_turned[15:0] ^ s2_turned[26:11]
                      ^ {s2_turned[0] ^ s2_turned[11], 15'd0};
       s3_column_q <= s2_rest[2:0];
@@ -89,19 +101,23 @@ module rc_sample #(
     end
   end
 
-  // s4: {cell, place in it} / side, less half a pixel. 1 / side is rounded up: with 11 bits
-  // above and 14 below, the quotient's whole part is right.
+  // s4: {cell, place in it} / side, minus half a pixel. 1 / side is rounded up: with 11 bits above
+  // the point and 14 below, the quotient's whole part is exact.
   logic [14:0] share;
+
   always_comb begin
     share = 15'd16384;
     for (int i = 2; i <= 8; i++) if (side_i == 4'(i)) share = 15'((16383 + i) / i);
   end
+
   logic [7:0]  s3_right, s3_down;
   logic [25:0] s3_over_x, s3_over_y;
+
   assign s3_right  = jitter_i ? s3_hash_q[7:0] : 8'd128;
   assign s3_down   = jitter_i ? s3_hash_q[15:8] : 8'd128;
   assign s3_over_x = 26'({s3_column_q, s3_right}) * 26'(share);
   assign s3_over_y = 26'({s3_row_q, s3_down}) * 26'(share);
+
   always_ff @(posedge clk_i) begin
     if (valid_i[3]) begin
       x_o <= {~s3_over_x[21], s3_over_x[20:14]};

@@ -1,8 +1,8 @@
-// Gives the picture out in tiles of 2^TileBits x 2^TileBits pixels, row by row, one a
-// cycle, to the pipelines that have room for one, in turn.
+// Distributes the picture in tiles of 2^TileBits x 2^TileBits pixels, row by row, one tile per
+// cycle. The pipelines that have room for a tile get one in turn.
 //
-// A frame begins in the cycle after start_i; frame_i is kept until it is done.
-// Model: model/unit/sched/dispatch.hpp.
+// A frame begins in the cycle after start_i. The user holds frame_i until the frame is done. Model:
+// model/unit/sched/dispatch.hpp.
 `default_nettype none
 module rc_dispatch (
   input  logic                         clk_i,
@@ -10,42 +10,49 @@ module rc_dispatch (
   // From the host
   input  logic                         start_i,
   input  rc_pkg::frame_t               frame_i,
-  // To the pipelines' sched
+  // To the pipelines' sched; want_i: has room for a tile
   input  logic [rc_pkg::Pipelines-1:0] want_i,
   output logic [rc_pkg::Pipelines-1:0] tile_fires_o,
   output rc_pkg::tile_t                tile_o,
-  // What it did; rc_pkg::dispatch_cause_e
+  // What it did: rc_pkg::dispatch_cause_e
   output logic [2:0]                   cause_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned PB = P < 2 ? 1 : $clog2(P);
   localparam int unsigned C  = rc_pkg::TileCoordBits;
-  localparam int unsigned S  = rc_pkg::PixelBits + 1;  // a picture's side
+  localparam int unsigned S  = rc_pkg::PixelBits + 1;  // side of a picture
 
+  // Next tile, and the next pipeline in turn.
   logic [C-1:0]  x_q, y_q;
   logic          more_q;
-  logic [PB-1:0] next_q;  // the pipeline that is asked first
+  logic [PB-1:0] next_q;  // the pipeline that is first in turn
 
+  // Pipeline that gets the tile: the last assignment wins, so the first in turn is tested last.
   logic          give;
   logic [PB-1:0] to;
+
   always_comb begin
     to = next_q;
     for (int i = P - 1; i >= 0; i--) begin
       if (want_i[PB'(next_q + PB'(i))]) to = PB'(next_q + PB'(i));
     end
   end
+
   assign give         = more_q && want_i != '0;
   assign tile_fires_o = {{(P-1){1'b0}}, give} << to;
   assign tile_o       = {x_q, y_q};
   assign cause_o      = give ? rc_pkg::DispatchBusyWork
                       : more_q ? rc_pkg::DispatchStalledSched : rc_pkg::DispatchStarvedFrame;
 
+  // Position of the next tile.
   logic [C:0] x_after, y_after;
   logic       last_x, last_y;
+
   assign x_after = {1'b0, x_q} + 1'b1;
   assign y_after = {1'b0, y_q} + 1'b1;
   assign last_x  = S'(x_after) << rc_pkg::TileBits >= frame_i.width;
   assign last_y  = S'(y_after) << rc_pkg::TileBits >= frame_i.height;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       more_q <= 1'b0;

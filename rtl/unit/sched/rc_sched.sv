@@ -1,12 +1,13 @@
-// Gives the pixels of its tiles, in Morton order, to free contexts. A pixel comes back when
-// its ray is done or, if the chip shades, its colour; it then gets its place. Holds two tiles.
-// A pixel of a tile that lies outside the picture costs a cycle in which nothing
-// is given. A fresh machine uses contexts 0..Contexts-1 first; after that the one that has
-// been free longest. A new frame drops what is left of the last one's tiles: pixels outside
-// that picture.
+// Assigns the pixels of its tiles, in Morton order, to free contexts. A pixel comes back when its
+// ray is done or, if the chip shades, when its colour is complete; sched then adds its position.
+// Holds two tiles.
 //
-// A tile's first pixel is offered in the cycle after the tile came. A hit passes through
-// in the same cycle and frees its context. Model: model/unit/sched/sched.hpp.
+// A pixel of a tile that lies outside the picture costs one idle cycle. After reset, contexts
+// 0..Contexts-1 are used first; then the context that has been free longest. A new frame drops the
+// rest of the old tiles: pixels outside the old picture.
+//
+// A tile's first pixel is offered one cycle after the tile came. A hit passes through in the same
+// cycle and frees its context. Model: model/unit/sched/sched.hpp.
 `default_nettype none
 module rc_sched (
   input  logic             clk_i,
@@ -26,11 +27,11 @@ module rc_sched (
   input  logic             pixel_valid_i,
   output logic             pixel_ready_o,
   input  rc_pkg::pixel_t   pixel_i,
-  // The picture
+  // Picture
   output logic             hit_valid_o,
   input  logic             hit_ready_i,
   output rc_pkg::hit_t     hit_o,
-  // What it did; rc_pkg::sched_cause_e
+  // What it did: rc_pkg::sched_cause_e
   output logic [2:0]       cause_o
 );
   localparam int unsigned I  = rc_pkg::RayBits;
@@ -39,23 +40,26 @@ module rc_sched (
   localparam int unsigned K  = rc_pkg::TileBits;
   localparam int unsigned AW = K == 0 ? 1 : 2 * K;
 
-  // The pixel at hand: at_q counts through the tile, its even bits go to x, its odd to y.
-  // Whether a tile lies inside the picture in x and in y, or on its edge, is found when it comes;
-  // whether a pixel of it does, while the one before it is at hand, since much depends on it.
+  // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
+  // The tile's position relative to the picture, inside or on the edge, is computed when the tile
+  // comes. The pixel's position is computed one pixel ahead, because many cells depend on it.
   logic          tile_valid, last, in_frame, at_hand, pass, give;
   logic          tile_begins, begins;   // a tile's first pixel lies inside
   logic [P:0]    width, height;
   logic [3:0]    tile_lies, lies;
   rc_pkg::tile_t tile;
   logic [AW-1:0] at_q;
+
   assign width     = frame_i.width;
   assign height    = frame_i.height;
   assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
                       {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
+
   rc_fifo #(.Width(rc_pkg::TileW + 5), .Depth(2)) u_tiles (
     .clk_i, .rst_ni(rst_ni && !start_i),
     .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies, tile_begins}),
     .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies, begins}));
+
   logic [P-1:0] x, y;
   if (K == 0) begin : gen_single
     assign x        = tile.x;
@@ -63,6 +67,7 @@ module rc_sched (
     assign last     = 1'b1;
     assign in_frame = begins;
     assign tile_begins = tile_lies[3] && tile_lies[1];
+
     logic unused;
     assign unused = ^lies;
   end else begin : gen_morton
@@ -72,18 +77,23 @@ module rc_sched (
     end
     assign x[P-1:K] = tile.x;
     assign y[P-1:K] = tile.y;
+
     assign last     = at_q == '1;
+
     logic [AW-1:0] next;
     logic [K-1:0]  next_x, next_y;
     logic          first_q, inside_q;
+
     for (genvar i = 0; i < K; i++) begin : gen_next_bit
       assign next_x[i] = next[2*i];
       assign next_y[i] = next[2*i+1];
     end
+
     assign next        = at_q + 1'b1;
     assign in_frame    = first_q ? begins : inside_q;
     assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[K-1:0] != '0))
                       && (tile_lies[1] || (tile_lies[0] && height[K-1:0] != '0));
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni || start_i) first_q <= 1'b1;
       else if (give || pass)  first_q <= last;
@@ -92,23 +102,27 @@ module rc_sched (
                  && (lies[1] || (lies[0] && next_y < height[K-1:0]));
     end
   end
+
   assign at_hand  = tile_valid && in_frame && !start_i;
   assign pass     = tile_valid && !in_frame;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni || start_i) at_q <= '0;
     else if (give || pass)  at_q <= last ? '0 : at_q + 1'b1;
   end
 
-  // A context for it.
+  // ---- Its context: a fresh one, or the one that has been free longest.
   logic [I:0]   started_q;  // contexts used so far, 0..Contexts
   logic         fresh, freed, free_valid;
   logic [I-1:0] free_ray, slot_ray;
+
   assign fresh        = started_q != (I+1)'(T);
   assign slot_valid_o = at_hand && (fresh || free_valid);
   assign slot_ray     = fresh ? started_q[I-1:0] : free_ray;
   assign slot_o       = {slot_ray, x, y};
   assign give         = slot_valid_o && slot_ready_i;
   assign freed        = hit_valid_o && hit_ready_i;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni)            started_q <= '0;
     else if (give && fresh) started_q <= started_q + 1'b1;
@@ -118,7 +132,9 @@ module rc_sched (
     .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),
     .valid_o(free_valid), .pop_i(give && !fresh), .data_o(free_ray));
 
+  // ---- Finished pixels get their position.
   logic [2*P-1:0] place;
+
   rc_ram #(.Width(2 * P), .Depth(T)) u_pixel (
     .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x, y}),
     .read_addr_i(pixel_i.ray), .read_data_o(place));

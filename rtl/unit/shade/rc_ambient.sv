@@ -1,5 +1,6 @@
-// A surface's colour where it was hit, and what the surrounding light adds. Part of rc_surf,
-// which has the valid bits; the colour from the registers of s6, the light from those of s7.
+// The colour of a surface where it was hit, and the contribution of ambient light. Part of rc_surf,
+// which has the valid bits. The colour is in the registers of s6, the light in those of s7. Model:
+// model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_ambient #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
@@ -7,49 +8,65 @@ module rc_ambient #(
 ) (
   input  logic             clk_i,
   input  logic [6:0]       valid_i,
-  input  logic [7*Every-1:0] turn_i,   // in which cycle of which stage a pass is
+  input  logic [7*Every-1:0] turn_i,   // the cycle of each stage
   input  rc_pkg::surface_t s0_surface_i,
   input  logic [VB-1:0]    s0_weight_i,
-  input  logic             s0_odd_i,   // of a checker's squares
-  input  logic             s0_ends_i,  // beyond where squares can be told
+  input  logic             s0_odd_i,   // odd square of a checker
+  input  logic             s0_ends_i,  // beyond the range in which squares are distinct
   output logic [38:0]      s6_albedo_o,
   output logic [3*VB-1:0]  s7_ambient_o
 );
+
   logic        s0_checkered, s5_checkered, s5_ends, s5_odd;
   logic [38:0] s0_colour, s0_other, s5_colour, s5_other;
   logic [29:0] s0_weighted, s6_weighted;
+
   assign s0_checkered = s0_surface_i.checkered;
   assign s0_colour    = s0_surface_i.colour;
   assign s0_other     = s0_surface_i.other;
+
+  // The ray's weight times the ambient share.
   logic [12:0] s0_ambient;
   assign s0_ambient = s0_surface_i.ambient;
+
   rc_mul_held #(.AW(VB), .BW(13), .Signed(1'b0)) u_weigh (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
+
   rc_shift_register #(.Width(81), .Stages(5)) u_colour (
     .clk_i, .valid_i(valid_i[4:0]),
     .data_i({s0_ends_i, s0_odd_i, s0_checkered, s0_colour, s0_other}),
     .data_o({s5_ends, s5_odd, s5_checkered, s5_colour, s5_other}));
+
   rc_shift_register #(.Width(30), .Stages(6)) u_weighted (
     .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
+
   logic [3*43-1:0] s6_product;
+
   rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_products (
     .clk_i, .turn_i(turn_i[6*Every +: Every]), .a_i({3{s6_weighted}}), .b_i(s6_albedo_o),
     .p_o(s6_product));
+
+  // s6: the albedo; a checker has two colours, and their mean in the distance. s7: albedo times
+  // weight.
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [12:0] colour, other;
     logic [13:0] between;
     logic [42:0] s7_ambient_q, rounded;
+
     assign colour  = s5_colour[k*13 +: 13];
     assign other   = s5_other[k*13 +: 13];
     assign between = {1'b0, colour} + {1'b0, other};
+
     always_ff @(posedge clk_i) begin
       if (valid_i[5])
         s6_albedo_o[k*13 +: 13] <= !s5_checkered ? colour : s5_ends ? between[13:1]
                                  : s5_odd ? other : colour;
       if (valid_i[6]) s7_ambient_q <= s6_product[k*43 +: 43];
     end
+
     assign rounded = s7_ambient_q + 43'h800000;
     assign s7_ambient_o[k*VB +: VB] = rounded[40:24];
+
     logic unused;
     assign unused = ^{between[0], rounded[42:41], rounded[23:0]};
   end

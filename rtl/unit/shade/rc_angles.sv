@@ -1,9 +1,10 @@
-// Unit vectors and cosines of a pass: along `toward` (a surface's normal, or the way to a
-// light), against the ray's direction, and between them. Part of rc_pass, which has the
-// valid bits: a surface's, or a light's, in stage i.
+// Unit vectors and cosines of a pass. One unit vector is along s5_toward_i: the normal of a
+// surface, or the way to a light. The other one, the view, is against the ray's direction.
 //
-// Latencies are in the names. s13_view_i and s13_normal_i are of a surface that was met
-// before; view_o is of the one that is met now. Model: unit_dot() in model/unit/shade/dot.hpp.
+// Part of rc_pass, which has the valid bits for surfaces and for lights. A signal's prefix is its
+// stage. s13_view_i and s13_normal_i belong to a surface that was met before, s13_view_o to the one
+// that is met now. Unit vectors are S1.16, cosines U1.16. Model: unit_dot() in
+// model/unit/shade/dot.hpp.
 `default_nettype none
 module rc_angles #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -16,39 +17,51 @@ module rc_angles #(
   input  logic               rst_ni,
   input  logic [14:0]        surf_i,
   input  logic [14:0]        light_i,
-  input  logic [14*Every-1:0] turn_i,      // in which cycle of which stage a pass is
+  input  logic [14*Every-1:0] turn_i,      // the cycle of each stage
   input  logic               s13_surf_i,   // s13 holds a surface's pass
+  // Vectors
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [3*UnitW-1:0] s5_toward_i,
   input  logic [3*AB-1:0]    s13_normal_i,
   input  logic [3*AB-1:0]    s13_view_i,
+  // Results
   output logic [3*AB-1:0]    s13_unit_o,
   output logic [3*AB-1:0]    s13_view_o,
-  output logic [VB-1:0]      s15_cosine_o,  // unit . view of a surface, normal . unit of a light
-  output logic signed [18:0] s15_mirror_o   // a light's unit . view
+  output logic [VB-1:0]      s15_cosine_o,  // surface: unit . view; light: normal . unit
+  output logic signed [18:0] s15_mirror_o   // light: unit . view
 );
+
+  // s13: the unit vector.
   rc_unit #(.W(UnitW)) u_unit (
     .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : turn_i[5*Every]),
     .v_i(s5_toward_i), .u_o(s13_unit_o));
 
-  // The view is against the ray.
+  // s13: the view, against the ray.
   logic [3*AB-1:0] s8_along, s8_view;
+
   rc_unit #(.W(M)) u_view (
     .clk_i, .valid_i(Every == 1 ? surf_i[0] : turn_i[0]), .v_i(s0_d_i), .u_o(s8_along));
+
   for (genvar k = 0; k < 3; k++) begin : gen_view
     assign s8_view[k*AB +: AB] = -s8_along[k*AB +: AB];
   end
+
   rc_stage_delay #(.Width(3 * AB), .Stages(5)) u_wait (
     .clk_i, .rst_ni, .come_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view),
     .data_o(s13_view_o));
 
+  // Products of the unit vector with the view or the normal, and with the earlier view.
   logic [3*AB-1:0] s13_with;
+
   assign s13_with = s13_surf_i ? s13_view_o : s13_normal_i;
-  logic [6*2*AB-1:0] product;   // of the unit vector with that, and with the view
+  logic [6*2*AB-1:0] product;   // [with, view][axis]
+
   rc_mul_held #(.AW(AB), .BW(AB), .Products(6)) u_products (
     .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({2{s13_unit_o}}),
     .b_i({s13_view_i, s13_with}), .p_o(product));
+
   logic [3*36-1:0] s14_cosine_q, s14_mirror_q;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     always_ff @(posedge clk_i) begin
       if (surf_i[13] || light_i[13])
@@ -58,12 +71,14 @@ module rc_angles #(
     end
   end
 
-  // Rounded to nearest, halves up.
+  // Cosines: sums of the products, rounded to nearest, halves up.
   logic signed [37:0] s14_cosine, s14_mirror;
+
   assign s14_cosine = 38'($signed(s14_cosine_q[0 +: 36])) + 38'($signed(s14_cosine_q[36 +: 36]))
       + 38'($signed(s14_cosine_q[72 +: 36])) + 38'sh8000;
   assign s14_mirror = 38'($signed(s14_mirror_q[0 +: 36])) + 38'($signed(s14_mirror_q[36 +: 36]))
       + 38'($signed(s14_mirror_q[72 +: 36])) + 38'sh8000;
+
   always_ff @(posedge clk_i) begin
     if (surf_i[14] || light_i[14])
       s15_cosine_o <= s14_cosine[37] ? '0 : s14_cosine[36:32] != '0 ? 17'h10000

@@ -1,5 +1,5 @@
-// What the background adds to a pixel: its colour times the weight of a ray that met nothing, or
-// of a bounce that is not traced. Part of rc_pass, whose last stage gets it. Model:
+// The background's contribution to a pixel: its colour times the weight of a ray that met nothing,
+// or of a bounce that is not traced. Part of rc_pass, which uses it in its last stage. Model:
 // see_background() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_background #(
@@ -8,36 +8,47 @@ module rc_background #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
-  input  logic             begins_i,      // a pass goes on from s0
+  input  logic             begins_i,      // a pass leaves s0
   input  logic [VB-1:0]    s0_weight_i,   // of the ray
-  input  logic             s9_ends_i,     // a pass goes on from s9
-  input  logic [Every-1:0] s9_turn_i,     // in which of its cycles a pass is
-  input  logic             s9_bounce_i,   // it is for a bounce,
+  input  logic             s9_ends_i,     // a pass leaves s9
+  input  logic [Every-1:0] s9_turn_i,     // the cycle of s9
+  input  logic             s9_bounce_i,   // the pass is for a bounce,
   input  logic [VB-1:0]    s9_weight_i,   // which has this weight
   input  logic [3*VB-1:0]  colour_i,
   input  logic             s10_ends_i,
-  input  logic             end_i,         // what the pass leads to is taken
+  input  logic             end_i,         // the end of the pass is accepted
   output logic [3*VB-1:0]  end_colour_o
 );
+
   logic [3*VB-1:0]   s10_colour;
   logic [VB-1:0]     s9_ray_weight, s9_share;
   logic [3*2*VB-1:0] s9_product;
+
   rc_stage_delay #(.Width(VB), .Stages(9)) u_ray_weight (
     .clk_i, .rst_ni, .come_i(begins_i), .leave_i(s9_ends_i), .data_i(s0_weight_i),
     .data_o(s9_ray_weight));
+
   assign s9_share = s9_bounce_i ? s9_weight_i : s9_ray_weight;
+
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_product (
     .clk_i, .turn_i(s9_turn_i), .a_i({3{s9_share}}), .b_i(colour_i), .p_o(s9_product));
+
+  // Product, rounded to U1.16.
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [33:0] s10_product_q, rounded;
+
     always_ff @(posedge clk_i)
       if (s9_ends_i) s10_product_q <= s9_product[k*2*VB +: 2*VB];
+
     assign rounded = s10_product_q + 34'h8000;
     assign s10_colour[k*VB +: VB] = rounded[32:16];
+
     logic unused;
     assign unused = ^{rounded[33], rounded[15:0]};
   end
-  rc_stage_delay #(.Width(3 * VB), .Stages(rc_pkg::ShadeOut - 10), .Parts(rc_pkg::ShadeParts)) u_colour (
+
+  rc_stage_delay #(.Width(3 * VB), .Stages(rc_pkg::ShadeOut - 10), .Parts(rc_pkg::ShadeParts))
+    u_colour (
     .clk_i, .rst_ni, .come_i(s10_ends_i), .leave_i(end_i), .data_i(s10_colour),
     .data_o(end_colour_o));
 endmodule

@@ -1,6 +1,6 @@
-// The point of a sphere that a ray has hit: o + t d, rounded to nearest and kept within
-// what o can say. Part of rc_surf, which has the valid bits and knows which passes are of
-// spheres; from the registers of s3, and once more from those of s4.
+// The point of a sphere that a ray has hit: o + t d, rounded to nearest and clamped to the range of
+// o. Part of rc_surf, which has the valid bits and marks the passes for spheres. The point is in
+// the registers of s3, and again in those of s4.
 `default_nettype none
 module rc_ball #(
   localparam int unsigned M = rc_pkg::DirBits,
@@ -10,11 +10,13 @@ module rc_ball #(
 ) (
   input  logic           clk_i,
   input  logic [3:0]     valid_i,
-  input  logic [Every-1:0] turn_i,    // in which cycle of s0 a pass is
+  input  logic [Every-1:0] turn_i,    // the cycle of s0
   input  logic [3:0]     sphere_i,
+  // Ray
   input  logic [3*P-1:0] s0_o_i,
   input  logic [3*M-1:0] s0_d_i,
   input  logic [T-1:0]   s0_t_i,
+  // Point
   output logic [3*P-1:0] s3_o_o,
   output logic [3*P-1:0] s4_o_o
 );
@@ -22,20 +24,30 @@ module rc_ball #(
   localparam int unsigned Drop = M - 1 + rc_pkg::TFracBits - rc_pkg::OriginBits;
   localparam int unsigned A    = (Q > P ? Q : P) + 1;
   localparam logic signed [A-1:0] Most = A'((65'(1) << (P - 1)) - 65'd1);
-  // Whether it is a sphere is told to many from a register, where a pass stays long enough in s0.
+
+  // If a pass stays long in s0, the flag for a sphere comes from a register, because it has many
+  // loads.
   logic s0_sphere;
+
   rc_path_register #(.Width(1), .Stages(rc_pkg::ShadeCut)) u_sphere (
     .clk_i, .data_i(sphere_i[0]), .data_o(s0_sphere));
+
   logic [3*P-1:0] s1_o;
   rc_shift_register #(.Width(3 * P), .Stages(1)) u_o (
     .clk_i, .valid_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));
+
+  // s1: the way t d. s2: the sum. s3: clamped.
   logic [3*Q-1:0] s0_way;
+
   rc_mul_held #(.AW(M), .BW(T + 1), .Products(3)) u_ways (
     .clk_i, .turn_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [Q-1:0] s1_way_q, s1_rounded;
     logic signed [A-1:0] s2_at_q;
+
     assign s1_rounded = (s1_way_q + $signed(Q'(65'(1) << Drop >> 1))) >>> Drop;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[0] && s0_sphere) s1_way_q <= s0_way[k*Q +: Q];
       if (valid_i[1] && sphere_i[1]) s2_at_q <= A'($signed(s1_o[k*P +: P])) + A'(s1_rounded);

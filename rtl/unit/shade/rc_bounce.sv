@@ -1,9 +1,11 @@
-// Reflected and refracted directions, and the weights of such rays. Part of rc_pass, which
-// has the valid bits: valid_i[i] if stage i holds such a pass. Stages are in the names.
+// Directions of reflected and refracted rays, and the weights of these rays.
 //
-// Both directions are along * normal - ratio * view: a reflected one has along = 2 cosine
-// and the ratio 1, a refracted one along = ratio * cosine - sqrt(1 - ratio^2 (1 - cosine^2)).
-// Model: model/unit/shade/bounce.hpp.
+// Part of rc_pass, which has the valid bits: valid_i[i] is set if stage i holds a pass for a
+// bounce. A signal's prefix is its stage.
+//
+// Both directions are along * normal - ratio * view. A reflected one has along = 2 cosine and ratio
+// = 1. A refracted one has along = ratio * cosine - sqrt(1 - ratio^2 (1 - cosine^2)). Model:
+// model/unit/shade/bounce.hpp.
 `default_nettype none
 module rc_bounce #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -14,19 +16,23 @@ module rc_bounce #(
   input  logic                 clk_i,
   input  logic                 rst_ni,
   input  logic [14:0]          valid_i,
-  input  logic [14*Every-1:0]  turn_i,        // in which cycle of which stage a pass is
-  input  logic                 s0_refract_i,  // and not reflect
+  input  logic [14*Every-1:0]  turn_i,        // the cycle of each stage
+  // Pass
+  input  logic                 s0_refract_i,  // refract, not reflect
   input  rc_pkg::shade_state_t s0_state_i,
   input  logic [3*AB-1:0]      s13_normal_i,
   input  logic [3*AB-1:0]      s13_view_i,
+  // Results
   output logic [VB-1:0]        s9_weight_o,
   output logic                 s13_total_o,   // total reflection
   output logic [3*M-1:0]       s15_d_o
 );
+
   logic [VB-1:0] s0_cosine, s0_weight;
   logic [15:0] s0_ratio;
   logic [VB-1:0] s0_mirror, s0_transmit, s0_r0;
   logic        s0_schlick, s0_total;
+
   assign s0_cosine   = s0_state_i.cosine;
   assign s0_weight   = s0_state_i.weight;
   assign s0_ratio    = s0_state_i.ratio;
@@ -36,14 +42,17 @@ module rc_bounce #(
   assign s0_schlick  = s0_state_i.schlick;
   assign s0_total    = s0_state_i.total;
 
+  // Factors of both directions, and the share of the weight.
   logic signed [22:0] s13_along;
   logic [15:0]        s13_ratio;
   logic [17:0]        s7_share;
+
   if (rc_pkg::Refraction == 1) begin : gen_refraction
     rc_snell u_snell (
       .clk_i, .rst_ni, .valid_i(valid_i[13:0]), .turn_i(turn_i[2*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
       .s0_ratio_i(s0_ratio), .s13_along_o(s13_along), .s13_ratio_o(s13_ratio), .s13_total_o);
+
     rc_schlick u_schlick (
       .clk_i, .valid_i(valid_i[6:0]), .turn_i(turn_i[6*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
@@ -57,34 +66,41 @@ module rc_bounce #(
       .data_o(s13_cosine));
     rc_shift_register #(.Width(VB), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
+
     assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});
     assign s13_ratio   = 16'd1 << rc_pkg::IndexFrac;
     assign s13_total_o = 1'b0;
     assign s7_share    = {1'b0, s7_mirror};
+
     logic unused;
     assign unused = ^{s0_refract_i, s0_ratio, s0_transmit, s0_r0, s0_schlick, s0_total,
                       valid_i[12:9]};
   end
 
-  // s15: the direction, no component above 1.
+  // s15: the direction, S1.16; no component is above 1 in magnitude.
   logic [3*41-1:0] s13_along_normal;
   logic [3*35-1:0] s13_ratio_view;
+
   rc_mul_held #(.AW(23), .BW(AB), .Products(3)) u_normal (
     .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
     .p_o(s13_along_normal));
+
   rc_mul_held #(.AW(17), .BW(AB), .Products(3)) u_view (
     .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
     .p_o(s13_ratio_view));
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [40:0] s14_normal_q;
     logic signed [34:0] s14_view_q;
     logic signed [41:0] s14_sum;
-    logic signed [25:0] s14_unit;     // in a fast chip a pass stays long enough for a register
+    logic signed [25:0] s14_unit;     // a pass stays long enough for a register in a fast chip
     logic signed [AB-1:0] s15_unit_q;
     logic signed [M-1:0] d;
+
     assign s14_sum  = 42'(s14_normal_q) - (42'(s14_view_q) <<< 4) + 42'sh8000;
     rc_path_register #(.Width(26), .Stages(rc_pkg::ShadeCut)) u_unit (
       .clk_i, .data_i(s14_sum[41:16]), .data_o(s14_unit));
+
     always_ff @(posedge clk_i) begin
       if (valid_i[13]) begin
         s14_normal_q <= s13_along_normal[k*41 +: 41];
@@ -94,21 +110,28 @@ module rc_bounce #(
         s15_unit_q <= s14_unit > 26'sh10000 ? 18'sh10000
                     : s14_unit < -26'sh10000 ? -18'sh10000 : s14_unit[17:0];
     end
+
     rc_turn u_turn (.unit_i(s15_unit_q), .d_o(d));
     assign s15_d_o[k*M +: M] = d;
+
     logic unused;
     assign unused = ^s14_sum[15:0];
   end
 
-  // s9: the new ray's weight.
+  // s9: weight of the new ray, U1.16.
   logic [VB-1:0] s7_weight, s7_cut;
   logic [33:0] s7_product, s8_weight_q, s8_rounded;
+
   rc_shift_register #(.Width(VB), .Stages(7)) u_weight (
     .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
+
   assign s7_cut     = s7_share[17:16] != '0 ? 17'h10000 : s7_share[16:0];
+
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_weighted (
     .clk_i, .turn_i(turn_i[7*Every +: Every]), .a_i(s7_weight), .b_i(s7_cut), .p_o(s7_product));
+
   assign s8_rounded = s8_weight_q + 34'h8000;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[7]) s8_weight_q <= s7_product;
     if (valid_i[8]) s9_weight_o <= s8_rounded[32:16];

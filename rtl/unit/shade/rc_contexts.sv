@@ -1,10 +1,12 @@
-// What shade keeps of every context: its camera ray or bounce, its last answer, the state
-// between two passes, and the refracted rays that wait. Part of rc_shade, which never has
-// two passes of a context under way. With read_i everything about read_ray_i is read, and is there
-// ShadeRead cycles later, with there_o; top_o in the one after if that is not at once.
+// The state that shade stores for each context. It consists of the camera ray or bounce, the last
+// answer, the state between two passes, and the refracted rays that wait. Part of rc_shade, which
+// never has two passes of a context in flight.
 //
-// The state is wide, and written and read in ShadeParts (rc_context_ram). A pass writes only what it has
-// changed: a surface's material when it begins, the rest when it ends.
+// read_i reads all state of read_ray_i. It is ready ShadeRead cycles later, with there_o. If that
+// is not the same cycle, top_o is ready one cycle later.
+//
+// The state is wide, and is written and read in ShadeParts parts (rc_context_ram). A pass writes
+// only what it has changed: a surface's material when it begins, other groups when it ends.
 `default_nettype none
 module rc_contexts #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -19,12 +21,12 @@ module rc_contexts #(
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
-  // Listened to: a context begins a pixel, has a ray, and gets its answer
+  // Observed: a context begins a pixel, a ray starts, and an answer comes
   input  logic                         slot_fires_i,
   input  rc_pkg::slot_t                slot_i,
   input  logic                         ray_fires_i,
   input  rc_pkg::ray_t                 ray_i,
-  output logic [1:0]                   kind_o,         // of ray_i
+  output logic [1:0]                   kind_o,         // kind of ray_i
   input  logic                         closest_fires_i,
   input  logic [I-1:0]                 closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
@@ -42,11 +44,12 @@ module rc_contexts #(
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
-  // From rc_pass: one has begun with a surface, whose material this is
+  // From rc_pass: a pass has begun with a surface that has this material
   input  logic                         look_i,
   input  logic [I-1:0]                 look_ray_i,
   input  logic [rc_pkg::LookW-1:0]     look_state_i,
-  // One has ended, and has changed these groups besides that which every one changes
+  // From rc_pass: a pass has ended. It has changed these groups, and the group that every pass
+  // changes
   input  logic                         write_i,
   input  logic [I-1:0]                 write_ray_i,
   input  logic [3:0]                   changes_i,      // point, inner, face, share
@@ -54,57 +57,73 @@ module rc_contexts #(
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
 );
-  // ---- What is read and written. A fast chip whose passes are rare asks its memories from a
-  // register, and tells them from another what to keep; what a pass leaves stays for as long.
+
+  // ---- Reads and writes. A fast chip whose passes are rare has registers in front of the
+  // memories' ports. The data of a pass stays stable for that time.
   localparam int unsigned Parts = rc_pkg::ShadeParts;
+
   logic         reads;
   logic [I-1:0] reads_ray;
+
   rc_path_register #(.Width(I), .Stages(rc_pkg::ShadeCut)) u_reads_ray (
     .clk_i, .data_i(read_ray_i), .data_o(reads_ray));
+
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_reads (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(reads));
+
   rc_pulse_register #(.Stages(rc_pkg::ShadeRead)) u_there (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(there_o));
+
   logic                     looks, writes;
   logic [I-1:0]             look_ray;
   logic [rc_pkg::LookW-1:0] look_state;
+
   rc_path_register #(.Width(I + rc_pkg::LookW), .Stages(rc_pkg::ShadeCut)) u_look_state (
     .clk_i, .data_i({look_ray_i, look_state_i}), .data_o({look_ray, look_state}));
+
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_looks (
     .clk_i, .rst_ni, .fires_i(look_i), .fires_o(looks));
+
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_writes (
     .clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
 
-  // ---- The ray, unless it is a shadow ray or one away to a light.
+  // ---- Rays, except shadow rays and rays away to a light.
   logic [rc_pkg::RayW-1:0] ray;
   logic [3*D-1:0]          ray_d;
   logic [3*M-1:0]          d;
   logic                    is_kept;
+
   assign ray     = ray_i;
   assign ray_d   = ray_i.d;
   assign is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;
+
   if (rc_pkg::Shading == 1) begin : gen_kind
     assign kind_o = ray_i.kind;
-  end else begin : gen_camera   // not built, but read by tools
+  end else begin : gen_camera   // never built, but tools read it
     assign kind_o = rc_pkg::RayCamera;
   end
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign d[k*M +: M] = ray_d[k*D +: M];
   end
+
   rc_context_ram #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
     .clk_i, .rst_ni, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
     .write_data_i({ray_i.o, d}), .read_i(reads), .read_addr_i(reads_ray),
     .read_data_o({o_o, d_o}));
 
-  // ---- Its answer, as late as rc_shade looks at it.
+  // ---- Answers, as late as in rc_shade.
   localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
   logic            answers;
   logic [I-1:0]    answer_ray;
   logic [HitW-1:0] answer;
+
   rc_path_register #(.Width(I + HitW), .Stages(Late)) u_answer (
     .clk_i, .data_i({closest_ray_i, closest_hit_i}), .data_o({answer_ray, answer}));
+
   rc_pulse_register #(.Stages(Late)) u_answers (
     .clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
+
   rc_context_ram #(.Width(HitW), .Depth(T)) u_hit (
     .clk_i, .rst_ni, .write_i(answers), .write_addr_i(answer_ray),
     .write_data_i(answer), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(hit_o));
@@ -116,11 +135,12 @@ module rc_contexts #(
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_o));
   end else begin : gen_no_place
     assign place_o = '0;
+
     logic unused;
     assign unused = ^{place_fires_i, place_ray_i, place_i};
   end
 
-  // ---- The state, in the groups of model/unit/shade/state.hpp.
+  // ---- State, in the groups of model/unit/shade/state.hpp.
   localparam int unsigned VB      = rc_pkg::ValueBits;
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
   localparam int unsigned EveryW  = 3 + 2 + 1 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits + 4 * VB
@@ -135,6 +155,7 @@ module rc_contexts #(
   localparam int unsigned SelfW   = PB + 1;
   localparam int unsigned LookW   = rc_pkg::LookW - BendW - SelfW;   // of all materials
   localparam int unsigned PlaceAt = FaceW + ShareW + SampleW + WaitsW + rc_pkg::LookW;
+
   logic [PixelW-1:0]  pixel, new_pixel;
   logic [EveryW-1:0]  every, new_every;
   logic [PointW-1:0]  point, new_point;
@@ -148,26 +169,35 @@ module rc_contexts #(
   logic [rc_pkg::ShadeStateW-1:0] new_state, kept_state;
   logic [rc_pkg::LookW-1:0]       end_look;   // was written when the pass began
   logic                           writes_point, writes_inner, writes_face, writes_share;
+
   assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{writes}};
+
   assign new_state = write_state_i;
   assign {new_face, new_share, new_sample, new_waits, end_look} = new_state[PlaceAt-1:0];
   assign {new_pixel, new_every, new_point} = new_state[rc_pkg::ShadeStateW-1:PlaceAt+InnerW];
   assign {new_look, new_bend, new_self}    = look_state;
-  // A pixel begins, for a fast chip a cycle later: its passes come much later.
+
+  // Begin of a pixel. A fast chip writes it one cycle later; the pixel's passes come much later.
   logic              begins;
   logic [I-1:0]      begins_ray;
   logic [PixelW-1:0] begins_pixel;
+
   rc_path_register #(.Width(I + PixelW)) u_begins (
     .clk_i, .data_i({slot_i.ray, slot_i.x, slot_i.y}), .data_o({begins_ray, begins_pixel}));
+
   rc_pulse_register u_pixel_begins (.clk_i, .rst_ni, .fires_i(slot_fires_i), .fires_o(begins));
+
   rc_context_ram #(.Width(PixelW), .Depth(T)) u_pixel (
     .clk_i, .rst_ni, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
+
+  // Memories of the groups.
   if (rc_pkg::Refraction == 1) begin : gen_bend
     rc_context_ram #(.Width(EveryW + WaitsW), .Depth(T), .Parts(Parts)) u_every (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i),
       .write_data_i({new_every, new_waits}), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o({every, waits}));
+
     rc_context_ram #(.Width(LookW + BendW), .Depth(T), .Parts(Parts)) u_look (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray),
       .write_data_i({new_look, new_bend}), .read_i(reads), .read_addr_i(reads_ray),
@@ -176,21 +206,27 @@ module rc_contexts #(
     rc_context_ram #(.Width(EveryW), .Depth(T), .Parts(Parts)) u_every (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_every),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(every));
+
     rc_context_ram #(.Width(LookW), .Depth(T), .Parts(Parts)) u_look (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_look),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(look));
+
     assign waits = '0;
     assign bend  = '0;
   end
+
   rc_context_ram #(.Width(PointW), .Depth(T), .Parts(Parts)) u_point (
     .clk_i, .rst_ni, .write_i(writes_point), .write_addr_i(write_ray_i), .write_data_i(new_point),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(point));
+
   rc_context_ram #(.Width(FaceW), .Depth(T), .Parts(Parts)) u_face (
     .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i), .write_data_i(new_face),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(face));
+
   rc_context_ram #(.Width(ShareW), .Depth(T), .Parts(Parts)) u_share (
     .clk_i, .rst_ni, .write_i(writes_share), .write_addr_i(write_ray_i), .write_data_i(new_share),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(share));
+
   if (rc_pkg::Supersampling == 1) begin : gen_sample
     rc_context_ram #(.Width(SampleW), .Depth(T), .Parts(Parts)) u_sample (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_sample),
@@ -198,6 +234,7 @@ module rc_contexts #(
   end else begin : gen_no_sample
     assign sample = '0;
   end
+
   if (rc_pkg::Spheres == 1) begin : gen_self
     rc_context_ram #(.Width(SelfW), .Depth(T), .Parts(Parts)) u_self (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_self),
@@ -205,23 +242,29 @@ module rc_contexts #(
   end else begin : gen_no_self
     assign self = '0;
   end
+
   assign kept_state[PlaceAt-1:0] = {face, share, sample, waits, look, bend, self};
+
   if (rc_pkg::Homes == 1) begin : gen_inner
     logic [InnerW-1:0] inner;
+
     rc_context_ram #(.Width(InnerW), .Depth(T), .Parts(Parts)) u_inner (
       .clk_i, .rst_ni, .write_i(writes_inner), .write_addr_i(write_ray_i),
       .write_data_i(new_state[PlaceAt +: InnerW]), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o(inner));
+
     assign kept_state[rc_pkg::ShadeStateW-1:PlaceAt] = {pixel, every, point, inner};
   end else begin : gen_no_inner
     assign kept_state[rc_pkg::ShadeStateW-1:PlaceAt] = {pixel, every, point};
+
     logic unused;
     assign unused = writes_inner;
   end
 
-  // A context that has just begun has nothing yet but a camera ray of full weight.
+  // State of a context that has just begun: a camera ray of full weight.
   logic [T-1:0]         all_fresh;
   logic                 fresh;
+
   if (rc_pkg::ShadeInterval == 1) begin : gen_now
     assign fresh = all_fresh[reads_ray];
   end else begin : gen_next
@@ -229,8 +272,11 @@ module rc_contexts #(
     always_ff @(posedge clk_i) if (reads) read_fresh_q <= all_fresh[reads_ray];
     assign fresh = read_fresh_q;
   end
+
   rc_pkg::shade_state_t state, begun;
+
   assign state = kept_state;
+
   always_comb begin
     begun = state;
     if (fresh) begin
@@ -246,6 +292,7 @@ module rc_contexts #(
       begun.most    = '0;
     end
   end
+
   if (rc_pkg::Panes != 0) begin : gen_panes
     always_comb begin
       state_o = begun;
@@ -254,34 +301,43 @@ module rc_contexts #(
   end else begin : gen_no_panes
     assign state_o = begun;
   end
+
   rc_flags #(.Flags(T)) u_fresh (
     .clk_i, .rst_ni, .clear_i(write_i), .clear_at_i(write_ray_i),
     .set_i(begins), .set_at_i(begins_ray), .flags_o(all_fresh));
 
-  // ---- The stack of rays that wait.
+  // ---- Stack of waiting rays.
   logic [3:0] top_at, new_top_at;
+
   assign new_top_at = write_state_i.waiting - 4'd1;
+
   if (rc_pkg::Refraction == 1) begin : gen_stack
     localparam int unsigned Up = $clog2(rc_pkg::Bounces);
     localparam int unsigned AW = I + Up;
-    logic [I-1:0] top_ray;   // where passes come every few cycles: a cycle after the state
+    logic [I-1:0] top_ray;   // with ShadeInterval above 1: one cycle after the state
+
     if (rc_pkg::ShadeInterval == 1) begin : gen_top_now
       assign top_ray = reads_ray;
     end else begin : gen_top_next
       logic [I-1:0] top_ray_q;
+
       assign top_ray = top_ray_q;
       always_ff @(posedge clk_i) if (reads) top_ray_q <= reads_ray;
     end
+
     logic [AW-1:0] write_at, read_at;
+
     assign top_at   = state.waiting - 4'd1;
     assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
     assign read_at  = AW'(top_ray) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
+
     rc_context_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
       .clk_i, .rst_ni, .write_i(write_i && push_i), .write_addr_i(write_at),
       .write_data_i(pushed_i), .read_i(there_o), .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack
     assign top_o  = '0;
     assign top_at = '0;
+
     logic unused;
     assign unused = ^{push_i, pushed_i, top_at, new_top_at};
   end

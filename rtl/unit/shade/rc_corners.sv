@@ -1,15 +1,15 @@
-// A triangle's corner normals, weighted: w na + u nb + v nc, w = 2^B - u - v. Part of
-// rc_surf, which has the valid bits; from the registers of s4.
+// Weighted corner normals of a triangle: w na + u nb + v nc, with w = 2^B - u - v. Part of rc_surf,
+// which has the valid bits. The sum is in the registers of s4.
 `default_nettype none
 module rc_corners #(
-  parameter  int unsigned W = 16,   // of u and v, signed; of w two more
+  parameter  int unsigned W = 16,   // of u and v, signed; w has two more
   parameter  int unsigned S = 30,   // of a sum, signed
   localparam int unsigned C = rc_pkg::CornerBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic                clk_i,
   input  logic [3:0]          valid_i,
-  input  logic [Every-1:0]    turn_i,        // in which cycle of s2 a pass is
+  input  logic [Every-1:0]    turn_i,        // the cycle of s2
   input  logic [9*C-1:0]      s0_normal_i,   // [corner][axis]
   input  logic signed [W+1:0] s2_rest_i,
   input  logic signed [W-1:0] s2_u_i,
@@ -17,15 +17,22 @@ module rc_corners #(
   output logic [3*S-1:0]      s4_sum_o
 );
   localparam int unsigned Q = W + 2 + C;
+
+  // s2: products.
   logic [9*C-1:0] s2_normal;
   rc_shift_register #(.Width(9 * C), .Stages(2)) u_normal (
     .clk_i, .valid_i(valid_i[1:0]), .data_i(s0_normal_i), .data_o(s2_normal));
+
   logic [9*Q-1:0] s2_product;   // [corner][axis]
+
   rc_mul_held #(.AW(W + 2), .BW(C), .Products(9)) u_products (
     .clk_i, .turn_i, .a_i({{3{(W+2)'(s2_v_i)}}, {3{(W+2)'(s2_u_i)}}, {3{s2_rest_i}}}),
     .b_i(s2_normal), .p_o(s2_product));
+
+  // s3, s4: their sums.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [Q-1:0] s3_a_q, s3_b_q, s3_c_q;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[2]) begin
         s3_a_q <= s2_product[k*Q +: Q];

@@ -1,5 +1,5 @@
-// The end of a sample: the pixel's sums, whether another sample follows, and the pixel's
-// colour if not. Part of rc_pass, which has the valid bits; from the registers of s4.
+// The end of a sample: the sums of the pixel, whether another sample follows, and otherwise the
+// pixel's colour. Part of rc_pass, which has the valid bits. Results are in the registers of s4.
 // Model: finish() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_finish #(
@@ -9,7 +9,7 @@ module rc_finish #(
   input  logic                 clk_i,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [3:0]           valid_i,
-  input  logic [Every-1:0]     turn_i,      // in which cycle of s1 a pass is
+  input  logic [Every-1:0]     turn_i,      // the cycle of s1
   input  rc_pkg::shade_state_t s0_state_i,
   input  logic [3*VB-1:0]      s0_colour_i,
   output logic                 s4_more_o,
@@ -18,12 +18,14 @@ module rc_finish #(
   output logic [3*VB-1:0]      s4_most_o,
   output logic [3*VB-1:0]      s4_colour_o
 );
-  // s1: how many samples there are.
+
+  // s1: the number of samples so far, and their limit.
   logic [6:0] s0_done, all;
   logic       s0_some, s0_fourth, s3_some, s3_fourth, s3_same;
   logic [2:0] s2_same;
   logic [68:0] s0_sum, s3_sum;
   logic [3*VB-1:0] s0_least, s0_most, s3_least, s3_most;
+
   assign all       = {3'd0, frame_i.side} * {3'd0, frame_i.side};
   assign s0_done   = {1'b0, s0_state_i.sample} + 7'd1;
   assign s0_some   = s0_done < all;
@@ -31,19 +33,25 @@ module rc_finish #(
   assign s0_sum    = s0_state_i.sum;
   assign s0_least  = s0_state_i.least;
   assign s0_most   = s0_state_i.most;
+
   rc_shift_register #(.Width(2), .Stages(3)) u_flags (
     .clk_i, .valid_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
     .data_o({s3_some, s3_fourth}));
 
+  // s1: sums and extremes. s2: mean, and the contrast. s3: rounded mean.
   logic [VB-1:0] s1_share_q, contrast;
+
   assign contrast = frame_i.contrast;
+
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
   logic [3*23-1:0] s1_sum;
   logic [3*40-1:0] s1_product;
+
   rc_mul_held #(.AW(23), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
     .clk_i, .turn_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
+
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [22:0] s1_sum_q, s2_sum_q, s3_sum_q;
     logic [VB-1:0] colour, least, most;
@@ -52,12 +60,14 @@ module rc_finish #(
     logic        s2_same_q;
     logic [39:0] s2_mean_q, s2_rounded;
     logic [VB-1:0] s3_mean_q;
+
     assign colour   = s0_colour_i[k*VB +: VB];
     assign least    = s0_least[k*VB +: VB];
     assign most     = s0_most[k*VB +: VB];
     assign s1_sum[k*23 +: 23] = s1_sum_q;
     assign s1_apart = s1_most_q - s1_least_q;
     assign s2_rounded = s2_mean_q + 40'h8000;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
         s1_sum_q   <= s0_sum[k*23 +: 23] + {6'd0, colour};
@@ -79,15 +89,17 @@ module rc_finish #(
       end
       if (valid_i[3]) s4_colour_o[k*VB +: VB] <= s3_mean_q;
     end
+
     assign s2_same[k]             = s2_same_q;
     assign s3_sum[k*23 +: 23]     = s3_sum_q;
     assign s3_least[k*VB +: VB]   = s3_least_q;
     assign s3_most[k*VB +: VB]    = s3_most_q;
+
     logic unused;
     assign unused = ^s2_rounded[15:0];
   end
 
-  // s4: the first four that agree stand for all of them.
+  // s4: if the first four samples agree, no more follow.
   always_ff @(posedge clk_i) begin
     if (valid_i[2]) s3_same <= &s2_same;
     if (valid_i[3]) begin

@@ -1,12 +1,13 @@
-// What shade does in two spaces, if the chip has instances. Part of rc_pass, which has the valid
-// bits: a stage's pass goes on. Stages are in the names.
+// The work of shade in two spaces, if the chip has instances. Part of rc_pass, which has the valid
+// bits: the pass leaves that stage. A signal's prefix is its stage.
 //
-// A surface that was found in a mesh's space is turned into the scene's: its point is that of the
-// ray, o + t d, and its normal is made of A^T n'. A ray that leaves, or a shadow ray that ends,
-// goes the other way: in the mesh's space it begins or ends exactly at the point that was found
-// there, and its direction decides on which side of the triangle it is. A light is rounded to a
-// lattice point of the mesh. Models: turn_surface() in model/unit/shade/surf.hpp, Home in
-// model/core/payloads.hpp.
+// A surface that was found in a mesh's space is transformed to the scene's space. Its point is the
+// ray's, o + t d, and its normal comes from A^T n'.
+//
+// A ray that leaves, or a shadow ray that ends, goes the other way. In the mesh's space it begins
+// or ends exactly at the point that was found there. Its direction there selects the side of the
+// triangle. A light is rounded to a lattice point of the mesh. Models: turn_surface() in
+// model/unit/shade/surf.hpp, Home in model/core/payloads.hpp.
 `default_nettype none
 module rc_homes #(
   parameter  int unsigned UnitW = 44,   // bits of toward
@@ -23,9 +24,9 @@ module rc_homes #(
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,
-  // A surface is turned
+  // A surface is transformed
   input  logic [4:0]         turn_valid_i,
-  input  logic [Every-1:0]   s0_turn_i,     // in which cycle of its stage a pass is
+  input  logic [Every-1:0]   s0_turn_i,     // the cycle of its stage
   input  logic [3*P-1:0]     s0_o_i,        // of the ray that has hit it
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [T-1:0]       s0_t_i,
@@ -34,11 +35,11 @@ module rc_homes #(
   output logic [3*UnitW-1:0] s5_toward_o,
   output logic [3*P-1:0]     s5_o_o,
   // A ray leaves, or a shadow ray ends
-  input  logic               leave_0_i,     // it goes on from s0,
-  input  logic [18:15]       leave_valid_i, // from s15 and later ones
+  input  logic               leave_0_i,     // the pass leaves s0,
+  input  logic [18:15]       leave_valid_i, // s15 and later stages
   input  logic [Every-1:0]   s15_turn_i,
   input  logic [3*(N+K)-1:0] s0_b_i,
-  input  logic [3*P-1:0]     s0_inner_i,    // where, in the mesh's space
+  input  logic [3*P-1:0]     s0_inner_i,    // the point in the mesh's space
   input  logic               s15_near_i,    // from a light within the lattice
   input  logic [3*N-1:0]     s15_place_i,   // which lies there
   input  logic [3*D-1:0]     s15_d_i,
@@ -47,6 +48,7 @@ module rc_homes #(
 );
   // ---- The point.
   logic [3*P-1:0] s3_o, s4_o;
+
   rc_ball u_ball (
     .clk_i, .valid_i(turn_valid_i[3:0]), .turn_i(s0_turn_i), .sphere_i(4'b1111),
     .s0_o_i, .s0_d_i, .s0_t_i, .s3_o_o(s3_o), .s4_o_o(s4_o));
@@ -58,20 +60,24 @@ module rc_homes #(
   logic [9*AB-1:0]     s0_factor_n;
   logic [9*(E+AB)-1:0] s0_product, s1_product;
   logic [3*UnitW-1:0]  s1_toward, s2_toward;
+
   for (genvar k = 0; k < 3; k++) begin : gen_column
     for (genvar i = 0; i < 3; i++) begin : gen_row
       assign s0_factor_a[(3*k+i)*E +: E]   = s0_a_i[(3*i+k)*E +: E];
       assign s0_factor_n[(3*k+i)*AB +: AB] = s0_normal_i[i*AB +: AB];
     end
+
     assign s1_toward[k*UnitW +: UnitW] =
         UnitW'($signed(s1_product[(3*k)*(E+AB) +: E+AB]))
         + UnitW'($signed(s1_product[(3*k+1)*(E+AB) +: E+AB]))
         + UnitW'($signed(s1_product[(3*k+2)*(E+AB) +: E+AB]));
   end
+
   rc_mul_held #(.AW(E), .BW(AB), .Products(9)) u_normal (
     .clk_i, .turn_i(s0_turn_i), .a_i(s0_factor_a), .b_i(s0_factor_n), .p_o(s0_product));
   rc_shift_register #(.Width(9 * (E + AB)), .Stages(1)) u_product (
     .clk_i, .valid_i(turn_valid_i[0]), .data_i(s0_product), .data_o(s1_product));
+
   rc_shift_register #(.Width(3 * UnitW), .Stages(1)) u_sum (
     .clk_i, .valid_i(turn_valid_i[1]), .data_i(s1_toward), .data_o(s2_toward));
   rc_shift_register #(.Width(3 * UnitW), .Stages(3)) u_toward (
@@ -81,37 +87,48 @@ module rc_homes #(
   localparam int unsigned X  = N > M ? N : M;
   localparam int unsigned SW = X + K + 1;   // of a sum
   localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
+
   logic [9*E-1:0]     s15_a;
   logic [3*(N+K)-1:0] s15_b;
   logic [3*P-1:0]     s18_inner;
+
   rc_stage_delay #(.Width(9 * E + 3 * (N + K)), .Stages(15)) u_map (
     .clk_i, .rst_ni, .come_i(leave_0_i), .leave_i(leave_valid_i[15]), .data_i({s0_a_i, s0_b_i}),
     .data_o({s15_a, s15_b}));
   rc_stage_delay #(.Width(3 * P), .Stages(18)) u_inner (
     .clk_i, .rst_ni, .come_i(leave_0_i), .leave_i(leave_valid_i[18]), .data_i(s0_inner_i),
     .data_o(s18_inner));
+
+  // Products.
   logic [3*X-1:0]      s15_v;
   logic [3*SW-1:0]     s15_rest, s16_rest;
   logic [9*(E+X)-1:0]  s15_product, s16_product;
   logic                s18_near;
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign s15_v[k*X +: X] = s15_near_i ? X'($signed(s15_place_i[k*N +: N]))
                                         : X'($signed(s15_d_i[k*D +: M]));
     assign s15_rest[k*SW +: SW] = s15_near_i ? SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;
   end
+
   rc_mul_held #(.AW(E), .BW(X), .Products(9)) u_map_products (
     .clk_i, .turn_i(s15_turn_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
   rc_shift_register #(.Width(9 * (E + X) + 3 * SW), .Stages(1)) u_map_product (
     .clk_i, .valid_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
     .data_o({s16_product, s16_rest}));
+
   rc_shift_register #(.Width(1), .Stages(3)) u_near (
     .clk_i, .valid_i(leave_valid_i[17:15]), .data_i(s15_near_i), .data_o(s18_near));
+
+  // Sums, rounded; then the origin and the direction.
   for (genvar i = 0; i < 3; i++) begin : gen_moved
     logic [SW-1:0] s17_first_q, s17_second_q, s17_total;
     logic [X-1:0]  s18_moved_q;
     logic [P-1:0]  s18_light;
+
     assign s17_total = s17_first_q + s17_second_q;
     assign s18_light = P'(s18_moved_q[N-1:0]) << B;
+
     always_ff @(posedge clk_i) begin
       if (leave_valid_i[16]) begin
         s17_first_q  <= SW'($signed(s16_product[3*i*(E+X) +: E+X]))
@@ -125,6 +142,7 @@ module rc_homes #(
                                       : D'($signed(s18_moved_q));
       end
     end
+
     logic unused;
     assign unused = ^s17_total;
   end

@@ -1,6 +1,8 @@
-// What a light adds to a point of a surface if nothing is in its way, and where the shadow
-// ray goes. Part of rc_pass, which has the valid bits: valid_i[i] if stage i holds such a
-// pass. Stages are in the names. Model: model/unit/shade/light.hpp.
+// The light that a light source adds to a point of a surface if nothing is in its way, and the
+// shadow ray's direction.
+//
+// Part of rc_pass, which has the valid bits: valid_i[i] is set if stage i holds a pass for a light.
+// A signal's prefix is its stage. Model: model/unit/shade/light.hpp.
 `default_nettype none
 module rc_light #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -18,16 +20,19 @@ module rc_light #(
   input  logic                 rst_ni,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [28:0]          valid_i,
-  input  logic [28*Every-1:0]  turn_i,      // in which cycle of which stage a pass is
+  input  logic [28*Every-1:0]  turn_i,      // the cycle of each stage
+  // Light and surface
   input  logic [6:0]           s0_light_i,
   input  logic [3*P-1:0]       s0_o_i,
   input  logic                 s0_far_i,    // beyond the lattice
   input  logic [VB-1:0]        s0_weight_i,
   input  rc_pkg::shade_state_t s0_state_i,
   output logic [3*V-1:0]       s5_to_o,     // from the point to the light
-  input  logic [3*AB-1:0]      s13_unit_i,  // the same, of unit length
+  // From rc_angles
+  input  logic [3*AB-1:0]      s13_unit_i,  // the same, normalised
   input  logic [VB-1:0]        s15_cosine_i,
   input  logic signed [18:0]   s15_mirror_i,
+  // Results
   output logic [3*D-1:0]       s15_d_o,     // the shadow ray's direction
   output logic                 s15_near_o,  // it comes from a light within the lattice,
   output logic [3*N-1:0]       s15_place_o, // from here; only if the chip has instances
@@ -42,27 +47,33 @@ module rc_light #(
   logic [Lights*3*LB-1:0] place;
   logic [Lights*3*VB-1:0] colour;
   logic [Lights-1:0]      near, clear;
+
   assign place  = frame_i.place;
   assign colour = frame_i.colour;
   assign near   = frame_i.is_near;
   assign clear  = frame_i.is_clear;
+
   logic [3*LB-1:0] s0_place, s1_place_q;
   logic [3*VB-1:0]     s0_colour, s1_colour_q;
   logic            s0_near, s1_near_q, s0_clear, s1_clear_q;
-  // Clear is a light on the path's side of every pane.
+
+  // A light is clear if it lies on the path's side of every pane.
   logic [Lights-1:0] clear_here;
   if (rc_pkg::Panes != 0) begin : gen_panes
     localparam int unsigned C = rc_pkg::Panes;
     logic [C-1:0]        cell_here;
     logic [Lights*C-1:0] cells;
+
     assign cell_here = s0_state_i.in_cell;
     assign cells     = frame_i.light_cell;
+
     for (genvar i = 0; i < Lights; i++) begin : gen_light
       assign clear_here[i] = clear[i] && cells[i*C +: C] == cell_here;
     end
   end else begin : gen_no_panes
     assign clear_here = clear;
   end
+
   always_comb begin
     s0_place  = '0;
     s0_colour = '0;
@@ -77,6 +88,7 @@ module rc_light #(
           s0_clear  = clear_here[i];
         end
   end
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0]) begin
       s1_place_q  <= s0_place;
@@ -85,14 +97,17 @@ module rc_light #(
       s1_clear_q  <= s0_clear;
     end
   end
+
+  // s1: the point, its weight, and its position relative to the lattice.
   logic [3*P-1:0] s1_o;
   logic [VB-1:0]    s1_weight;
   logic           s1_far;
+
   rc_shift_register #(.Width(3 * P + 18), .Stages(1)) u_o (
     .clk_i, .valid_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i, s0_far_i}),
     .data_o({s1_o, s1_weight, s1_far}));
 
-  // s2: the way to it, 2^-B; its colour times the ray's weight.
+  // s2: the way to the light, in units of 2^-B; its colour times the ray's weight, U2.32.
   logic [3*V-1:0]  s2_to_q;
   logic [3*34-1:0] s2_strength_q, s26_strength;
   logic [3*N-1:0]  s1_lattice;
@@ -100,49 +115,65 @@ module rc_light #(
   logic [3*AB-1:0]     s15_unit;
   logic            s15_near, s15_far;
   logic [3*D-1:0]  s15_away;
+
   rc_shift_register #(.Width(3 * V), .Stages(3)) u_to (
     .clk_i, .valid_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
+
   rc_stage_delay #(.Width(3 * 34), .Stages(24)) u_strength (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
-  localparam int unsigned Out = rc_pkg::ShadeOut;   // then rc_pass_end has taken it
+
+  localparam int unsigned Out = rc_pkg::ShadeOut;   // then rc_pass_end has accepted it
+
   rc_stage_delay #(.Width(3 * N + 2), .Stages(Out - 1), .Parts(rc_pkg::ShadeParts)) u_place (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[Out]),
     .data_i({s1_lattice, s1_near_q, s1_clear_q}),
     .data_o({s28_place_o, s28_near_o, s28_clear_o}));
+
   rc_stage_delay #(.Width(2), .Stages(14)) u_near (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));
+
   rc_stage_delay #(.Width(3 * D), .Stages(13)) u_from (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from),
     .data_o(s15_from));
+
   rc_shift_register #(.Width(3 * AB), .Stages(2)) u_unit (
     .clk_i, .valid_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
   logic [3*2*VB-1:0] s1_strength;
+
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_strengths (
     .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_colour_q), .b_i({3{s1_weight}}),
     .p_o(s1_strength));
+
+  // s15: the direction, from the light or to it.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [V-1:0] at, from;
     logic signed [M-1:0] away;
     logic signed [D-1:0] wide;
+
     assign at   = V'($signed(s1_place_q[k*LB +: LB])) <<< B;
     assign from = -$signed(s2_to_q[k*V +: V]);
     assign s1_lattice[k*N +: N] = s1_place_q[k*LB +: N];
     assign s2_from[k*D +: D]    = from[D-1:0];
+
     always_ff @(posedge clk_i) begin
       if (valid_i[1]) begin
         s2_to_q[k*V +: V]         <= at - V'($signed(s1_o[k*P +: P]));
         s2_strength_q[k*34 +: 34] <= s1_strength[k*34 +: 34];
       end
     end
+
     rc_turn u_turn (.unit_i(s15_unit[k*AB +: AB]), .d_o(away));
+
     assign wide = D'(away);
     assign s15_away[k*D +: D] = s15_near ? -wide : wide;
+
     logic unused;
     assign unused = ^from;
   end
-  assign s15_near_o = s15_near && !s15_far;   // it sends a ray to the point
+
+  assign s15_near_o = s15_near && !s15_far;   // a ray goes from the light to the point
   if (rc_pkg::Homes == 1) begin : gen_place
     rc_stage_delay #(.Width(3 * N), .Stages(14)) u_lattice (
       .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),
@@ -150,44 +181,54 @@ module rc_light #(
   end else begin : gen_no_place
     assign s15_place_o = '0;
   end
+
   assign s15_d_o = s15_near && !s15_far ? s15_from : s15_away;
 
-  // What the surface has to say waits.
+  // Fields of the surface are delayed.
   logic [VB-1:0] s15_cosine;
   logic [12:0] s15_diffuse, s15_highlight, s24_highlight;
   logic [13:0] s15_shine, s17_shine;
   logic [38:0] s15_albedo, s16_albedo;
+
   rc_stage_delay #(.Width(VB + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
     .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[15]),
     .data_i({s0_state_i.cosine, s0_state_i.diffuse, s0_state_i.highlight, s0_state_i.shine,
              s0_state_i.albedo}),
     .data_o({s15_cosine, s15_diffuse, s15_highlight, s15_shine, s15_albedo}));
+
   rc_stage_delay #(.Width(13), .Stages(9)) u_highlight (
     .clk_i, .rst_ni, .come_i(valid_i[15]), .leave_i(valid_i[24]), .data_i(s15_highlight),
     .data_o(s24_highlight));
+
   rc_shift_register #(.Width(14), .Stages(2)) u_shine (
     .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
-  // s17: R . V = 2 (N . L) (N . V) - L . V, within 0..1; s24: to the power of shine.
+  // s17: R . V = 2 (N . L) (N . V) - L . V, clamped to 0..1. s24: that to the power of shine.
   logic [34:0]        s16_double_q;
   logic signed [18:0] s16_mirror_q;
   logic signed [20:0] s16_phong;
   logic [35:0]        s16_rounded;
   logic [29:0]        s16_matte_q, s25_gloss_q, s25_rounded;
   logic [VB-1:0]        s17_phong_q, s24_phong;
+
   assign s16_rounded = {1'b0, s16_double_q} + 36'h8000;
   assign s16_phong   = $signed({1'b0, s16_rounded[35:16]}) - 21'(s16_mirror_q);
+
   logic [33:0] s15_double;
   logic [29:0] s15_matte, s24_gloss;
+
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_double (
     .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_cosine_i), .b_i(s15_cosine),
     .p_o(s15_double));
+
   rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_lit (
     .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_diffuse), .b_i(s15_cosine_i),
     .p_o(s15_matte));
+
   rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_gloss (
     .clk_i, .turn_i(turn_i[24*Every +: Every]), .a_i(s24_highlight), .b_i(s24_phong),
     .p_o(s24_gloss));
+
   always_ff @(posedge clk_i) begin
     if (valid_i[15]) begin
       s16_double_q <= {s15_double, 1'b0};
@@ -200,45 +241,56 @@ module rc_light #(
                    : {1'b0, s16_phong[15:0]};
     if (valid_i[24]) s25_gloss_q <= s24_gloss;
   end
+
   rc_power u_power (
     .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q),
     .n_i(s17_shine), .power_o(s24_phong));
+
   assign s25_rounded = s25_gloss_q + 30'h800;
 
-  // s26: matte and gloss; s28: in the light's colour.
+  // s26: matte and gloss. s28: both in the light's colour, U1.16.
   logic [3*VB-1:0] s17_matte, s25_matte;
+
   rc_stage_delay #(.Width(3 * VB), .Stages(8)) u_matte (
     .clk_i, .rst_ni, .come_i(valid_i[17]), .leave_i(valid_i[25]), .data_i(s17_matte),
     .data_o(s25_matte));
+
   logic [3*43-1:0] s16_product;
   logic [3*52-1:0] s26_product;
   logic [3*18-1:0] s26_lit;
+
   rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_matte_products (
     .clk_i, .turn_i(turn_i[16*Every +: Every]), .a_i({3{s16_matte_q}}), .b_i(s16_albedo),
     .p_o(s16_product));
+
   rc_mul_held #(.AW(18), .BW(34), .Signed(1'b0), .Products(3)) u_share_products (
     .clk_i, .turn_i(turn_i[26*Every +: Every]), .a_i(s26_lit), .b_i(s26_strength),
     .p_o(s26_product));
+
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [42:0] s17_matte_q, s17_rounded;
     logic [17:0] s26_lit_q;
     logic [51:0] s27_share_q;
     logic [52:0] s27_rounded;
     logic [VB-1:0] s28_share_q;
+
     assign s26_lit[k*18 +: 18] = s26_lit_q;
     assign s17_rounded = s17_matte_q + 43'h800000;
     assign s17_matte[k*VB +: VB] = s17_rounded[40:24];
     assign s27_rounded = {1'b0, s27_share_q} + 53'h8000000;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[16]) s17_matte_q <= s16_product[k*43 +: 43];
       if (valid_i[25])
         s26_lit_q <= {1'b0, s25_matte[k*VB +: VB]} + {1'b0, s25_rounded[28:12]};
       if (valid_i[26]) s27_share_q <= s26_product[k*52 +: 52];
-      // It is taken at s27's end where a pass stays long.
+      // If a pass stays long, rc_pass_end reads the share at the end of s27.
       if (rc_pkg::ShadeCut != 0 || valid_i[27])
         s28_share_q <= s27_rounded[52:44] != '0 ? 17'h10000 : {1'b0, s27_rounded[43:28]};
     end
+
     assign s28_share_o[k*VB +: VB] = s28_share_q;
+
     logic unused;
     assign unused = ^{s17_rounded[42:41], s17_rounded[23:0], s27_rounded[27:0]};
   end

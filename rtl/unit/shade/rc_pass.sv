@@ -1,14 +1,14 @@
-// One pass of a context through shade: adds what its last ray or surface gives to the
-// sample's colour, works out the next ray or light, and says what the context does next.
-// Model: pass() in model/unit/shade/pass.hpp.
+// One pass of a context through shade. It adds the contribution of the last ray or surface to the
+// sample's colour, computes the next ray or light, and decides the next event.
 //
-// Latency ShadeStages * ShadeInterval, one more with an interval above 1; a pass every
-// ShadeInterval cycles, no stall. A pass is for one event; only the parts that it needs work on it:
-// surf (s0 to s7), light (s0 to s28), bounce (s0 to s15), finish (s0 to s4), which share unit
-// vectors, cosines and the side of a direction.
+// Latency ShadeStages * ShadeInterval, one more with an interval above 1. One pass every
+// ShadeInterval cycles, no stall. A pass handles one event, and only the parts that the event needs
+// work on it. These are surf (s0 to s7), light (s0 to s28), bounce (s0 to s15) and finish (s0 to
+// s4). They share unit vectors, cosines and the side of a direction.
 //
-// A pass stays in each stage for ShadeInterval cycles, and the registers before the stage hold
-// what it needs. So products of a stage can share a multiplier (rc_mul_held).
+// A pass stays in each stage for ShadeInterval cycles, and the registers before the stage hold its
+// inputs. So products of a stage can share a multiplier (rc_mul_held). Model: pass() in
+// model/unit/shade/pass.hpp.
 `default_nettype none
 module rc_pass #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -36,22 +36,22 @@ module rc_pass #(
   input  logic [HitW-1:0]      hit_i,      // found, back, prim, t, u, v of the last ray
   input  logic [3*P-1:0]       o_i,        // of the last camera ray or bounce
   input  logic [3*M-1:0]       d_i,
-  input  rc_pkg::surface_t     surface_i,  // if it arrives now, having hit something
-  input  rc_pkg::waiting_t     top_i,      // of the rays that wait; if a pass stays for more than a
-                                           // cycle it comes a cycle after the others
-  input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit, line 0
-                                           // if a ray is the same in it
-  // To rc_contexts: the material of a surface that was hit, when the pass begins, and its end
+  input  rc_pkg::surface_t     surface_i,  // if the ray arrives now and has hit something
+  // Top of the waiting rays. If a pass stays for more than one cycle, it comes one cycle later.
+  input  rc_pkg::waiting_t     top_i,
+  // With two levels: the instance that was hit; line 0 if the ray is the same in it.
+  input  logic [PlaceW-1:0]    place_i,
+  // To rc_contexts: at the begin of a pass the material of the surface that was hit; its end
   output logic                        look_valid_o,
   output logic [I-1:0]                look_ray_o,
   output logic [rc_pkg::LookW-1:0]    look_o,
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
-  output logic [3:0]                  changes_o,   // of it
-  output logic                        push_o,  // a ray is to wait
+  output logic [3:0]                  changes_o,   // groups of end_state_o
+  output logic                        push_o,  // a ray must wait
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
-  // What leaves
+  // Outputs of the pass
   output logic [1:0]                leave_o,  // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0] spawn_o,
   output logic [rc_pkg::PixelW-1:0] pixel_o
@@ -64,13 +64,14 @@ module rc_pass #(
   localparam int unsigned LongW = V > NB ? V : NB;   // V also holds a sum of corner normals
   localparam int unsigned TurnW = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
   localparam int unsigned UnitW = LongW > TurnW ? LongW : TurnW;
-  // What waits for the end is there before it; the end is made up in registers on the way, and
-  // taken by rc_pass_end when the last stage is over: then the next may come from beside.
+
+  // The inputs of the end are ready before it. The end is computed in registers on the way.
+  // rc_pass_end latches it at the end of the last stage; then the next inputs may come.
   localparam bit          Cut   = rc_pkg::ShadeCut != 0;
   localparam int unsigned Out   = rc_pkg::ShadeOut;
-  localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d is begun
+  localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d begins
 
-  // ---- What has come; it is held if a pass stays for more than a cycle.
+  // ---- Input: held if a pass stays for more than one cycle.
   logic                 valid;
   logic [I-1:0]         ray;
   rc_pkg::shade_state_t state;
@@ -80,6 +81,7 @@ module rc_pass #(
   rc_pkg::surface_t     surface;
   rc_pkg::waiting_t     top_came;
   logic [PlaceW-1:0]    place;
+
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
     assign ray      = ray_i;
@@ -92,18 +94,22 @@ module rc_pass #(
     assign place    = place_i;
   end else begin : gen_held
     localparam int unsigned RayW = I + HitW + 3 * P + 3 * M + PlaceW;
+
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
+
     rc_shift_register #(.Width(RayW), .Stages(1)) u_ray (
       .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i, place_i}),
       .data_o({ray, hit, o, d, place}));
+
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
       .clk_i, .valid_i, .data_i({state_i, surface_i}), .data_o({state, surface}));
+
     rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
       .clk_i, .valid_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
-  // ---- s0: what the pass is for.
-  logic [L:0]           ends;   // a pass goes on from the stage; to the last it has come
+  // ---- s0: purpose of the pass.
+  logic [L:0]           ends;   // the pass leaves the stage; the last: it has come
   logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
   logic [TB-1:0]        t;
   logic [U-1:0]         u, v;
@@ -111,31 +117,40 @@ module rc_pass #(
   rc_pkg::shade_state_t known;
   logic                 hit_found, looks;
   logic [PB-1:0]        hit_prim;
+
   assign {hit_found, back, hit_prim, t, u, v} = hit;
+
   rc_pass_begin u_start (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
     .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .looks_o(looks), .look_o, .known_o(known));
-  assign look_valid_o = valid && looks;   // at once: what stays for several cycles is held as long
+
+  assign look_valid_o = valid && looks;   // immediately: inputs of several cycles stay stable
   assign look_ray_o   = ray;
 
-  // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.
+  // turn: the cycle of each stage, s0 lowest. The pass is over in the first cycle after the last
+  // stage.
   logic [L*Every:0] turn;
   logic [L*Every:1] turn_q;
+
   assign turn = {turn_q, valid};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) turn_q <= '0;
     else         turn_q <= turn[L*Every-1:0];
   end
+
   for (genvar i = 0; i < L; i++) begin : gen_ends
     assign ends[i] = turn[i*Every+Every-1];
   end
+
   assign ends[L]     = turn[L*Every];
   assign end_valid_o = ends[L];
 
-  // What those are for that go on.
+  // The purposes of the passes that leave their stages.
   logic [L:0] surf_at, light_at, bounce_at, end_at, turn_at, face_at;   // face: surf or turn
   logic [L:1] surf_q, light_q, bounce_q, end_q, turn_q_at;
+
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < L; i++)
       if (Every == 1 || ends[i]) begin
@@ -146,6 +161,7 @@ module rc_pass #(
         turn_q_at[i+1] <= turn_at[i];
       end
   end
+
   if (Every == 1) begin : gen_always_on
     assign surf_at   = {surf_q, s0_surf};
     assign light_at  = {light_q, s0_light};
@@ -159,38 +175,45 @@ module rc_pass #(
     assign end_at    = {end_q & ends[L:1], s0_end};
     assign turn_at   = {turn_q_at & ends[L:1], s0_turn};
   end
+
   assign face_at = surf_at | turn_at;
 
-  // ---- The state as far as it is known waits for the end.
-  logic                 goes_on, mirrors, transmits;   // goes_on: before the first stage ends,
-  logic [I-1:0]         end_ray;                       // fewer are told then
+  // ---- State known at the begin of the pass: delayed to the end.
+  logic                 goes_on, mirrors, transmits;   // goes_on: one cycle before the first stage
+  logic [I-1:0]         end_ray;                       // ends, with fewer loads
   rc_pkg::shade_state_t was;
   rc_pkg::waiting_t     top;
+
   assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
+
   rc_pass_state u_known (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
     .ray_o(end_ray), .was_o(was), .mirrors_o(mirrors), .transmits_o(transmits));
+
   rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_top (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
     .data_o(top));
 
-  // What others take from it on the way.
+  // Vectors that are needed on the way.
   logic [3*AB-1:0] s13_normal, s13_view;
   logic [3*NB-1:0] side_n;
+
   rc_stage_delay #(.Width(108), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
+
   rc_stage_delay #(.Width(3 * NB), .Stages(Side)) u_n (
     .clk_i, .rst_ni, .come_i(s0_light || s0_bounce),
     .leave_i(light_at[Side] || bounce_at[Side]), .data_i(state.n), .data_o(side_n));
 
-  // ---- The surface.
+  // ---- Surface.
   logic [3*PW-1:0]    s5_o, surf_o;
   logic [3*NB-1:0]    s5_n, surf_n;
   logic [3*UnitW-1:0] s5_toward, s5_target, s5_turned;
   logic               s5_far, surf_far, s5_lost, surf_lost;
   logic [38:0]        s6_albedo, surf_albedo;
   logic [3*VB-1:0]    s7_ambient, surf_ambient;
+
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .turn_i(turn[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
     .s0_t_i(t), .s0_back_i(back),
@@ -198,13 +221,17 @@ module rc_pass #(
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
-  rc_stage_delay #(.Width(3 * PW + 3 * NB + 2), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_point (
+
+  rc_stage_delay #(.Width(3 * PW + 3 * NB + 2), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts))
+    u_point (
     .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
+
   rc_stage_delay #(.Width(39), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
     .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
+
   rc_stage_delay #(.Width(3 * VB), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
     .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
@@ -214,32 +241,37 @@ module rc_pass #(
   logic [3*AB-1:0]    s13_unit, s13_new_view, surf_normal, surf_view;
   logic [VB-1:0]      s15_cosine, surf_cosine;
   logic signed [18:0] s15_mirror;
+
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*V +: V]))
                             : turn_q_at[5] ? s5_turned[k*UnitW +: UnitW]
                                            : s5_toward[k*UnitW +: UnitW];
   end
+
   rc_angles #(.UnitW(UnitW)) u_angles (
     .clk_i, .rst_ni, .surf_i(face_at[14:0]), .light_i(light_at[14:0]),
     .turn_i(turn[14*Every-1:0]), .s13_surf_i(surf_q[13] || turn_q_at[13]), .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
+
   rc_stage_delay #(.Width(108), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
     .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
+
   rc_stage_delay #(.Width(VB), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
     .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
-  // ---- A light, a bounce.
+  // ---- Light and bounce.
   logic            light_near, light_clear, s13_total, bounce_total, s15_near;
   logic [3*D-1:0]  s15_light_d, s15_d, end_d;
   logic [3*N-1:0]  s15_place, light_place;
   logic [3*VB-1:0] light_share;
   logic [VB-1:0]   s9_weight, bounce_weight;
   logic [3*M-1:0]  s15_bounce_d;
+
   rc_light u_light (
     .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .turn_i(turn[28*Every-1:0]),
     .s0_light_i(state.light),
@@ -249,43 +281,52 @@ module rc_pass #(
     .s15_d_o(s15_light_d), .s15_near_o(s15_near), .s15_place_o(s15_place),
     .s28_place_o(light_place),
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
+
   rc_bounce u_bounce (
     .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .turn_i(turn[14*Every-1:0]),
     .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
+
   rc_stage_delay #(.Width(VB), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
     .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
+
   rc_stage_delay #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_total (
     .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
     .data_o(bounce_total));
 
-  // ---- The background, of a ray that met nothing or of a bounce that is not traced.
+  // ---- Background, for a ray that met nothing or a bounce that is not traced.
   logic [3*VB-1:0] background, end_background;
   logic [VB-1:0]   state_weight;
+
   assign state_weight = state.weight;
   assign background   = frame_i.background;
+
   rc_background u_background (
     .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[9]),
     .s9_turn_i(turn[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
     .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[Out]), .end_colour_o(end_background));
 
-  // ---- On which side of the surface a direction leaves, exactly.
+  // ---- Side of the surface to which a direction leaves: exact.
   logic above, below, end_above, end_below, end_positive;
   logic [3*D-1:0] side_d;
+
   for (genvar k = 0; k < 3; k++) begin : gen_d
     assign s15_d[k*D +: D] = light_q[15] ? s15_light_d[k*D +: D]
                                           : D'($signed(s15_bounce_d[k*M +: M]));
   end
+
   rc_side u_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
     .turn_i(turn[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
+
   rc_stage_delay #(.Width(2), .Stages(Out - Side - 2), .Parts(rc_pkg::ShadeParts)) u_sides (
     .clk_i, .rst_ni, .come_i(light_at[Side+2] || bounce_at[Side+2]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
+
   rc_stage_delay #(.Width(3 * D + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
     .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
@@ -295,6 +336,7 @@ module rc_pass #(
   logic [3*P-1:0]              turned_o, end_home_o;
   logic [3*D-1:0]              end_home_d;
   logic [rc_pkg::AddrBits-1:0] end_home;
+
   if (rc_pkg::Homes == 1) begin : gen_homes
     localparam int unsigned E = rc_pkg::MapBits;
     localparam int unsigned H = N + rc_pkg::MapFrac;
@@ -303,7 +345,9 @@ module rc_pass #(
     logic [rc_pkg::AddrBits-1:0] here;
     logic [9*E-1:0]              map_a;
     logic [3*H-1:0]              map_b;
+
     assign {here, map_a, map_b} = place;
+
     rc_homes #(.UnitW(UnitW)) u_homes (
       .clk_i, .rst_ni, .turn_valid_i(turn_at[4:0]), .s0_turn_i(turn[Every-1:0]), .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
@@ -312,14 +356,18 @@ module rc_pass #(
       .s15_turn_i(turn[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
+
     assign side_d = s19_home_d;
+
     rc_stage_delay #(.Width(3 * P), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_turned (
       .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[Out]), .data_i(s5_turned_o),
       .data_o(turned_o));
+
     rc_stage_delay #(.Width(3 * (P + D)), .Stages(Out - 19), .Parts(rc_pkg::ShadeParts)) u_home (
       .clk_i, .rst_ni, .come_i(light_at[19] || bounce_at[19]),
       .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
+
     rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
       .clk_i, .rst_ni, .come_i(s0_light || s0_bounce || s0_turn),
       .leave_i(light_at[Out] || bounce_at[Out] || turn_at[Out]), .data_i(here), .data_o(end_home));
@@ -327,25 +375,32 @@ module rc_pass #(
     assign side_d    = s15_d;
     assign s5_turned = '0;
     assign {turned_o, end_home, end_home_o, end_home_d} = '0;
+
     logic unused;
     assign unused = ^{place, s15_near, s15_place};
   end
 
-  // ---- From beyond the lattice: where the ray comes into it.
+  // ---- From beyond the lattice: the point of entry.
   logic           enters;
   logic [3*P-1:0] entry;
+
   if (rc_pkg::Planes == 1) begin : gen_approach
     logic [3*PW-1:0] s0_o, s15_o;
     logic [3*M-1:0]  s15_new_d, s15_short_d;
+
     assign s0_o = state.o;
+
     rc_stage_delay #(.Width(3 * PW), .Stages(15)) u_o (
       .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
       .data_i(s0_o), .data_o(s15_o));
+
     for (genvar k = 0; k < 3; k++) begin : gen_short
       assign s15_new_d[k*M +: M] = s15_d[k*D +: M];
     end
+
     rc_path_register #(.Width(3 * M), .Stages(rc_pkg::ShadeCut)) u_short (
       .clk_i, .data_i(s15_new_d), .data_o(s15_short_d));
+
     rc_approach u_approach (
       .clk_i, .rst_ni, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
       .s15_d_i(s15_short_d), .s28_enters_o(enters), .s28_entry_o(entry));
@@ -354,49 +409,60 @@ module rc_pass #(
     assign entry  = '0;
   end
 
-  // One that passes by the lattice begins at the point, as roughly as it can be said there, and on
-  // the side to which it leaves: up or down on each axis.
+  // A ray that passes by the lattice begins at the surface's point, at reduced precision. On each
+  // axis the point is rounded up or down, to the side to which the ray leaves.
   logic [2:0] end_up;
+
   if (rc_pkg::Horizon == 1) begin : gen_horizon
     logic [3*NB-1:0] s0_n;
     logic [2:0]      s0_up;
+
     assign s0_n = state.n;
+
     for (genvar k = 0; k < 3; k++) begin : gen_up
       assign s0_up[k] = s0_n[k*NB+NB-1] == s0_refract;
     end
+
     rc_stage_delay #(.Width(3), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_up (
       .clk_i, .rst_ni, .come_i(s0_bounce), .leave_i(bounce_at[Out]), .data_i(s0_up),
       .data_o(end_up));
+
     logic unused_n;
     assign unused_n = ^s0_n;
   end else begin : gen_no_horizon
     assign end_up = '0;
   end
 
-  // ---- The sample's end.
+  // ---- End of the sample.
   logic            end_more;
   logic [68:0]     end_sum;
   logic [3*VB-1:0] end_least, end_most, end_mean;
+
   if (rc_pkg::Supersampling == 1) begin : gen_samples
     logic         s4_more;
     logic [68:0]  s4_sum;
     logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
+
     rc_finish u_finish (
       .clk_i, .frame_i, .valid_i(end_at[3:0]), .turn_i(turn[Every +: Every]),
       .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
-    rc_stage_delay #(.Width(1 + 69 + 3 * 3 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts)) u_end (
+
+    rc_stage_delay #(.Width(1 + 69 + 3 * 3 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts))
+      u_end (
       .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample
     assign end_more = 1'b0;
     assign {end_sum, end_least, end_most, end_mean} = '0;
+
     logic unused;
     assign unused = ^colour;
   end
-  // ---- s28: all of it together.
+
+  // ---- s28: end of the pass.
   rc_pass_end u_turnout (
     .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
@@ -413,6 +479,7 @@ module rc_pass #(
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
     .ray_o(end_ray_o), .state_o(end_state_o), .changes_o, .leave_o, .spawn_o, .pixel_o, .push_o,
     .pushed_o);
+
   logic unused;
   assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, face_at};
 endmodule

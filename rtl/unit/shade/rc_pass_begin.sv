@@ -1,5 +1,5 @@
-// The beginning of a pass: what it is for, and the context's state as far as it is known
-// then. Part of rc_pass; no registers. Model: pass() in model/unit/shade/pass.cpp.
+// The begin of a pass: its purpose, and the context's state that is known then. Part of rc_pass;
+// combinational. Model: pass() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -8,26 +8,33 @@ module rc_pass_begin #(
   localparam int unsigned U  = rc_pkg::UvBits,
   localparam int unsigned HitW = 2 + PB + TB + 2 * U
 ) (
+  // Context, and the last ray's answer
   input  logic                 valid_i,
   input  rc_pkg::shade_state_t state_i,
   input  logic [HitW-1:0]      hit_i,
   input  rc_pkg::surface_t     surface_i,
+  // Purpose
   output logic                 surf_o,     // a camera ray or bounce has hit a surface
   output logic                 light_o,
   output logic                 bounce_o,
-  output logic                 refract_o,  // which: refracted, or reflected
-  output logic                 turn_o,     // what was found in a mesh's space is turned
-  output logic                 end_o,      // a ray that waits, or the sample's end
-  output logic [3*VB-1:0]      colour_o,   // with what was pending
-  output logic                 looks_o,    // a surface has been hit, whatever valid_i is:
-  output logic [rc_pkg::LookW-1:0] look_o, // its material, as shade_state_t has it
+  output logic                 refract_o,  // refracted, not reflected
+  output logic                 turn_o,   // a result of a mesh's space is transformed to the scene's
+  output logic                 end_o,      // a waiting ray, or the end of the sample
+  // State
+  output logic [3*VB-1:0]      colour_o,   // including what was pending
+  output logic                 looks_o,    // a surface has been hit, even without valid_i:
+  output logic [rc_pkg::LookW-1:0] look_o, // its material, as in shade_state_t
   output rc_pkg::shade_state_t known_o
 );
+
+  // Purpose.
   logic          arrives, found, back;   // arrives: a camera ray or bounce is done
   logic [PB-1:0] prim;
   logic [TB-1:0] t;
   logic [U-1:0]  u, v;
+
   assign {found, back, prim, t, u, v} = hit_i;
+
   assign arrives   = state_i.purpose == rc_pkg::EventArrive;
   assign looks_o   = arrives && found;
   assign surf_o    = valid_i && looks_o;
@@ -37,20 +44,24 @@ module rc_pass_begin #(
   assign turn_o    = valid_i && rc_pkg::Homes == 1 && state_i.purpose == rc_pkg::EventTurn;
   assign end_o     = valid_i && state_i.purpose == rc_pkg::EventPop;
 
-  // A light's share counts if nothing was in its way.
+  // The light's share counts if nothing was in its way.
   logic        adds;
   logic [3*VB-1:0] old_colour, old_share;
+
   assign adds       = state_i.pending == rc_pkg::PendingSure
                    || (state_i.pending == rc_pkg::PendingAnswer && !found);
   assign old_colour = state_i.colour;
   assign old_share  = state_i.share;
+
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
     assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
     assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
   end
 
+  // The state.
   rc_pkg::shade_state_t known;
+
   always_comb begin
     known         = state_i;
     known.colour  = colour_o;
@@ -76,16 +87,18 @@ module rc_pass_begin #(
     end
   end
 
-  if (rc_pkg::Panes != 0) begin : gen_panes   // a pane's far side is another cell
+  if (rc_pkg::Panes != 0) begin : gen_panes   // the far side of a pane is another cell
     logic [rc_pkg::Panes-1:0] pane;
     logic [9*rc_pkg::CornerBits-1:0] normal;
     assign normal = surface_i.normal;
     assign pane   = surface_i.kind == rc_pkg::PrimPlane
                   ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
+
     always_comb begin
       known_o = known;
       if (looks_o) known_o.across = state_i.in_cell ^ pane;
     end
+
     logic unused_normal;
     assign unused_normal = ^normal;
   end else begin : gen_no_panes

@@ -1,7 +1,10 @@
-// The end of a pass: the context's new state, and what leaves. Part of rc_pass. No registers,
-// unless a pass stays long in a stage (rc_pkg::ShadeCut): then all comes early in the last stage,
-// stays until its end, is decided in several cycles, and taken over with take_i. What waits beside
-// in parts comes two cycles before that (rc_stage_delay): no more than two registers may lie in a row.
+// The end of a pass: the context's new state, and the outputs. Part of rc_pass.
+//
+// It has no registers unless a pass stays long in a stage (rc_pkg::ShadeCut). In that case all
+// inputs come early in the last stage and stay until its end. The decision takes several cycles,
+// and take_i latches it. Inputs that wait in parts come two cycles before take_i (rc_stage_delay).
+// So at most two registers may lie in a row.
+//
 // Model: pass() and its parts in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_end #(
@@ -19,14 +22,14 @@ module rc_pass_end #(
   input  logic                 clk_i,
   input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
-  // What the context was, and is as far as that is known when a pass begins; of its surface only
-  // where it was hit, and whether it has a mirror and lets light through
+  // The context's state as known at the begin of the pass. Of its surface: the point, and whether
+  // it mirrors and transmits
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t was_i,
   input  logic                 mirrors_i,
   input  logic                 transmits_i,
   input  rc_pkg::waiting_t     top_i,
-  // From rc_surf, rc_angles and the background
+  // From rc_surf, rc_angles and rc_background
   input  logic            surf_i,  // a surface has arrived
   input  logic [3*PW-1:0] surf_o_i,
   input  logic [3*NB-1:0] surf_n_i,
@@ -38,7 +41,7 @@ module rc_pass_end #(
   input  logic [38:0]     surf_albedo_i,
   input  logic [3*VB-1:0] surf_ambient_i,
   input  logic [3*VB-1:0] background_i,
-  // With two levels, from rc_homes: a surface was turned; the ray in the mesh's space
+  // With two levels, from rc_homes: a surface was transformed; the ray in the mesh's space
   input  logic            turn_i,
   input  logic [3*P-1:0]  turn_o_i,
   input  logic [rc_pkg::AddrBits-1:0] home_i,
@@ -49,14 +52,14 @@ module rc_pass_end #(
   input  logic            light_clear_i,
   input  logic [3*N-1:0]  light_place_i,
   input  logic [3*VB-1:0] light_share_i,
-  // Of a shadow ray or bounce, from rc_side, rc_angles and rc_approach
+  // For a shadow ray or bounce, from rc_side, rc_angles and rc_approach
   input  logic           above_i,     // the new ray is on that side of the surface
   input  logic           below_i,
-  input  logic           positive_i,  // the light's cosine
+  input  logic           positive_i,  // the light's cosine is positive
   input  logic [3*D-1:0] d_i,
-  input  logic           enters_i,    // from beyond the lattice: where it begins
+  input  logic           enters_i,    // from beyond the lattice: the point of entry
   input  logic [3*P-1:0] entry_i,
-  input  logic [2:0]     up_i,        // if it does not: how it begins beyond the lattice
+  input  logic [2:0]     up_i,        // no entry: begin beyond the lattice
   // From rc_bounce
   input  logic [VB-1:0] weight_i,
   input  logic          total_i,
@@ -65,11 +68,11 @@ module rc_pass_end #(
   input  logic [68:0]     sum_i,
   input  logic [3*VB-1:0] least_i,
   input  logic [3*VB-1:0] most_i,
-  input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several
-  // What the context becomes, and what leaves
+  input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several samples
+  // The context's new state, and the outputs
   output logic [I-1:0]                ray_o,
   output rc_pkg::shade_state_t        state_o,
-  output logic [3:0]                  changes_o,   // of it, as rc_contexts has them
+  output logic [3:0]                  changes_o,   // groups of state_o, as in rc_contexts
   output logic                        push_o,
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
   output logic [1:0]                  leave_o,  // rc_pkg::leave_e
@@ -77,11 +80,15 @@ module rc_pass_end #(
   output logic [rc_pkg::PixelW-1:0]   pixel_o
 );
   localparam int unsigned Cut = rc_pkg::ShadeCut;
+
+  // ---- Purpose of the pass.
   logic [2:0] event_now;
-  logic       waits;   // a refracted ray does
+  logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
+
   assign event_now = was_i.purpose;
   assign waits     = rc_pkg::Refraction == 1 && was_i.waiting != '0;
+
   rc_path_register #(.Width(7), .Stages(Cut)) u_event (
     .clk_i,
     .data_i({event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
@@ -91,23 +98,28 @@ module rc_pass_end #(
              event_now == rc_pkg::EventPop && !waits && more_i}),
     .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
-  // What is added.
+  // ---- Colour.
   logic [3*VB-1:0] was_colour, added, colour;
+
   assign was_colour = was_i.colour;
+
   rc_path_register #(.Width(3 * VB), .Stages(Cut)) u_added (
     .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
+
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
+
     assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
     assign colour[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
   end
 
-  // Where it goes on after a surface or a light.
-  logic       far, starts;   // from the surface a ray can be sent
-  logic       beyond;        // a bounce too, that passes by the lattice and asks planes alone
+  // ---- The next event, after a surface or a light.
+  logic       far, starts;   // starts: a ray can start from the surface
+  logic       beyond;        // or a bounce that passes by the lattice, for planes only
   logic       lit;           // another light follows
   logic [6:0] next_light, light;
   logic [2:0] follows, after;
+
   assign far        = was_i.is_far;
   assign starts     = !far || (!was_i.is_lost && enters_i);
   assign beyond     = rc_pkg::Horizon == 1 && far && !was_i.is_lost && !enters_i;
@@ -115,43 +127,54 @@ module rc_pass_end #(
   assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
                     : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
                     : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
+
   logic [2:0] unlit;
+
   rc_path_register #(.Width(11), .Stages(Cut)) u_after (
     .clk_i, .data_i({next_light, next_light < frame_i.lights, follows}),
     .data_o({light, lit, unlit}));
+
   assign after = lit ? rc_pkg::EventLight : unlit;
 
-  // With two levels boxes hold a direction of which a component is a quarter of a unit vector.
+  // With two levels a refracted ray is sent only if a component of its direction reaches a quarter
+  // of a unit vector: shortest_held() in model/unit/shade/bounce.hpp.
   logic held;
   if (rc_pkg::Homes == 1) begin : gen_held
     localparam logic signed [D-1:0] Quarter = D'(1) <<< (M - 4);
     logic [2:0] holds;
     for (genvar k = 0; k < 3; k++) begin : gen_component
       logic signed [D-1:0] d;
+
       assign d        = d_i[k*D +: D];
       assign holds[k] = d >= Quarter || d <= -Quarter;
     end
+
     assign held = holds != '0;
   end else begin : gen_all_held
     assign held = 1'b1;
   end
 
-  // Whether a light counts, and which rays are sent.
-  logic [5:0] slack;   // what rounding takes from a weight at most, in units of 2^-17
+  // ---- Decisions: whether a light counts, and which rays start.
+  logic [5:0] slack;   // bound on the rounding of a weight, in units of 2^-17
   logic lights, sends, heavy, refracted, reflected;
   logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
+
   assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
   assign sends     = light_near_i ? !was_i.is_lost : starts;
+
   always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
     slack = '0;
     for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
       if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
   end
+
   rc_path_register #(.Width(1), .Stages(Cut)) u_heavy (
     .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
     .data_o(heavy));
+
   assign refracted = is_refract && heavy && !total_i && below_i && held;
   assign reflected = is_reflect && heavy && above_i;
+
   rc_path_register #(.Width(7), .Stages(Cut)) u_decided (
     .clk_i,
     .data_i({lights, sends, light_near_i && !far, is_light && lights && sends,
@@ -159,20 +182,26 @@ module rc_pass_end #(
              (refracted || reflected) && !starts && !beyond}),
     .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
 
-  // A point that was turned lies in the lattice. What was found in the mesh's space is kept.
+  // A transformed point lies in the lattice. The result in the mesh's space is stored as well.
   logic [3*PW-1:0] turned_o, found_o;
   logic [3*P-1:0]  inner;
+
   assign found_o = was_i.o;
+
   for (genvar k = 0; k < 3; k++) begin : gen_turned
     assign turned_o[k*PW +: PW] = PW'($signed(turn_o_i[k*P +: P]));
     assign inner[k*P +: P]      = found_o[k*PW +: P];
   end
-  // What has not changed is not written, and may be anything.
+
+  // ---- New state. Groups that have not changed are not written, and are arbitrary.
   logic       turned;
   logic [3:0] changes;   // point, inner, face, share
-  assign turned  = turn_i && home_i != '0;   // otherwise what was found in the scene's space stays
+
+  assign turned  = turn_i && home_i != '0;   // otherwise the result in the scene's space stays
   assign changes = {surf_i || turned, turn_i, surf_i, is_light};
+
   rc_pkg::shade_state_t next;
+
   always_comb begin
     next         = was_i;
     next.o       = turn_i ? turned_o : surf_o_i;
@@ -184,23 +213,30 @@ module rc_pass_end #(
     next.is_lost = surf_lost_i;
     next.albedo  = surf_albedo_i;
     next.share   = light_share_i;
+
     if (surf_i || turn_i) next.light = '0;
+
     if (is_arrive) begin
       next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
     end
+
     if (turn_i) next.purpose = after;
+
     if (is_arrive || escapes) next.colour = colour;
+
     if (is_light) begin
       next.light   = light;
       next.purpose = after;
       next.pending = !counts ? rc_pkg::PendingNone
                       : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
+
     if (is_refract) begin
       next.total = total_i;
       next.purpose = rc_pkg::EventReflect;
       if (pushes) next.waiting = was_i.waiting + 4'd1;
     end
+
     if (is_reflect) begin
       next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
@@ -208,17 +244,20 @@ module rc_pass_end #(
         next.depth  = was_i.depth + 4'd1;
       end
     end
+
     if (is_pop) begin
       next.waiting = was_i.waiting - 4'd1;
       next.weight  = top_i.weight;
       next.depth   = top_i.depth;
       next.purpose = rc_pkg::EventArrive;
     end
+
     if (is_end) begin
       next.sum   = sum_i;
       next.least = least_i;
       next.most  = most_i;
     end
+
     if (is_next) begin
       next.sample = was_i.sample + 6'd1;
       next.colour = '0;
@@ -227,8 +266,10 @@ module rc_pass_end #(
       next.purpose = rc_pkg::EventArrive;
     end
   end
+
   rc_pkg::shade_state_t sided, now;
   logic [1:0]           leave;
+
   if (rc_pkg::Panes != 0) begin : gen_cell
     always_comb begin
       sided = next;
@@ -238,6 +279,7 @@ module rc_pass_end #(
   end else begin : gen_no_cell
     assign sided = next;
   end
+
   if (rc_pkg::Homes == 1) begin : gen_inner
     always_comb begin
       now = sided;
@@ -246,33 +288,41 @@ module rc_pass_end #(
   end else begin : gen_no_inner
     assign now = sided;
   end
+
   assign leave   = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
-  // The ray that waits.
+  // ---- Rays. First the waiting ray, which rc_contexts pushes.
   logic [3*M-1:0] short_d, top_d;
   logic [3*PW-1:0] was_o;
   logic [3*P-1:0] start, top_o, spawn_place;
   logic [3*D-1:0] spawn_way;
   logic [3*P-1:0] place;
+
   assign was_o = was_i.o;
   assign top_o = top_i.o;
   assign top_d = top_i.d;
+
+  // Start points and directions.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign short_d[k*M +: M]   = d_i[k*D +: M];
     logic [P-1:0] rough;
+
     assign rough = P'($signed(was_o[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
+
     assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : was_o[k*PW +: P];
     assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
     assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
                                                        : d_i[k*D +: D];
   end
-  localparam int unsigned TailW   = rc_pkg::Panes + rc_pkg::Horizon;   // its cell; it asks planes
+
+  localparam int unsigned TailW   = rc_pkg::Panes + rc_pkg::Horizon;   // its cell; planes only
   localparam int unsigned RestW   = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
   localparam int unsigned PushedW = RestW + TailW;
   logic [RestW-1:0]            rest;
   logic [PushedW-1:0]          pushed;
   logic [rc_pkg::WaitingW-1:0] waiting;
+
   if (rc_pkg::Panes != 0 && rc_pkg::Horizon == 1) begin : gen_both
     assign pushed = {rest, was_i.across, beyond};
   end else if (rc_pkg::Panes != 0) begin : gen_cell_alone
@@ -282,44 +332,54 @@ module rc_pass_end #(
   end else begin : gen_rest
     assign pushed = rest;
   end
+
   assign rest = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
 
-  // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
+  // The ray that starts: a camera ray, a bounce, a shadow ray, a ray away to a light.
   logic [1:0]                 kind;
   logic [rc_pkg::PrimBits:0]  self;
   logic [rc_pkg::PixelBits-1:0] x, y;
   logic [5:0]                 sample;
+
   assign kind   = is_next ? rc_pkg::RayCamera : !is_light ? rc_pkg::RayBounce
                 : to_point ? rc_pkg::RayShadow : rc_pkg::RayAway;
   assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
                                         : {was_i.self, was_i.is_inside};
   assign x      = was_i.x;
   assign y      = was_i.y;
+
   assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
   assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
-  logic top_partial, partial;   // it asks no planes; a bounce nothing else
+
+  logic top_partial, partial;   // tests no planes; a bounce tests planes only
   if (rc_pkg::Horizon == 1) begin : gen_top_partial
     assign top_partial = top_i.is_partial;
   end else begin : gen_top_whole
     assign top_partial = 1'b0;
   end
+
   assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial
                  : is_reflect && beyond;
+
   localparam int unsigned GivenW = 3 * P + 3 * D;
   localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
   localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
   localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+
   logic [rc_pkg::SpawnW-1:0] spawn;
   logic [FromW-1:0]       from;
   logic [FromW+SelfW-1:0] given;
+
   if (rc_pkg::Homes == 1) begin : gen_home
     logic [3*M-1:0] short_home_d, top_home_d;
     logic [3*D-1:0] top_way, home_d;
+
     assign top_home_d = top_i.home_d;
     for (genvar k = 0; k < 3; k++) begin : gen_axis
       assign short_home_d[k*M +: M] = home_d_i[k*D +: M];
       assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
     end
+
     assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
     assign waiting  = {pushed, home_i, home_o_i, short_home_d};
     assign from     = {is_next ? '0 : is_pop ? top_i.home : home_i,
@@ -328,26 +388,35 @@ module rc_pass_end #(
   end else begin : gen_no_home
     assign waiting  = pushed;
     assign from     = {spawn_place, spawn_way};
+
     logic unused;
     assign unused = ^{home_i, home_o_i, home_d_i};
   end
+
   if (rc_pkg::Spheres == 1) begin : gen_self
     assign given = {self, from};
   end else begin : gen_no_self
     assign given = from;
+
     logic unused;
     assign unused = ^self;
   end
+
   if (rc_pkg::Planes == 1) begin : gen_partial
     assign spawn   = {ray_i, kind, x, y, sample, partial, given};
   end else begin : gen_no_planes
     assign spawn   = {ray_i, kind, x, y, sample, given};
+
     logic unused;
     assign unused = partial;
   end
+
+  // ---- The finished pixel.
   logic [3*VB-1:0]           end_colour;
   logic [rc_pkg::PixelW-1:0] pixel;
+
   assign end_colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+
   if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
     assign pixel   = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
                       was_i.u, was_i.v, end_colour};
@@ -355,20 +424,24 @@ module rc_pass_end #(
     assign pixel   = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, end_colour};
   end
 
-  // In three parts: Verilator 5.006 makes no code of a thousand bits at once.
+  // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand
+  // bits.
   localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 4 + 1;
   localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
   localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
   logic [ContextW-1:0] made_context, kept_context;
   logic [RaysW-1:0]    made_rays, kept_rays;
   logic [EndW-1:0]     made_end, kept_end;
+
   assign made_context = {ray_i, now, changes, pushes};
   assign made_rays    = {waiting, spawn};
   assign made_end     = {leave, pixel};
+
   if (Cut == 0) begin : gen_now
     assign kept_context = made_context;
     assign kept_rays    = made_rays;
     assign kept_end     = made_end;
+
     logic unused;
     assign unused = ^{clk_i, take_i};
   end else begin : gen_kept
@@ -380,6 +453,7 @@ module rc_pass_end #(
       end
     end
   end
+
   assign {ray_o, state_o, changes_o, push_o} = kept_context;
   assign {pushed_o, spawn_o}      = kept_rays;
   assign {leave_o, pixel_o}       = kept_end;

@@ -1,6 +1,6 @@
-// A context's state as far as it is known when a pass begins waits for the pass's end: but for what
-// a pass leaves as it is or makes anew. Of the surface that was hit the end asks where that was,
-// and whether it has a mirror and lets light through. Part of rc_pass; all else of was_o is 0.
+// Delays a context's state from the begin of a pass to its end. Fields that a pass does not change,
+// or makes anew, are left out. Of the surface that was hit, the end needs its point, and whether it
+// mirrors and transmits. Part of rc_pass; all other fields of was_o are 0.
 `default_nettype none
 module rc_pass_state #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -10,10 +10,12 @@ module rc_pass_state #(
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
-  input  logic                 come_i,        // as of rc_stage_delay
+  input  logic                 come_i,        // as in rc_stage_delay
   input  logic                 leave_i,
+  // Begin of the pass
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t known_i,
+  // End of the pass
   output logic [I-1:0]         ray_o,
   output rc_pkg::shade_state_t was_o,
   output logic                 mirrors_o,
@@ -25,13 +27,16 @@ module rc_pass_state #(
                                  + 2 * rc_pkg::UvBits + 4 * VB + DB + 7 + 2 * rc_pkg::Panes
                                  + 3 * rc_pkg::PointWidth;   // from x to o
   localparam int unsigned ManyW  = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
+
   logic [StateW-1:0] known;
   logic [FrontW-1:0] front;
   logic [ManyW-1:0]  many;
   logic              is_far, is_lost, total, is_inside;
   logic [DB-1:0]     waiting;
   logic [PB-1:0]     self;
+
   assign known = known_i;
+
   rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_all (
     .clk_i, .rst_ni, .come_i, .leave_i,
     .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,
@@ -39,6 +44,7 @@ module rc_pass_state #(
              known_i.waiting, known_i.self}),
     .data_o({ray_o, front, is_far, is_lost, mirrors_o, transmits_o, total, is_inside, waiting,
              self}));
+
   if (rc_pkg::Supersampling == 1) begin : gen_many
     rc_stage_delay #(.Width(ManyW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_many (
       .clk_i, .rst_ni, .come_i, .leave_i,
@@ -46,6 +52,7 @@ module rc_pass_state #(
   end else begin : gen_one
     assign many = '0;
   end
+
   always_comb begin
     was_o           = {front, {(StateW-FrontW){1'b0}}};
     was_o.is_far    = is_far;

@@ -1,6 +1,10 @@
-// How much of a ray's weight a reflected or refracted one gets, up to 2: mirror and
-// transmit, with Fresnel's term by Schlick (1994) if the material has it. Part of
-// rc_bounce; from the registers of s7. 16 fraction bits.
+// The share of a ray's weight that a reflected or refracted ray gets, up to 2.
+//
+// F is Fresnel's term after Schlick (1994). If the material has it, a refracted ray gets transmit
+// (1 - F), and a reflected ray gets mirror + transmit F. Otherwise they get transmit and mirror. On
+// total reflection the reflected ray gets mirror + transmit.
+//
+// Part of rc_bounce. The share is in the registers of s7. All values have 16 fraction bits.
 `default_nettype none
 module rc_schlick #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
@@ -8,7 +12,7 @@ module rc_schlick #(
 ) (
   input  logic          clk_i,
   input  logic [6:0]    valid_i,
-  input  logic [6*Every-1:0] turn_i,   // in which cycle of which stage a pass is
+  input  logic [6*Every-1:0] turn_i,   // the cycle of each stage
   input  logic          s0_refract_i,
   input  logic [VB-1:0] s0_cosine_i,
   input  logic [VB-1:0] s0_mirror_i,
@@ -18,15 +22,20 @@ module rc_schlick #(
   input  logic          s0_total_i,
   output logic [17:0]   s7_share_o
 );
+
   // s3: (1 - cosine)^5, rounded after each of three products.
   logic [VB-1:0] s0_q, s1_q, s2_q, s1_q2, s2_q4, s3_q5;
   logic [33:0] s1_square_q, s2_square_q, s3_fifth_q;
+
   assign s0_q = 17'h10000 - s0_cosine_i;
+
   rc_shift_register #(.Width(VB), .Stages(1)) u_q1 (
     .clk_i, .valid_i(valid_i[0]), .data_i(s0_q), .data_o(s1_q));
   rc_shift_register #(.Width(VB), .Stages(1)) u_q2 (
     .clk_i, .valid_i(valid_i[1]), .data_i(s1_q), .data_o(s2_q));
+
   logic [33:0] s1_up, s2_up, s3_up;
+
   assign s1_up = s1_square_q + 34'h8000;
   assign s2_up = s2_square_q + 34'h8000;
   assign s3_up = s3_fifth_q + 34'h8000;
@@ -34,24 +43,29 @@ module rc_schlick #(
   assign s2_q4 = s2_up[32:16];
   assign s3_q5 = s3_up[32:16];
 
-  // s5: R0 + (1 - R0) of that; s6: transmit times that, or times what is left.
+  // s5: F = R0 + (1 - R0) (1 - cosine)^5. s6: transmit times F, or times 1 - F.
   logic [VB-1:0] s3_r0, s4_r0, s5_transmit;
   logic [33:0] s4_rest_q, s4_up, s6_part_q, s6_up;
   logic [VB-1:0] s5_schlick_q;
   logic        s5_refract;
+
   assign s4_up = s4_rest_q + 34'h8000;
   assign s6_up = s6_part_q + 34'h8000;
+
   rc_shift_register #(.Width(VB), .Stages(3)) u_r0 (
     .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_r0_i), .data_o(s3_r0));
   rc_shift_register #(.Width(18), .Stages(5)) u_transmit (
     .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
     .data_o({s5_transmit, s5_refract}));
-  // The factors of the product of each stage, and the product.
+
+  // Factors of each stage's product, and the products.
   logic [6*VB-1:0]   first, second;
   logic [6*2*VB-1:0] product;
+
   assign first  = {s5_transmit, {VB{1'b0}}, 17'h10000 - s3_r0, s2_q4, s1_q2, s0_q};
   assign second = {s5_refract ? 17'h10000 - s5_schlick_q : s5_schlick_q, {VB{1'b0}}, s3_q5, s2_q,
                    s1_q2, s0_q};
+
   for (genvar i = 0; i < 6; i++) begin : gen_product
     if (i != 4) begin : gen_stage
       rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_product (
@@ -61,6 +75,7 @@ module rc_schlick #(
       assign product[i*2*VB +: 2*VB] = '0;
     end
   end
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0]) s1_square_q <= product[0 +: 34];
     if (valid_i[1]) s2_square_q <= product[34 +: 34];
@@ -77,13 +92,16 @@ module rc_schlick #(
   logic [VB-1:0] s6_mirror, s6_transmit;
   logic        s6_refract, s6_schlick, s6_total;
   logic [17:0] s6_plain, s6_fresnel, s6_mirrored;
+
   rc_shift_register #(.Width(37), .Stages(6)) u_wait (
     .clk_i, .valid_i(valid_i[5:0]),
     .data_i({s0_mirror_i, s0_transmit_i, s0_refract_i, s0_schlick_i, s0_total_i}),
     .data_o({s6_mirror, s6_transmit, s6_refract, s6_schlick, s6_total}));
+
   assign s6_plain    = {1'b0, s6_transmit};
   assign s6_fresnel  = {1'b0, s6_up[32:16]};
   assign s6_mirrored = {1'b0, s6_mirror};
+
   always_ff @(posedge clk_i) begin
     if (valid_i[6])
       s7_share_o <= s6_refract ? (s6_schlick ? s6_fresnel : s6_plain)

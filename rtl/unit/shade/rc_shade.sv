@@ -1,19 +1,21 @@
-// Shading: takes a finished ray's answer, and sends the context's next ray or its finished
-// pixel. What it computes: rc_pass; what it keeps of a context: rc_contexts. A camera ray or
-// bounce that has hit something waits for its surface, which is asked for here. With two levels the
-// instance is asked for first, which says where surfaces lie; when it comes it is always taken.
+// Shading: accepts a finished ray's answer, and returns the context's next ray or its finished
+// pixel. rc_pass computes, rc_contexts stores the state of each context.
 //
-// A pass enters every ShadeInterval cycles: first those whose surface is there, then those that
-// need another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass to
-// what it leads to, more if it passes again. closest_i is always accepted; slot_i and ray_i
-// are listened to. frame_i does not change while rays are under way.
-// Model: model/unit/shade/unit.hpp (when), model/unit/shade/pass.hpp (what).
+// A camera ray or bounce that has hit something waits for its surface, which this module requests.
+// With two levels it requests the instance first, whose line has the address of the surfaces. An
+// instance is always accepted.
+//
+// A pass enters every ShadeInterval cycles. Passes whose surface is there go first, then contexts
+// that need another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass
+// to its output, more if the context passes again. closest_i is always accepted; slot_i and ray_i
+// are observed. The user holds frame_i while rays are in flight. Model: model/unit/shade/unit.hpp
+// (timing), model/unit/shade/pass.hpp (values).
 `default_nettype none
 module rc_shade (
   input  logic              clk_i,
   input  logic              rst_ni,
   input  rc_pkg::frame_t    frame_i,
-  // Listened to: a context begins a pixel (sched to raygen), and has a ray (raygen to trav)
+  // Observed: a context begins a pixel (sched to raygen), and a ray starts (raygen to trav)
   input  logic              slot_fires_i,
   input  rc_pkg::slot_t     slot_i,
   input  logic              ray_fires_i,
@@ -29,7 +31,7 @@ module rc_shade (
   input  logic              surf_rsp_valid_i,
   output logic              surf_rsp_ready_o,
   input  rc_pkg::surf_rsp_t surf_rsp_i,
-  input  logic              surf_waits_i,      // its cache waits for memory
+  input  logic              surf_waits_i,      // the cache waits for memory
   // To raygen
   output logic              spawn_valid_o,
   input  logic              spawn_ready_i,
@@ -38,7 +40,7 @@ module rc_shade (
   output logic              pixel_valid_o,
   input  logic              pixel_ready_i,
   output rc_pkg::pixel_t    pixel_o,
-  // What it did; rc_pkg::shade_cause_e
+  // What it did: rc_pkg::shade_cause_e
   output logic [2:0]        cause_o
 );
   localparam int unsigned I    = rc_pkg::RayBits;
@@ -51,54 +53,70 @@ module rc_shade (
   localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
 
   logic [rc_pkg::FrameW-1:0]      frame_flat;
-  rc_pkg::shade_frame_t           shade_frame;   // lies lowest in the frame
+  rc_pkg::shade_frame_t           shade_frame;   // lowest in the frame
+
   assign frame_flat  = frame_i;
   assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
 
-  // ---- Answers: a hit of a camera ray or bounce waits for its surface (A), others pass (B).
+  // ---- Answers: a hit of a camera ray or bounce waits for its surface (A); others enter a pass
+  // (B).
   logic [rc_pkg::ClosestW-1:0] closest;
   logic [I-1:0]                closest_ray;
   logic [PB-1:0]               closest_prim;
-  logic                        wants_surface, ends_at_any, any_hit;   // what any hit ends
+  logic                        wants_surface, ends_at_any, any_hit;   // any_hit: any hit ends it
   logic [1:0]                  kind;
+
   assign closest         = closest_i;
   assign closest_ready_o = 1'b1;
-  // In a fast chip what it wants is looked at later: it is a cycle on its way, and then one here.
+
+  // In a fast chip the answer is one cycle in flight, and then one cycle here.
   localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
+
   logic          answers, way_found;
   logic [I-1:0]  way_ray;
   logic [PB-1:0] way_prim;
   logic [A-1:0]  closest_place;
+
   if (rc_pkg::Homes == 1) begin : gen_place_of_hit
     rc_path_register #(.Width(A), .Stages(Late)) u_place_of_hit (
       .clk_i, .data_i(closest_i.place), .data_o(closest_place));
   end else begin : gen_no_place_of_hit
     assign closest_place = '0;
   end
+
   rc_path_register #(.Width(I + PB + 1), .Stages(rc_pkg::FarCut)) u_way (
     .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found}),
     .data_o({way_ray, way_prim, way_found}));
+
   rc_path_register #(.Width(I + PB + 1)) u_answer (
     .clk_i, .data_i({way_ray, way_prim, way_found && !any_hit}),
     .data_o({closest_ray, closest_prim, wants_surface}));
+
   rc_pulse_register #(.Stages(Late)) u_answers (
     .clk_i, .rst_ni, .fires_i(closest_valid_i), .fires_o(answers));
+
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
-  // In a fast chip it is written a cycle later, beside the memory.
+
+  // The kind of a ray. A fast chip writes it one cycle later, next to the memory.
   logic         starts, starts_any;
   logic [I-1:0] starts_ray;
+
   rc_path_register #(.Width(I + 1)) u_starts (
     .clk_i, .data_i({ray_i.ray, ends_at_any}), .data_o({starts_ray, starts_any}));
+
   rc_ram #(.Width(1), .Depth(T)) u_any (
     .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
     .read_addr_i(way_ray), .read_data_o(any_hit));
+
   rc_pulse_register u_ray_starts (.clk_i, .rst_ni, .fires_i(ray_fires_i), .fires_o(starts));
+
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && closest_valid_i && starts)
     a_not_at_once: assert (closest_i.ray != starts_ray)
     else $error("a ray's answer came before it was known what the ray is");
 `endif
 
+  // ---- Surfaces, and with two levels the instances before them.
   localparam int unsigned MapW   = 9 * rc_pkg::MapBits
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
   localparam int unsigned PlaceW = A + MapW;
@@ -106,37 +124,46 @@ module rc_shade (
                                     + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
                                     + 2 * rc_pkg::RatioBits;
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
-  // An instance or its material has come; an instance is taken, either; a surface has come.
+
+  // placing: the line that comes is an instance or its material. placed: an instance is accepted.
+  // taken: either is accepted. came: a surface has come.
   logic              placing, placed, taken, came;
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
-  rc_pkg::surface_t            surface_came;    // what comes, if it is a surface,
+  rc_pkg::surface_t            surface_came;    // the line that comes, if it is a surface,
   rc_pkg::placement_t          instance_came;   // or an instance
   logic [PlaceW-1:0] place_data, place;
+
   assign surf_rsp      = surf_rsp_i;
   assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
   assign instance_came = rc_pkg::PlacementW'(surf_rsp);
+
   logic           arrived_valid, arrived_pop;
   logic [I-1:0]   arrived_ray;
+
   if (rc_pkg::Homes == 0) begin : gen_fetch
     logic [A-1:0]   surfaces, line;
     logic [I+A-1:0] fetch;
+
     assign surfaces = shade_frame.surfaces;
     assign line     = surfaces + A'(closest_prim);
+
     rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
+
     assign surf_req_o = fetch;
     assign placing    = 1'b0;
     assign placed     = 1'b0;
     assign taken      = 1'b0;
     assign place_data = '0;
     assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
+
     logic unused;
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
-    logic [T-1:0]       placing_q, lends_q;   // an instance is waited for, or a material
+    logic [T-1:0]       placing_q, lends_q;   // waits for an instance, for a material
     logic [A-1:0]       prim, surface_line, kept_line;
     logic [T-1:0]       lent_q;               // the context's last instance has a material
     logic               lends;
@@ -144,6 +171,7 @@ module rc_shade (
     logic [A-1:0]       line;
     logic               place_valid, place_ready, fetch_valid, fetch_ready;
     logic [I+A-1:0]     place_next, fetch_next, fetch;
+
     assign came_ray      = surf_rsp_i.ray;
     assign surface_line  = instance_came.surfaces + prim;
     assign lends         = lends_q[came_ray];
@@ -152,80 +180,103 @@ module rc_shade (
     assign placing       = placing_q[came_ray] || lends;
     assign placed        = surf_rsp_valid_i && placing_q[came_ray];
     assign taken         = surf_rsp_valid_i && placing;
-    // What a ray is the same in is nobody's home.
+
+    // Line 0: the ray is the same in the instance.
     assign place_data    = {instance_came.is_same ? {A{1'b0}} : instance_came.here,
                             MapW'(rc_pkg::PlacementW'(surf_rsp))};
+
     always_ff @(posedge clk_i) begin
       if (placed)  placing_q[came_ray]    <= 1'b0;
       if (answers) placing_q[closest_ray] <= wants_surface;
+
       if (taken) begin
         lends_q[came_ray] <= placed && instance_came.material != '0;
         lent_q[came_ray]  <= lends || instance_came.material != '0;
       end
       if (answers) lends_q[closest_ray] <= 1'b0;
     end
+
     rc_ram #(.Width(A), .Depth(T)) u_line (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
       .read_addr_i(came_ray), .read_data_o(kept_line));
-    // A material for all primitives of the instance takes the place of the surface's own.
+
+    // A material for all primitives of the instance replaces the surface's own.
     logic [MaterialW:0] material;
+
     rc_ram #(.Width(MaterialW + 1), .Depth(T)) u_material (
       .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
       .write_data_i({surface_came.schlick, surf_rsp[MaterialW-1:0]}), .read_addr_i(came_ray),
       .read_data_o(material));
+
     logic [rc_pkg::SurfaceW-1:0] lent;
+
     always_comb begin
       lent = rc_pkg::SurfaceW'(surf_rsp);
       if (lent_q[came_ray]) lent[MaterialW-1:0] = material[MaterialW-1:0];
       if (lent_q[came_ray]) lent[SchlickAt]     = material[MaterialW];
     end
+
     assign surface_found = lent;
+
     rc_ram #(.Width(A), .Depth(T)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
       .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
+
     rc_queue #(.Width(I + A), .Depth(T)) u_place (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, closest_place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
+
     rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
       .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
       .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
+
     rc_priority_merge #(.Width(I + A)) u_ask (
       .clk_i, .rst_ni,
       .first_valid_i(fetch_valid), .first_ready_o(fetch_ready), .first_i(fetch_next),
       .second_valid_i(place_valid), .second_ready_o(place_ready), .second_i(place_next),
       .valid_o(surf_req_valid_o), .ready_i(surf_req_ready_i), .data_o(fetch));
+
     assign surf_req_o = fetch;
+
     logic unused;
     assign unused = ^{instance_came, shade_frame, surface_came};
   end
+
   assign came   = surf_rsp_valid_i && !placing;
+
+  // Rays that need no surface.
   rc_queue #(.Width(I), .Depth(T)) u_arrived (
     .clk_i, .rst_ni, .push_i(answers && !wants_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
-  // ---- The door.
+  // ---- Admission: a pass has a place in the output queue.
   logic         open, room, rests, enters, again_valid, again_pop, end_valid, out_valid, out_ready;
   logic [I-1:0] again_ray, ray;
+
   rc_credit_counter #(.Credits(rc_pkg::ShadeQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
+
   assign open        = room && !rests;
   assign surf_rsp_ready_o = open || placing;
   assign enters      = open && (came || again_valid || arrived_valid);
   assign again_pop   = open && !came && again_valid;
   assign arrived_pop = open && !came && !again_valid && arrived_valid;
   assign ray         = came ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
+
   if (Every == 1) begin : gen_never_rests
     assign rests = 1'b0;
   end else begin : gen_rests
     localparam int unsigned Rest = Every - 1;
-    logic [Rest-1:0] entered_q;   // in which of the last cycles a pass has entered
+
+    logic [Rest-1:0] entered_q;   // the last cycles in which a pass entered
     always_ff @(posedge clk_i) begin
       if (!rst_ni) entered_q <= '0;
       else         entered_q <= Rest'({entered_q, enters});
     end
     assign rests = |entered_q;
   end
+
   always_comb begin
     if (rests)
       cause_o = rc_pkg::ShadeBusyWork;
@@ -235,8 +286,8 @@ module rc_shade (
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
   end
 
-  // ---- A pass. In every payload the context's number comes first, so the rest lies lowest. What
-  // comes ShadeRead cycles after a pass has entered, rc_contexts', goes with what came in it.
+  // ---- Pass. Every payload begins with the context's number, so its data lies lowest. rc_contexts
+  // answers ShadeRead cycles after a pass enters; the surface of that cycle is held until then.
   logic [HitW-1:0]                   hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
@@ -250,15 +301,17 @@ module rc_shade (
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;
   logic [rc_pkg::PixelW-1:0]         pixel;
-  logic                              passes;     // what rc_contexts keeps of it is there
+  logic                              passes;     // the state from rc_contexts is ready
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
+
   if (Every == 1) begin : gen_at_once
     assign pass_ray = ray;
     assign surface  = surface_found;
   end else begin : gen_read
     logic [I-1:0]                ray_q;
     logic [rc_pkg::SurfaceW-1:0] surface_q;
+
     always_ff @(posedge clk_i) begin
       if (enters) ray_q     <= ray;
       if (enters) surface_q <= surface_found;
@@ -266,6 +319,7 @@ module rc_shade (
     assign pass_ray = ray_q;
     assign surface  = surface_q;
   end
+
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
@@ -275,6 +329,7 @@ module rc_shade (
     .look_i(look_valid), .look_ray_i(look_ray), .look_state_i(look), .write_i(end_valid),
     .write_ray_i(end_ray), .changes_i(changes), .write_state_i(end_state),
     .push_i(push), .pushed_i(pushed));
+
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
     .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top), .place_i(place),
@@ -282,37 +337,46 @@ module rc_shade (
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .changes_o(changes),
     .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 
-  // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data wait in
-  // memories by their context, or where passes are rare in the queues.
+  // ---- Output: again (C), a ray (D), the pixel (E). Data of rays and pixels waits in memories by
+  // context, or, with an interval above 1, in the queues.
   logic [I-1:0] out_ray, spawn_ray, pixel_ray;
   logic [1:0]   out_leave;
+
   rc_fifo #(.Width(I + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(out_ready), .data_i({end_ray, leave}),
     .valid_o(out_valid), .ready_i(1'b1), .data_o({out_ray, out_leave}));
+
   rc_queue #(.Width(I), .Depth(T)) u_again (
     .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
+
   logic [SpawnDataW-1:0] spawn_data;
   logic [PixelDataW-1:0] pixel_data;
   logic                  spawns, colours;
+
   assign spawns  = out_valid && out_leave == rc_pkg::LeaveSpawn;
   assign colours = out_valid && out_leave == rc_pkg::LeavePixel;
+
   if (Every == 1) begin : gen_beside
     rc_queue #(.Width(I), .Depth(T)) u_spawn (
       .clk_i, .rst_ni, .push_i(spawns), .data_i(out_ray), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
+
     rc_queue #(.Width(I), .Depth(T)) u_pixel (
       .clk_i, .rst_ni, .push_i(colours), .data_i(out_ray), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
+
     rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
       .write_data_i(SpawnDataW'(spawn)), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
+
     rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
       .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
   end else begin : gen_queued   // in the queues themselves, which are block RAM in a fast chip
     logic [SpawnDataW-1:0] spawn_then;
     logic [PixelDataW-1:0] pixel_then;
+
     if (rc_pkg::ShadeCut == 0) begin : gen_keep
       always_ff @(posedge clk_i) begin
         if (end_valid) begin
@@ -320,17 +384,20 @@ module rc_shade (
           pixel_then <= PixelDataW'(pixel);
         end
       end
-    end else begin : gen_kept   // by rc_pass_end
+    end else begin : gen_kept   // rc_pass_end holds them
       assign spawn_then = SpawnDataW'(spawn);
       assign pixel_then = PixelDataW'(pixel);
     end
+
     rc_queue #(.Width(rc_pkg::SpawnW), .Depth(T)) u_spawn (
       .clk_i, .rst_ni, .push_i(spawns), .data_i({out_ray, spawn_then}), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o({spawn_ray, spawn_data}));
+
     rc_queue #(.Width(rc_pkg::PixelW), .Depth(T)) u_pixel (
       .clk_i, .rst_ni, .push_i(colours), .data_i({out_ray, pixel_then}), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end
+
   assign spawn_o = {spawn_ray, spawn_data};
   assign pixel_o = {pixel_ray, pixel_data};
 

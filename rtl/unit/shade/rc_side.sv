@@ -1,5 +1,7 @@
-// Sign of n . d, exactly, two stages later. Part of rc_pass, which has the valid bits of the
-// first two. Where a pass stays long in a stage, the operands are in registers of their own first.
+// The exact sign of n . d. Latency two stages.
+//
+// Part of rc_pass, which has the valid bits of both stages. If a pass stays long in a stage, the
+// operands get registers of their own first.
 `default_nettype none
 module rc_side #(
   localparam int unsigned NB = rc_pkg::NormalBits,
@@ -8,26 +10,37 @@ module rc_side #(
 ) (
   input  logic            clk_i,
   input  logic [1:0]      valid_i,
-  input  logic [Every-1:0] turn_i,     // in which cycle of the first a pass is, ShadeCut later
+  input  logic [Every-1:0] turn_i,     // the cycle of the first stage, ShadeCut cycles late
+  // Operands
   input  logic [3*NB-1:0] n_i,
   input  logic [3*D-1:0]  d_i,
+  // n . d > 0, n . d < 0
   output logic            above_o,
   output logic            below_o
 );
   localparam int unsigned Q = NB + D;
+
   logic [3*Q-1:0]  product, product_q;
   logic [3*NB-1:0] n;
   logic [3*D-1:0]  d;
+
   rc_path_register #(.Width(3 * (NB + D)), .Stages(rc_pkg::ShadeCut)) u_in (
     .clk_i, .data_i({n_i, d_i}), .data_o({n, d}));
+
   rc_mul_held #(.AW(NB), .BW(D), .Products(3), .Late(rc_pkg::ShadeCut)) u_products (
     .clk_i, .turn_i, .a_i(n), .b_i(d), .p_o(product));
+
   always_ff @(posedge clk_i) if (valid_i[0]) product_q <= product;
+
+  // Sum of the products.
   logic signed [Q+1:0] sum_now, sum;
+
   assign sum_now = (Q+2)'($signed(product_q[0 +: Q])) + (Q+2)'($signed(product_q[Q +: Q]))
       + (Q+2)'($signed(product_q[2*Q +: Q]));
+
   rc_path_register #(.Width(Q + 2), .Stages(rc_pkg::ShadeCut)) u_sum (
     .clk_i, .data_i(sum_now), .data_o(sum));
+
   always_ff @(posedge clk_i) begin
     if (valid_i[1]) begin
       above_o <= !sum[Q+1] && sum != '0;

@@ -1,6 +1,8 @@
-// Refraction: how much of the normal the new direction has, and whether there is one. Part
-// of rc_bounce. Answers from the registers of s13; of a reflected ray 2 cosine, and the
-// ratio 1. cosine has 16 fraction bits, ratio 12.
+// Refraction: the share of the normal in the new direction, and whether a refracted ray exists.
+// Part of rc_bounce.
+//
+// Results are in the registers of s13. For a reflected ray they are 2 cosine, and the ratio 1.
+// cosine has 16 fraction bits, ratio has 12.
 `default_nettype none
 module rc_snell #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
@@ -9,7 +11,7 @@ module rc_snell #(
   input  logic               clk_i,
   input  logic               rst_ni,
   input  logic [13:0]        valid_i,
-  input  logic [2*Every-1:0] turn_i,        // in which cycle of which stage a pass is
+  input  logic [2*Every-1:0] turn_i,        // the cycle of each stage
   input  logic               s0_refract_i,
   input  logic [VB-1:0]      s0_cosine_i,
   input  logic [15:0]        s0_ratio_i,
@@ -17,28 +19,34 @@ module rc_snell #(
   output logic [15:0]        s13_ratio_o,
   output logic               s13_total_o
 );
-  // s3: 2^32 times the squared cosine inside, rounded up; negative: total reflection.
+
+  // s3: 2^32 times the squared cosine inside, rounded up. If negative, the reflection is total.
   logic [32:0]        s1_cosine2_q, s1_sine2;
   logic [31:0]        s1_ratio2_q;
   logic [64:0]        s2_bent_q;
   logic signed [42:0] s2_cosine2;
   logic               s1_refract, s2_refract, s3_total_q, s3_refract_q;
   logic [32:0]        s3_square_q;
+
   rc_shift_register #(.Width(1), .Stages(1)) u_refract1 (
     .clk_i, .valid_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
   rc_shift_register #(.Width(1), .Stages(1)) u_refract2 (
     .clk_i, .valid_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
+
   assign s1_sine2   = 33'h1_0000_0000 - s1_cosine2_q;
   assign s2_cosine2 = 43'sh1_0000_0000 - $signed({2'b00, s2_bent_q[64:24]});
+
   logic [33:0] s0_cosine2;
   logic [31:0] s0_ratio2;
   logic [64:0] s1_bent;
+
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_cosine2 (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_cosine_i), .b_i(s0_cosine_i), .p_o(s0_cosine2));
   rc_mul_held #(.AW(16), .BW(16), .Signed(1'b0)) u_ratio2 (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_ratio_i), .p_o(s0_ratio2));
   rc_mul_held #(.AW(32), .BW(33), .Signed(1'b0)) u_bent (
     .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_ratio2_q), .b_i(s1_sine2), .p_o(s1_bent));
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0] && s0_refract_i) begin
       s1_cosine2_q <= s0_cosine2[32:0];
@@ -55,17 +63,21 @@ module rc_snell #(
   // s12: its root.
   logic [17:0] s12_root;
   logic        inexact;
+
   rc_sqrt #(.Stages(9), .Held(Every)) u_sqrt (
     .clk_i, .valid_i(valid_i[3] && s3_refract_q), .square_i({3'd0, s3_square_q}),
     .root_o(s12_root), .inexact_o(inexact));
 
-  // s13: ratio * cosine less that, or 2 cosine.
+  // s13: ratio * cosine minus the root, or 2 cosine.
   logic [32:0] s0_long, s1_long_q, s1_rounded;
   logic [21:0] s2_long_q, s12_long;
   logic        s12_refract, s12_total;
+
   rc_mul_held #(.AW(16), .BW(VB), .Signed(1'b0)) u_long_product (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_cosine_i), .p_o(s0_long));
+
   assign s1_rounded = s1_long_q + 33'h800;
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0])
       s1_long_q <= s0_refract_i ? s0_long : {15'd0, s0_cosine_i, 1'b0};
@@ -76,6 +88,7 @@ module rc_snell #(
       s13_total_o <= s12_refract && s12_total;
     end
   end
+
   rc_stage_delay #(.Width(22), .Stages(10)) u_long (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
     .data_o(s12_long));

@@ -1,9 +1,8 @@
-// Where a ray has hit a surface, and how the surface looks there. Part of rc_pass, which
-// has the valid bits: valid_i[i] if stage i holds such a pass.
+// Where a ray has hit a surface, and the surface's look there. Part of rc_pass, which has the valid
+// bits: valid_i[i] is set if stage i holds a pass for a surface.
 //
-// o, n, far and lost from the registers of s5, the vector of which the normal is made as well;
-// albedo from those of s6, what the surrounding light adds from those of s7.
-// Model: model/unit/shade/surf.hpp.
+// o, n, far, lost and the vector along the normal are in the registers of s5. The albedo is in
+// those of s6, the ambient light in those of s7. Model: model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_surf #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -20,7 +19,8 @@ module rc_surf #(
 ) (
   input  logic               clk_i,
   input  logic [6:0]         valid_i,
-  input  logic [7*Every-1:0] turn_i,     // in which cycle of which stage a pass is
+  input  logic [7*Every-1:0] turn_i,     // the cycle of each stage
+  // Answer, surface and ray
   input  logic [U-1:0]       s0_u_i,
   input  logic [U-1:0]       s0_v_i,
   input  logic [T-1:0]       s0_t_i,
@@ -29,19 +29,20 @@ module rc_surf #(
   input  logic [3*P-1:0]     s0_o_i,
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [VB-1:0]      s0_weight_i,
+  // Results
   output logic [3*PW-1:0]    s5_o_o,
   output logic [3*NB-1:0]    s5_n_o,
   output logic [3*UnitW-1:0] s5_toward_o,
   output logic               s5_far_o,   // beyond the lattice,
-  output logic               s5_lost_o,  // and beyond what o can say
+  output logic               s5_lost_o,  // and beyond the range of o
   output logic [38:0]        s6_albedo_o,
   output logic [3*VB-1:0]    s7_ambient_o
 );
   localparam int unsigned C    = rc_pkg::CornerBits;
   localparam int unsigned Y    = rc_pkg::BaryBits;
-  localparam int unsigned Drop = Y - B;             // what u and v lose
+  localparam int unsigned Drop = Y - B;             // bits that u and v lose
   localparam int unsigned F    = rc_pkg::MostFine;  // more bits on triangles with coarse edges
-  localparam int unsigned W    = U + 2 - Drop + F;  // of u and v then, signed
+  localparam int unsigned W    = U + 2 - Drop + F;  // of u and v afterwards, signed
   localparam int unsigned X    = U + 2 > W ? U + 2 : W;
   localparam int unsigned E    = N + 1;             // of an edge, signed
   localparam int unsigned A    = W + E + 2;         // of a point of a plane, signed
@@ -57,53 +58,69 @@ module rc_surf #(
   logic signed [W-1:0] s0_u, s0_v, s1_u_q, s1_v_q;
   logic              s1_plane_q, s0_ends, s0_odd;
   logic [2:0] s0_fine, s1_fine_q, s2_fine_q;
+
   assign s0_fine      = s0_plane ? 3'd0 : s0_surface_i.fine;
   assign s0_sphere    = rc_pkg::Spheres == 1 && s0_surface_i.kind == rc_pkg::PrimSphere;
   assign s0_plane     = rc_pkg::Planes == 1 && s0_surface_i.kind == rc_pkg::PrimPlane;
   assign sphere       = {sphere_q, s0_sphere};
+
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < 4; i++)
       if (Every == 1 || valid_i[i]) sphere_q[i+1] <= sphere[i];
   end
+
   assign s0_a         = s0_surface_i.a;
   assign s0_b         = s0_surface_i.b;
   assign s0_c         = s0_surface_i.c;
   assign s0_smooth    = rc_pkg::Smooth == 1 && s0_surface_i.smooth && !s0_sphere;
   assign s0_ends      = s0_plane && (s0_u_i[U-2:0] == {(U-1){!s0_u_i[U-1]}}
                                      || s0_v_i[U-2:0] == {(U-1){!s0_v_i[U-1]}});
-  // Of a plane's squares: bit 0 of their number along u and along v.
+
+  // A plane's squares: bit 0 of their number along u and along v.
   logic [9*C-1:0] s0_normal;
   logic [U-1:0]   s0_square_u, s0_square_v;
+
   assign s0_normal   = s0_surface_i.normal;
   assign s0_square_u = (s0_u_i + (U'($signed(s0_normal[0 +: C])) << Y)) >> s0_normal[2*C +: 6];
   assign s0_square_v = (s0_v_i + (U'($signed(s0_normal[C +: C])) << Y)) >> s0_normal[3*C +: 6];
   assign s0_odd      = s0_plane && (s0_square_u[0] ^ s0_square_v[0]);
-  // A triangle's are not negative, and at least one step of 2^-(B + fine); fine is at most
+
+  // A triangle's u and v are not negative, and at least one step of 2^-(B + fine). fine is at most
   // Drop.
   logic [5:0] s0_drop, s0_by;
+
   assign s0_drop = 6'(Drop) - {3'd0, s0_fine};
+
   rc_path_register #(.Width(6), .Stages(rc_pkg::ShadeCut)) u_drop (
     .clk_i, .data_i(s0_drop), .data_o(s0_by));
+
   for (genvar i = 0; i < 2; i++) begin : gen_weight
     logic [U-1:0]        x;
     logic signed [X-1:0] sum, told, shifted;
     logic signed [W-1:0] moved, weight;
+
     assign x   = i == 0 ? s0_u_i : s0_v_i;
     assign sum = $signed({{(X-U){s0_plane && x[U-1]}}, x}) + $signed(X'(1) << s0_by >> 1);
+
     rc_path_register #(.Width(X), .Stages(rc_pkg::ShadeCut)) u_sum (
       .clk_i, .data_i(sum), .data_o(told));
+
     assign shifted = told >>> s0_by;
+
     rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_moved (
       .clk_i, .data_i(shifted[W-1:0]), .data_o(moved));
+
     assign weight = {moved[W-1:1], moved[0] || (!s0_plane && moved == '0)};
     if (i == 0) begin : gen_u
       assign s0_u = weight;
     end else begin : gen_v
       assign s0_v = weight;
     end
+
     logic unused;
     assign unused = ^shifted;
   end
+
   always_ff @(posedge clk_i) begin
     if (valid_i[0] && !s0_sphere) begin
       s1_u_q     <= s0_u;
@@ -118,13 +135,17 @@ module rc_surf #(
   logic signed [W+1:0] s2_rest;
   logic                s1_in, s1_more, s1_u_more;   // more: u is greater than v
   logic signed [W-1:0] s1_one;
+
   assign s1_one    = $signed(W'(1 << B)) << s1_fine_q;
   assign s1_in     = s1_plane_q || s1_u_q + s1_v_q < s1_one;
   assign s1_over   = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(W'(1));
   assign s1_more   = s1_u_q > s1_v_q;
+
   rc_path_register #(.Width(W + 1), .Stages(rc_pkg::ShadeCut)) u_excess (
     .clk_i, .data_i({s1_over, s1_more}), .data_o({s1_excess, s1_u_more}));
+
   assign s2_rest   = ($signed((W+2)'(1 << B)) << s2_fine_q) - (W+2)'(s2_u_q) - (W+2)'(s2_v_q);
+
   always_ff @(posedge clk_i) begin
     if (valid_i[1] && !sphere[1]) begin
       s2_fine_q <= s1_fine_q;
@@ -133,8 +154,9 @@ module rc_surf #(
     end
   end
 
-  // Flags wait.
+  // Flags are delayed to s4.
   logic s4_back, s4_ends, s4_smooth;
+
   rc_shift_register #(.Width(3), .Stages(4)) u_flags (
     .clk_i, .valid_i(valid_i[3:0]), .data_i({s0_back_i, s0_ends, s0_smooth}),
     .data_o({s4_back, s4_ends, s4_smooth}));
@@ -144,41 +166,51 @@ module rc_surf #(
   logic [3*NB-1:0] s3_cross, s4_n_q;
   logic [3*A-1:0]  s4_at_q;
   logic [3*S-1:0]  s4_smooth_sum;
+
   rc_shift_register #(.Width(3 * N), .Stages(3)) u_a (
     .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_a), .data_o(s3_a));
+
   logic [3*P-1:0] s3_ball_o, s4_ball_o;
   logic [2:0]     s4_beyond, s4_outside;
 
-  // Of e1 and e2 each axis with the next but one: what makes the cross product is in front.
+  // Each axis of e1 and of e2 with the next but one: the factors of the cross product come first.
   logic [6*E-1:0]     s1_left, s1_right;
   logic [3*E-1:0]     s2_e1, s2_e2;
   logic [6*2*E-1:0]   s1_product;
   logic [6*(W+E)-1:0] s2_product;
+
   rc_mul_held #(.AW(E), .BW(E), .Products(6)) u_cross (
     .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_left), .b_i(s1_right), .p_o(s1_product));
+
   rc_mul_held #(.AW(W), .BW(E), .Products(6)) u_along (
     .clk_i, .turn_i(turn_i[2*Every +: Every]), .a_i({{3{s2_v_q}}, {3{s2_u_q}}}),
     .b_i({s2_e2, s2_e1}), .p_o(s2_product));
+
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     localparam int unsigned I = (k + 1) % 3;
     localparam int unsigned J = (k + 2) % 3;
+
     assign s1_left[k*E +: E]      = s1_e1_q[I*E +: E];
     assign s1_right[k*E +: E]     = s1_e2_q[J*E +: E];
     assign s1_left[(3+k)*E +: E]  = s1_e1_q[J*E +: E];
     assign s1_right[(3+k)*E +: E] = s1_e2_q[I*E +: E];
+
     always_ff @(posedge clk_i) begin
       if (valid_i[0] && !s0_sphere) begin
         s1_e1_q[k*E +: E] <= {s0_b[k*N+N-1], s0_b[k*N +: N]} - {s0_a[k*N+N-1], s0_a[k*N +: N]};
         s1_e2_q[k*E +: E] <= {s0_c[k*N+N-1], s0_c[k*N +: N]} - {s0_a[k*N+N-1], s0_a[k*N +: N]};
       end
     end
+
     logic signed [2*E-1:0] s2_first_q, s2_second_q;
     logic signed [E-1:0]   s2_e1_q, s2_e2_q;
     logic signed [W+E-1:0] s3_ue1_q, s3_ve2_q;
     logic signed [NB-1:0]  s3_cross_q;
+
     assign s3_cross[k*NB +: NB] = s3_cross_q;
     assign s2_e1[k*E +: E] = s2_e1_q;
     assign s2_e2[k*E +: E] = s2_e2_q;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[1] && !sphere[1]) begin
         s2_first_q  <= s1_product[k*2*E +: 2*E];
@@ -193,10 +225,12 @@ module rc_surf #(
       end
     end
 
-    // s4: the point, in units of 2^-B; a sphere's normal.
+    // s4: the point, in units of 2^-B; for a sphere its normal.
     logic signed [P:0] s3_a_wide, s3_out;
+
     assign s3_a_wide = (P+1)'($signed(s3_a[k*N +: N])) <<< B;
     assign s3_out    = (P+1)'($signed(s3_ball_o[k*P +: P])) - s3_a_wide;
+
     always_ff @(posedge clk_i) begin
       if (valid_i[3]) begin
         s4_at_q[k*A +: A] <= A'(s3_a_wide) + A'(s3_ue1_q) + A'(s3_ve2_q);
@@ -204,20 +238,23 @@ module rc_surf #(
       end
     end
 
-    // s5: kept within what o can say, and turned to the viewer.
+    // s5: clamped to the range of o, and turned towards the viewer.
     logic signed [A-1:0]  s4_at;
     logic signed [NB-1:0] s4_n;
     logic [PW-1:0]        s4_o;
     logic signed [UnitW-1:0] s4_toward;
     localparam logic signed [A-1:0] Most = A'((65'(1) << (PW - 1)) - 65'd1);
     localparam logic signed [A-1:0] End  = A'(((65'(1) << (N - 1)) - 65'd1) << B);
+
     assign s4_at        = $signed(s4_at_q[k*A +: A]);
     assign s4_beyond[k] = s4_at > Most || s4_at < -Most;
     assign s4_outside[k] = s4_at > End || s4_at < -End;
     assign s4_o = sphere[4] ? PW'($signed(s4_ball_o[k*P +: P])) : s4_at > Most ? Most[PW-1:0]
                 : s4_at < -Most ? -Most[PW-1:0] : s4_at[PW-1:0];
+
     assign s4_n      = $signed(s4_n_q[k*NB +: NB]);
     assign s4_toward = s4_smooth ? UnitW'($signed(s4_smooth_sum[k*S +: S])) : UnitW'(s4_n);
+
     always_ff @(posedge clk_i) begin
       if (valid_i[4]) begin
         s5_o_o[k*PW +: PW]             <= s4_o;
@@ -226,6 +263,7 @@ module rc_surf #(
       end
     end
   end
+
   always_ff @(posedge clk_i)
     if (valid_i[4]) begin
       s5_far_o  <= !sphere[4] && (s4_ends || s4_beyond != '0
@@ -233,7 +271,7 @@ module rc_surf #(
       s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);
     end
 
-  // Corner normals, weighted.
+  // Weighted corner normals.
   if (rc_pkg::Smooth == 1) begin : gen_smooth
     rc_corners #(.W(W), .S(S)) u_corners (
       .clk_i, .valid_i(valid_i[3:0]), .turn_i(turn_i[2*Every +: Every]),
@@ -241,9 +279,11 @@ module rc_surf #(
       .s2_u_i(s2_u_q), .s2_v_i(s2_v_q), .s4_sum_o(s4_smooth_sum));
   end else begin : gen_flat
     assign s4_smooth_sum = '0;
+
     logic unused;
     assign unused = ^{s2_rest, s0_normal};
   end
+
   // A sphere's point: o + t d.
   if (rc_pkg::Spheres == 1) begin : gen_ball
     rc_ball u_ball (
@@ -253,6 +293,7 @@ module rc_surf #(
   end else begin : gen_no_ball
     assign s3_ball_o = '0;
     assign s4_ball_o = '0;
+
     logic unused;
     assign unused = ^{s0_o_i, s0_d_i, s0_t_i};
   end

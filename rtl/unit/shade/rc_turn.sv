@@ -1,5 +1,5 @@
-// A unit vector's component as that of a direction of M bits: none exceeds 2^(M-2).
-// Model: direction_of() in model/unit/shade/dot.hpp.
+// Converts a component of a unit vector (S1.16) to a component of a direction of M bits. No
+// magnitude exceeds 2^(M-2). Combinational. Model: direction_of() in model/unit/shade/dot.hpp.
 `default_nettype none
 module rc_turn #(
   localparam int unsigned AB = rc_pkg::AxisBits,
@@ -12,6 +12,7 @@ module rc_turn #(
     assign d_o = M'(unit_i) <<< (M - 18);
   end else begin : gen_shorter
     logic signed [18:0] rounded;
+
     assign rounded = 19'(unit_i) + $signed(19'(1 << (17 - M)));
     assign d_o     = M'(rounded >>> (18 - M));
   end

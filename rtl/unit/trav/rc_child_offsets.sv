@@ -1,38 +1,42 @@
-// Where the children of a node lie in its block, from their kinds alone: inner children first, two
-// lines each, then the triangles of leaves. Part of rc_node_answer.
+// The places of a node's children in its block, computed from their kinds alone: inner children
+// first, two lines each, then the triangles of leaves. Part of rc_node_answer.
 //
-// Two stages, while a node waits for its planes: the first adds the inner children's lines and
-// the triangles of the first four, the second what lies before each child. Model: place_child()
-// in model/engine/bvh/box.cpp.
+// Two stages, in parallel with the test of the planes. The first adds the inner children's lines,
+// and the triangles of the first four children. The second adds what comes before each child.
+// Model: place_child() in model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_child_offsets #(
-  parameter  bit          Exits = 1'b0,   // of treelets and slants: lines of those there, in order
+  parameter  bit          Exits = 1'b0,   // treelets, slants: only existing exits have lines
   localparam int unsigned W     = rc_pkg::NodeWidth,
   localparam int unsigned C     = rc_pkg::CountBits,
   localparam int unsigned O     = rc_pkg::OffsetBits
 ) (
   input  logic           clk_i,
-  input  logic [1:0]     moves_i,    // moves_i[i]: stage i takes over a node
+  input  logic [1:0]     moves_i,    // moves_i[i]: stage i accepts a node
   input  logic [W*C-1:0] kind_i,     // 0: no child, 1: an inner one, else a leaf of kind - 1
-  // A stage later
+  // One stage later
   output logic [W-1:0]   there_o,
   // Two stages later
   output logic [W-1:0]   leaf_o,
   output logic [W*O-1:0] offset_o,   // lines of inner children, triangles after them
   output logic [W*C-1:0] count_o     // triangles of a leaf
 );
-  // Relaxed: what is of no node costs a simulation nothing. A chip does not ask.
+
+  // In a simulation of a relaxed chip, invalid nodes cost no work. Silicon has no such condition.
   logic [1:0] asks;
+
 `ifdef SYNTHESIS
   assign asks = '1;
 `else
   assign asks = moves_i;
 `endif
 
+  // s1: kinds, lines of inner children, triangles of the first four children.
   logic [W-1:0]   is_inner, is_leaf, inner_q, leaf_q;
   logic [W*C-1:0] count, count_q;
   logic [O-1:0]   lines, lines_q;   // of all inner children
   logic [O-1:0]   half, half_q;     // triangles of the first four children
+
   always_comb begin
     is_inner = '0;
     is_leaf  = '0;
@@ -49,6 +53,7 @@ module rc_child_offsets #(
       end
     end
   end
+
   always_ff @(posedge clk_i) begin
     if (moves_i[0]) begin
       inner_q <= is_inner;
@@ -58,11 +63,14 @@ module rc_child_offsets #(
       half_q  <= half;
     end
   end
+
   assign there_o = inner_q | leaf_q;
 
-  // Triangles before a child are those of the first four, and of up to three beside it.
+  // s2: offsets. The triangles before a child are those of the first four children, plus those of
+  // up to three children in the same group of four.
   logic [W*O-1:0] offset;
   logic [O-1:0]   start, beside, exits;
+
   always_comb begin
     offset = '0;
     start  = '0;
@@ -78,6 +86,7 @@ module rc_child_offsets #(
       end
     end
   end
+
   always_ff @(posedge clk_i) begin
     if (moves_i[1]) begin
       leaf_o   <= leaf_q;

@@ -1,9 +1,8 @@
-// What every unit that decides nodes does at its end: it puts the children that are met in order,
-// and keeps its answers in a queue until trav takes them. Part of rc_box, rc_treelet, rc_globe and
-// rc_slant.
+// The common end of all units that decide nodes: sorts the children that are met, and queues the
+// answers for trav. Part of rc_box, rc_treelet, rc_globe and rc_slant.
 //
-// The unit's stages are counted as its valid bits are. A node's ray, base and kinds come with
-// stage In, which children are met and from when on with stage Latency - RankStages - 1. Model:
+// Stages count like the unit's valid bits. A node's ray, base and kinds come with stage In. The
+// children that are met, and their distances, come with stage Latency - RankStages - 1. Model:
 // box_answer() in model/engine/bvh/box.hpp.
 `default_nettype none
 module rc_node_answer #(
@@ -20,15 +19,15 @@ module rc_node_answer #(
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
-  input  logic [L-1:0]               moves_i,   // moves_i[i]: what follows stage i takes over
-  // A node, at stage In
+  input  logic [L-1:0]               moves_i,   // moves_i[i]: stage i + 1 accepts its input
+  // The node, at stage In
   input  logic [I-1:0]               ray_i,
   input  logic [A-1:0]               base_i,
   input  logic [W*C-1:0]             kind_i,
-  // Its children, at the stage before they are put in order
+  // Its children, at the stage before the sorting
   input  logic [W-1:0]               met_i,
   input  logic [W*T-1:0]             near_i,
-  // The end: whether a node is there
+  // At the end: a node is there; then the answer, to trav
   input  logic                       end_valid_i,
   output logic                       rsp_valid_o,
   input  logic                       rsp_ready_i,
@@ -38,21 +37,26 @@ module rc_node_answer #(
   localparam int unsigned In     = rc_pkg::Cut;
   localparam int unsigned Rank   = L - rc_pkg::RankStages;
 
-  // Ray and base wait until the end, kinds until it is time to say where the children lie.
+  // Ray and base wait until the end, the kinds until rc_child_offsets needs them.
   logic [I+A-1:0] end_whose;   // {ray, base}
   logic [W*C-1:0] late_kind, rank_count;
   logic [W*O-1:0] rank_offset;
   logic [W-1:0]   there, rank_leaf;
+
   rc_shift_register #(.Width(I + A), .Stages(L - In)) u_whose (
     .clk_i, .valid_i(moves_i[L-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
+
   rc_shift_register #(.Width(W * C), .Stages(Rank - 2 - In)) u_kind (
     .clk_i, .valid_i(moves_i[Rank-3:In]), .data_i(kind_i), .data_o(late_kind));
+
   rc_child_offsets #(.Exits(Exits)) u_places (
     .clk_i, .moves_i(moves_i[Rank-1:Rank-2]), .kind_i(late_kind), .there_o(there),
     .leaf_o(rank_leaf), .offset_o(rank_offset), .count_o(rank_count));
 
+  // The children that are met.
   logic [W-1:0]   hit_q;
   logic [W*T-1:0] near_q;
+
   for (genvar i = 0; i < W; i++) begin : gen_child
     always_ff @(posedge clk_i) begin
       if (moves_i[Rank-1]) begin
@@ -62,16 +66,21 @@ module rc_node_answer #(
     end
   end
 
+  // Sorting.
   logic [G-1:0]        end_inner, end_leaves;
   logic [W*EntryW-1:0] end_entries;
+
   rc_rank u_rank (
     .clk_i, .valid_i(moves_i[L-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
     .s0_leaf_i(rank_leaf), .s0_offset_i(rank_offset), .s0_count_i(rank_count),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
+  // Result queue.
   logic                       queue_ready;
   logic [rc_pkg::BoxRspW-1:0] queue_data;
+
   assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
+
   rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));

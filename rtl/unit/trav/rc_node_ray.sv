@@ -1,7 +1,10 @@
-// What the unit that decides nodes wants of a ray: of boxes and treelets origin, signs and
-// reciprocals, of globes the direction that rc_toward makes, of slants the direction, moved up to
-// RayDirBits. Part of rc_trav, which keeps it until the ray's nodes come: of globes 3 cycles later
-// in a fast chip, else in the same cycle.
+// The fields of a ray that the unit that decides nodes needs:
+// - boxes and treelets: origin, signs and reciprocals;
+// - globes: the direction that rc_toward makes;
+// - slants: origin, reciprocals and the direction, shifted up to RayDirBits.
+//
+// Part of rc_trav, which stores them until the ray's nodes come. Latency 3 for globes in a fast
+// chip, otherwise 0.
 `default_nettype none
 module rc_node_ray #(
   parameter  int unsigned Structure = rc_pkg::Structure,
@@ -14,6 +17,7 @@ module rc_node_ray #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // Ray
   input  logic             valid_i,
   input  logic [I-1:0]     ray_i,
   input  logic [3*OW-1:0]  o_i,
@@ -21,6 +25,7 @@ module rc_node_ray #(
   input  logic [3*R1-1:0]  recip_i,
   input  logic [3*E-1:0]   len_i,
   input  logic             short_i,  // d has DirBits only: shadow rays fill RayDirBits
+  // Result
   output logic             valid_o,
   output logic [I-1:0]     ray_o,
   output logic [KeptW-1:0] kept_o    // the origin is highest
@@ -31,6 +36,7 @@ module rc_node_ray #(
   end else begin : gen_now
     assign valid_o = valid_i;
     assign ray_o   = ray_i;
+
     if (Structure == rc_pkg::StructureBsp) begin : gen_along
       logic [3*M-1:0] along;
       for (genvar k = 0; k < 3; k++) begin : gen_axis

@@ -1,7 +1,8 @@
-// What decides the nodes of a structure: one of box, treelet, globe and slant. A further structure
-// has a branch here. Only box may take a node every few cycles, and rest in between. Part of
-// rc_tree, which gives it Pad: an answer comes so many cycles later than the unit's own. Nobody
-// refuses it.
+// The unit that decides the nodes of a structure: box, treelet, globe or slant. A new structure
+// adds a branch here. Part of rc_tree.
+//
+// Only box may accept a node every few cycles and rest in between. The answer comes Pad cycles
+// later than the unit's own, and must be accepted in that cycle.
 `default_nettype none
 module rc_node_test #(
   parameter int unsigned Structure = rc_pkg::Structure,
@@ -10,19 +11,22 @@ module rc_node_test #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // From trav
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  logic [ReqW-1:0]  req_i,
-  input  logic             open_i,       // the door of two units
+  input  logic             open_i,       // the credit counter that two units share is open
+  // To trav
   output logic             rsp_valid_o,
-  output rc_pkg::box_rsp_t rsp_o,        // the form of all such units' answers
-  // Whether its cache waits for memory, and what it did: rc_pkg::decide_cause_e
+  output rc_pkg::box_rsp_t rsp_o,        // all these units have the same form of answer
+  // In: its cache waits for memory. Out: what it did, rc_pkg::decide_cause_e.
   input  logic             node_waits_i,
   output logic [2:0]       cause_o
 );
   logic                       asks, ready, rests, valid;
   rc_pkg::box_rsp_t           own;
   logic [rc_pkg::BoxRspW-1:0] own_flat, rsp_flat;
+
   if (Structure == rc_pkg::StructureKd) begin : gen_treelet
     rc_treelet u_treelet (
       .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid),
@@ -40,16 +44,22 @@ module rc_node_test #(
       .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rests_o(rests),
       .rsp_valid_o(valid), .rsp_ready_i(1'b1), .rsp_o(own));
   end
+
   if (Structure != rc_pkg::StructureBvh) begin : gen_never_rests
     assign rests = 1'b0;
   end
+
   assign asks        = req_valid_i && open_i;
   assign req_ready_o = ready && open_i;
 
+  // Padding of the answer.
   assign own_flat = own;
-  rc_pulse_register #(.Stages(Pad)) u_waits (.clk_i, .rst_ni, .fires_i(valid), .fires_o(rsp_valid_o));
+
+  rc_pulse_register #(.Stages(Pad)) u_waits (
+    .clk_i, .rst_ni, .fires_i(valid), .fires_o(rsp_valid_o));
   rc_path_register #(.Width(rc_pkg::BoxRspW), .Stages(Pad)) u_answer (
     .clk_i, .data_i(own_flat), .data_o(rsp_flat));
+
   assign rsp_o = rsp_flat;
 
   always_comb begin

@@ -1,10 +1,11 @@
-// Puts the children that were hit in order: inner children first, then leaves, each by
-// (t_near, offset); entries beyond are zero. Part of rc_node_answer. Hits, distances and places come
-// with valid_i[0], ordered entries rc_pkg::RankStages later. Offsets differ, so the order is
-// total.
+// Sorts the children that are met: inner children first, then leaves, each by (t_near, offset).
+// Entries after the last child are zero. Offsets differ, so the order is total.
 //
-// A bitonic network (Batcher 1968) of six levels for eight children: in a relaxed chip three in
-// a stage, in a fast one a level in each. Model: the end of box_children() in model/engine/bvh/box.cpp.
+// Part of rc_node_answer. Hits, distances and places come with valid_i[0]; sorted entries come
+// rc_pkg::RankStages later.
+//
+// A bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has three
+// levels in a stage, a fast chip one. Model: the end of box_children() in model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
   localparam int unsigned W      = rc_pkg::NodeWidth,
@@ -16,11 +17,13 @@ module rc_rank #(
 ) (
   input  logic                 clk_i,
   input  logic [L-1:0]         valid_i,    // valid_i[i]: stage i holds a node
+  // Children
   input  logic [W-1:0]         s0_hit_i,
   input  logic [W*T-1:0]       s0_near_i,
   input  logic [W-1:0]         s0_leaf_i,
   input  logic [W*O-1:0]       s0_offset_i,
   input  logic [W*C-1:0]       s0_count_i,
+  // Sorted
   output logic [G-1:0]         inner_o,
   output logic [G-1:0]         leaves_o,
   output logic [W*(T+O+C)-1:0] entries_o
@@ -30,16 +33,18 @@ module rc_rank #(
   localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
 
-  // Relaxed: keys of no node cost a simulation nothing. A chip does not ask.
+  // In a simulation of a relaxed chip, invalid keys cost no work. Silicon has no such condition.
   logic asks;
+
 `ifdef SYNTHESIS
   assign asks = 1'b1;
 `else
   assign asks = Cut != 0 || valid_i[0];
 `endif
 
-  // How many of each kind are hit.
+  // Number of inner children and of leaves that are met.
   logic [G-1:0] s0_inners, s0_leaves;
+
   always_comb begin
     s0_inners = '0;
     s0_leaves = '0;
@@ -51,14 +56,16 @@ module rc_rank #(
     end
   end
 
-  // A level exchanges keys i and i ^ J where they stand in the wrong order for blocks of K.
+  // A level exchanges keys i and i ^ J if their order is wrong for blocks of K.
   for (genvar l = 0; l < Levels; l++) begin : gen_level
     localparam int unsigned K = l == 0 ? 2 : l < 3 ? 4 : 8;
     localparam int unsigned J = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
-    logic holds;   // relaxed: what is not there costs a simulation nothing
+    logic holds;   // relaxed: invalid keys cost a simulation no work
     assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
+
     for (genvar i = 0; i < W; i++) begin : gen_key
       logic [KeyW-1:0] key, put, late;
+
       if (l == 0) begin : gen_first
         rc_path_register #(.Width(KeyW)) u_key (
           .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*T +: T],
@@ -67,6 +74,7 @@ module rc_rank #(
       end else begin : gen_next
         assign key = gen_level[l-1].gen_key[i].late;
       end
+
       if ((i & J) == 0) begin : gen_compare
         logic [KeyW-1:0] other, here, there;
         assign other = gen_level[l].gen_key[i ^ J].key;
@@ -82,6 +90,7 @@ module rc_rank #(
       end else begin : gen_follow
         assign put = gen_level[l].gen_key[i ^ J].gen_compare.there;
       end
+
       if (l == Middle) begin : gen_middle
         logic [KeyW-1:0] key_q;
         always_ff @(posedge clk_i) if (valid_i[Cut*(l+1)]) key_q <= put;
@@ -92,10 +101,11 @@ module rc_rank #(
     end
   end
 
-  // Entries, zero for children that are missed.
+  // Entries: zero for children that are missed.
   logic [W*T-1:0] t_q;
   logic [W*O-1:0] offset_q;
   logic [W*C-1:0] count_q;
+
   for (genvar i = 0; i < W; i++) begin : gen_entry
     logic [KeyW-1:0] last;
     assign last = gen_level[Levels-1].gen_key[i].late;
@@ -103,10 +113,12 @@ module rc_rank #(
       if (valid_i[L-1])
         {t_q[i*T +: T], offset_q[i*O +: O], count_q[i*C +: C]} <=
           last[KeyW-1] ? '0 : last[T+O+C-1:0];
+
     logic unused;
     assign unused = last[KeyW-2];
   end
   assign entries_o = {t_q, offset_q, count_q};
+
   rc_shift_register #(.Width(2 * G), .Stages(L)) u_counts (
     .clk_i, .valid_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
 endmodule

@@ -1,23 +1,29 @@
-// How far each ray still looks: its distance to beat. When a ray starts, this is what its
-// kind gives: 2^(N+F) for a shadow ray, which ends at t = 2^-B, and all ones for the others.
-// Afterwards it is what was written last.
+// The distance to beat of each ray: how far it still searches.
 //
-// Read in the same cycle; in a fast chip told in the next, and with it which of near_i, that come
-// then, are within it: what is read is chosen after they were compared. A read sees what happened
-// in earlier cycles only. trav and list have one each. Model: reach_of() in model/core/frame.hpp.
+// When a ray starts, its kind gives the distance. It is 2^(N+F) for a shadow ray, which ends at t =
+// 2^-B, and all ones for other rays. Afterwards it is the value that was written last.
+//
+// A read answers in the same cycle. In a fast chip it answers in the next cycle. near_i comes in
+// the cycle of the answer. It is compared with both candidates before one of them is selected. A
+// read sees the changes of earlier cycles only. trav and list have one instance each. Model:
+// reach_of() in model/core/frame.hpp.
 `default_nettype none
 module rc_ray_t_max #(
   parameter int unsigned Nears = 1
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
+  // A ray starts
   input  logic                       start_fires_i,
   input  rc_pkg::start_t             start_i,
+  // Write port
   input  logic                       write_i,
   input  logic [rc_pkg::RayBits-1:0] write_ray_i,
   input  logic [rc_pkg::TBits-1:0]   write_t_i,
+  // Read port
   input  logic [rc_pkg::RayBits-1:0] read_ray_i,
   output logic [rc_pkg::TBits-1:0]   read_t_o,
+  // Distances to compare, when read_t_o is valid; within_o: not beyond the distance to beat
   input  logic [Nears*rc_pkg::TBits-1:0] near_i,
   output logic [Nears-1:0]           within_o
 );
@@ -25,21 +31,28 @@ module rc_ray_t_max #(
   localparam int unsigned TB = rc_pkg::TBits;
   localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
-  // written says whether the memory holds a ray's; shadow, which rays end at the surface.
+  // written: the memory holds the ray's value. shadow: the ray ends at the surface.
   logic [T-1:0]               written, shadow;
   logic [TB-1:0]              kept, kept_then;
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
+
   assign start_ray = start_i.ray;
-  // No block RAM, however many rays there are: what that reads comes too late to be compared.
+
+  // Not block RAM, even for many rays: its data would come too late for the comparison.
   (* ram_style = "distributed" *) logic [TB-1:0] t_mem [T < 2 ? 2 : T];
+
   assign kept = t_mem[read_ray_i];
+
   always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_i;
+
   rc_flags #(.Flags(T)) u_written (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(write_i), .set_at_i(write_ray_i), .flags_o(written));
+
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic is_shadow;
+
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;
     rc_bit_array #(.Marks(T)) u_shadow (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(is_shadow),
@@ -49,13 +62,19 @@ module rc_ray_t_max #(
   end else begin : gen_camera
     assign shadow   = '0;
     assign was_shadow = 1'b0;
+
     logic unused;
     assign unused = ^shadow;
   end
+
   rc_bit_select #(.Flags(T)) u_was_written (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
+
   rc_path_register #(.Width(TB)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
+
   assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
+
+  // Comparisons with both candidates, then the selection.
   for (genvar i = 0; i < Nears; i++) begin : gen_near
     logic [TB-1:0] near;
     assign near        = near_i[i*TB +: TB];

@@ -1,20 +1,24 @@
-// The rays' stacks of sibling groups, and the decision where a ray goes next. Part of
-// rc_trav. s0 reads the top group of a ray; in s1 the group is there, and either the
-// nearest inner child of the node is visited and the others pushed, or the stack is popped.
-// A stop empties the stack: the ray is done. One ray is never in two stages.
-// A fast chip has rc_pkg::StackStages more between s1 and the decision (`end`): the address, the
-// memory, its output register and the comparisons have a cycle each.
-// Model: model/unit/trav/stack.cpp.
+// The rays' stacks of sibling groups, and the decision where a ray goes next. Part of rc_trav.
+//
+// s0 reads the top group of a ray. In s1 the group is ready. The ray then visits the nearest inner
+// child of the node and pushes its siblings, or it pops the stack. A stop empties the stack: the
+// ray is done. A ray is never in two stages.
+//
+// A fast chip has rc_pkg::StackStages more stages between s1 and the decision (`end`). The address,
+// the memory, its output register and the comparisons take one cycle each. Model:
+// model/unit/trav/stack.hpp.
 `default_nettype none
 module rc_stack (
   input  logic                        clk_i,
   input  logic                        rst_ni,
+  // s0
   input  logic                        s0_valid_i,
   input  logic [rc_pkg::RayBits-1:0]  s0_ray_i,
+  // s1
   input  logic                        s1_valid_i,
   input  rc_pkg::tested_t             s1_tested_i,
   input  rc_pkg::children_t           s1_children_i,
-  // At the end
+  // At the end: visit a node, done, or another turn
   output logic                        visit_o,
   output logic [rc_pkg::AddrBits-1:0] visit_base_o,
   output logic [rc_pkg::SlotBits-1:0] visit_slot_o,
@@ -37,45 +41,55 @@ module rc_stack (
   localparam int unsigned Cut  = rc_pkg::Cut;
   localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
 
-  // Height of every ray's stack; each is empty again when its ray is done, and before the
-  // first one: used says whether the memory holds a context's. Where the top group lies does
-  // not ask that, since the group of an empty stack does not matter.
+  // Height of each ray's stack. used: the memory holds the context's height; before its first ray
+  // the height is 0. The address of the top group ignores `used`, because the group of an empty
+  // stack is unused.
   logic [rc_pkg::Contexts-1:0] used;
   logic         end_valid;
   logic [I-1:0] end_ray;
   logic [H-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
-  logic         is_used;   // of s1, or in a fast chip of a cycle later, as kept and kept_height
+  logic         is_used;   // of s1; in a fast chip one cycle later, as kept and kept_height
+
   rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
+
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
     .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(I'(0)), .set_i(end_valid),
     .set_at_i(end_ray), .flags_o(used));
+
   rc_bit_select #(.Flags(rc_pkg::Contexts)) u_is_used (
     .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
+
   rc_path_register #(.Width(H)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
+
   assign kept_height = is_used ? kept : '0;
 
+  // Address of the top group: read in s0, in a fast chip in s1.
   logic              write, read;
   logic [I-1:0]      read_ray;
   logic [H-1:0]      read_height;
   logic [GroupW-1:0] group_d, read_group, group;
+
   if (Cut == 0) begin : gen_read_now
     assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_kept};
   end else begin : gen_read_late
     assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_kept_q};
   end
+
   function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
     address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
   endfunction
 
-  // What is kept is written a cycle late in a fast chip. The ray reads it much later.
+  // Groups. A fast chip writes one cycle late; the ray's next read is much later.
   logic              write_late;
   logic [AddrW-1:0]  write_addr, late_addr;
   logic [GroupW-1:0] late_group;
+
   assign write_addr = address(end_ray, level);
   rc_path_register #(.Width(AddrW + GroupW)) u_late (
     .clk_i, .data_i({write_addr, group_d}), .data_o({late_addr, late_group}));
+
   if (Cut == 0) begin : gen_write_now
     assign write_late = write;
   end else begin : gen_write_late
@@ -86,23 +100,27 @@ module rc_stack (
     end
     assign write_late = write_q;
   end
+
   rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * D)) u_groups (
     .clk_i, .write_i(write_late), .write_addr_i(late_addr), .write_data_i(late_group),
     .read_i(read), .read_addr_i(address(read_ray, read_height - H'(1))),
     .read_data_o(read_group));
+
   rc_path_register #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group));
 
-
-  // What is compared: the ray's step, its new children and its top group.
+  // Comparisons of the ray's step, its new children and its top group.
   logic [rc_pkg::TestedW-1:0]   tested_flat;
   logic [rc_pkg::ChildrenW-1:0] children_flat, end_children_flat;
   logic [H-1:0]                 height;
   rc_pkg::tested_t              tested;
   rc_pkg::children_t            children, end_children;
+
   rc_path_register #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW), .Stages(Late - Cut)) u_step (
     .clk_i, .data_i({s1_tested_i, s1_children_i}), .data_o({tested_flat, children_flat}));
+
   rc_path_register #(.Width(H), .Stages(Late - 2 * Cut)) u_now_height (
     .clk_i, .data_i(kept_height), .data_o(height));
+
   assign tested   = tested_flat;
   assign children = children_flat;
 
@@ -113,28 +131,33 @@ module rc_stack (
   logic [(W-1)*S-1:0] top_slot;
   logic [W*T-1:0]     near;
   logic               stop, forward, top_matters, below_matters;
+
   assign {top_below, top_base, top_count, top_near, top_slot} = group;
   assign near = children.t_near;
+
   if (rc_pkg::Shading != 0) begin : gen_stop
     assign stop = tested.stop;
   end else begin : gen_go_on
     assign stop = 1'b0;
   end
+
   assign forward       = !stop && children.inner != '0 && near[T-1:0] <= tested.t_best;
   assign top_matters   = top_near[T-1:0] <= tested.t_best;
   assign below_matters = top_below <= tested.t_best;
+
   always_comb begin
     below = '1;
     if (height != '0) below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;
   end
 
-  // The end: what was found, and what is to be kept.
+  // The end: results of the comparisons, and the new group.
   logic               end_stop, end_forward, end_top_matters, end_below_matters;
   logic [T-1:0]       end_top_below, end_below;
   logic [A-1:0]       end_top_base;
   logic [G-1:0]       end_top_count;
   logic [(W-1)*T-1:0] end_top_near;
   logic [(W-1)*S-1:0] end_top_slot;
+
   rc_path_register #(.Width(4 + T + GroupW + rc_pkg::ChildrenW + H + I)) u_end (
     .clk_i,
     .data_i({stop, forward, top_matters, below_matters, below, group, children_flat, height,
@@ -142,7 +165,9 @@ module rc_stack (
     .data_o({end_stop, end_forward, end_top_matters, end_below_matters, end_below,
              end_top_below, end_top_base, end_top_count, end_top_near, end_top_slot,
              end_children_flat, end_height, end_ray}));
+
   assign end_children = end_children_flat;
+
   if (Late == 0) begin : gen_end_now
     assign end_valid = s1_valid_i;
   end else begin : gen_end_late
@@ -157,10 +182,12 @@ module rc_stack (
   logic [W*T-1:0] end_near;
   logic [W*S-1:0] end_slot;
   logic           last_sibling;
+
   assign end_near     = end_children.t_near;
   assign end_slot     = end_children.slot;
   assign last_sibling = end_top_count == G'(1);
 
+  // Decision: visit a child, pop a sibling, end the ray, or drop the group.
   always_comb begin
     visit_o      = 1'b0;
     done_o       = 1'b0;
@@ -168,10 +195,12 @@ module rc_stack (
     write        = 1'b0;
     level        = end_height;
     height_d     = end_height;
+
     visit_base_o = end_forward ? end_children.base : end_top_base;
     visit_slot_o = end_forward ? end_slot[S-1:0] : end_top_slot[S-1:0];
     group_d      = {end_below, end_children.base, end_children.inner - G'(1), end_near[W*T-1:T],
                     end_slot[W*S-1:S]};
+
     if (end_valid && end_forward) begin
       visit_o = 1'b1;
       if (end_children.inner != G'(1)) begin
@@ -199,7 +228,7 @@ module rc_stack (
 
   always_ff @(posedge clk_i) if (s0_valid_i) s1_kept_q <= s0_kept;
 
-  logic unused;   // what is only compared in part
+  logic unused;   // partly unused: only compared
   assign unused = ^{children, near, top_base, top_count, top_near, top_slot, end_near};
 
 `ifndef SYNTHESIS
@@ -207,6 +236,7 @@ module rc_stack (
     if (rst_ni && end_valid && end_forward && end_children.inner != G'(1))
       a_room: assert (end_height != H'(D))
       else $error("the scene needs a deeper stack than its compilation said");
+
   logic [rc_pkg::Contexts-1:0] inside_q;   // rays between s0 and the end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) inside_q <= '0;

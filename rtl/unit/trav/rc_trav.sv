@@ -1,33 +1,34 @@
-// The walk through the tree. Of the children that box met, the leaves go to list to be
-// tested, and the inner ones wait here. When list has tested the leaves and tells the
-// distance to beat, or at once if no leaf can matter, the ray takes a step: it goes to the
-// nearest inner child that can still matter and keeps the others on its stack as one group,
-// or it pops.
+// The walk through the tree. Of the children that box has met, the leaves go to list and the inner
+// children wait here. After list has tested the leaves and returned the distance to beat, the ray
+// takes a step. If no leaf can matter it takes the step immediately. A step visits the nearest
+// inner child that can still matter, and pushes its siblings on the ray's stack as one group.
+// Otherwise it pops the stack.
 //
-// An answer of box is accepted in every cycle; its leaves go to list in the same cycle, which
-// always takes them. Rays without leaves wait in a queue of their own; those that list has
-// tested go first. Stage 0 accepts a step and reads the top of the ray's stack; stage 1
-// decides the next node or the ray's end. A popped group whose nearest child is too far
-// costs another turn through both stages (before new steps), unless `below`, the nearest
-// t_near of all groups under it, says that nothing there can matter. A new ray starts at the
-// root when no other node waits. A node that comes back from memory goes on to box, with its
-// ray, in the same cycle.
+// An answer of box is accepted in every cycle. Its leaves go to list in the same cycle, and list
+// always accepts them. Rays without leaves wait in a queue of their own; rays that list has tested
+// go first.
 //
-// With two levels an instance that comes back goes on to xform, with the ray as it came. The ray
-// that xform makes of it is kept beside that one, and goes on to the root of the mesh before new
-// rays start; stack and distance to beat stay. Which of the two box gets is said by the line that
-// was read: whether it is a node of the scene's tree or of a mesh's. If these are of two
-// structures each has its unit, which gets the node with its ray (decide, mesh). Their answers come
-// by one way.
+// Stage 0 accepts a step and reads the top of the ray's stack. Stage 1 decides the next node or the
+// ray's end. A popped group whose nearest child is too far costs another turn through both stages,
+// before new steps. `below`, the nearest t_near of all groups under it, ends the ray instead if
+// nothing there can matter.
 //
-// Model: model/unit/trav/trav.hpp. The compiled scene must not need more
-// than StackDepth groups.
+// A new ray starts at the root when no other node waits. A node from memory goes on to box, with
+// its ray, in the same cycle.
+//
+// With two levels an instance from memory goes on to xform, with the original ray. The transformed
+// ray is stored in a second memory, and goes on to the root of the mesh before new rays start. The
+// stack and the distance to beat stay. The line's kind, node of the scene or node of a mesh,
+// selects which of the two rays box gets. If scene and meshes have different structures, each has
+// its own unit (decide, mesh), and both units' answers share one link.
+//
+// Model: model/unit/trav/trav.hpp. The compiled scene must not need more than StackDepth groups.
 `default_nettype none
 module rc_trav (
   input  logic              clk_i,
   input  logic              rst_ni,
   input  rc_pkg::frame_t    frame_i,
-  // A ray starts; from raygen
+  // From raygen: a ray starts, and a ray arrives
   input  logic              start_fires_i,
   input  rc_pkg::start_t    start_i,
   input  logic              ray_valid_i,
@@ -40,16 +41,16 @@ module rc_trav (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
-  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and its ray
   input  logic [rc_pkg::RayBits-1:0] node_next_i,
-  // To and from the unit that decides nodes, box or what stands in its place
+  // To and from the unit that decides nodes: box or its replacement
   output logic              decide_req_valid_o,
   input  logic              decide_req_ready_i,
   output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
   input  logic              decide_rsp_valid_i,
   output logic              decide_rsp_ready_o,
   input  rc_pkg::box_rsp_t  decide_rsp_i,
-  // With two structures: to that of meshes
+  // With two structures: to the unit that decides the meshes' nodes
   output logic              mesh_req_valid_o,
   input  logic              mesh_req_ready_i,
   output logic [rc_pkg::MeshReqBits-1:0] mesh_req_o,
@@ -62,9 +63,9 @@ module rc_trav (
   output logic              done_valid_o,
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
-  output logic              done_next_fires_o,   // likewise
+  output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
-  // What it did; rc_pkg::trav_cause_e
+  // What it did: rc_pkg::trav_cause_e
   output logic [2:0]        cause_o,
   // With two levels: to and from xform
   output logic               xform_req_valid_o,
@@ -83,50 +84,63 @@ module rc_trav (
   localparam int unsigned O = rc_pkg::OffsetBits;
   localparam int unsigned C = rc_pkg::CountBits;
 
-  // Rays: what the unit that decides nodes wants of them waits here for their nodes.
+  // ---- Rays: the fields that the unit that decides nodes needs wait here for the ray's nodes.
   localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
+
   logic ray_fires, keep;
   logic [3*M-1:0]     ray_d;
   logic [I-1:0]       keep_ray;
   logic [BoxRayW-1:0] keep_data, kept_ray;
+
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
-  // Of DirBits only: shadow rays fill RayDirBits.
+
+  // DirBits only: shadow rays fill RayDirBits.
   logic is_short;
+
   if (rc_pkg::Shading != 0) begin : gen_kinds
     assign is_short = ray_i.kind != rc_pkg::RayShadow;
   end else begin : gen_camera
     assign is_short = 1'b1;
   end
+
   rc_node_ray u_wanted (
     .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
     .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
     .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+
   rc_ram_prefetch #(.Width(BoxRayW), .Depth(T)) u_ray (
     .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
     .next_addr_i(node_next_i), .read_data_o(kept_ray));
-  logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
+
+  // ---- Nodes from memory, with their rays.
+  logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: the node's format is unknown here
   assign node_rsp  = node_rsp_i;
+
   if (rc_pkg::Levels == 1) begin : gen_nodes
     assign decide_req_o       = {node_rsp_i.ray, kept_ray, node_rsp[rc_pkg::NodeBits-1:0]};
     assign decide_req_valid_o = node_rsp_valid_i;
     assign node_rsp_ready_o   = decide_req_ready_i;
     assign {xform_req_valid_o, xform_req_o, mesh_req_valid_o, mesh_req_o} = '0;
+
     logic unused;
     assign unused = xform_req_ready_i ^ mesh_req_ready_i;
   end else begin : gen_instances
     logic               is_instance;
-    // What xform wants of a ray beside its origin: its direction, and if the chip shades what it is
-    // and where it starts from.
+
+    // Fields that xform needs in addition to the origin: the direction and, if the chip shades, the
+    // ray's kind and home.
     localparam int unsigned KeptW = rc_pkg::XformReqW - I - rc_pkg::PlacementW
                                   - 3 * rc_pkg::OriginWidth;
     localparam int unsigned Home  = KeptW - 3 * M;
     localparam int unsigned MeshRayW = rc_pkg::MeshReqBits - rc_pkg::MeshNodeBits - I;
+
     logic [KeptW-1:0]    keep_way, kept_way;
     logic                changed, changed_short, in_mesh;
     logic [I-1:0]        changed_at;
     logic [MeshRayW-1:0] change_data, changed_ray;
+
     if (rc_pkg::Homes == 1) begin : gen_homes
       assign keep_way      = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
       assign changed_short = change_i.kind != rc_pkg::RayShadow;
@@ -134,27 +148,33 @@ module rc_trav (
       assign keep_way      = ray_d;
       assign changed_short = 1'b1;
     end
+
     rc_node_ray #(.Structure(rc_pkg::MeshStructure), .KeptW(MeshRayW)) u_change (
       .clk_i, .rst_ni, .valid_i(change_fires_i), .ray_i(change_i.ray), .o_i(change_i.o),
       .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
       .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
+
     rc_ram_prefetch #(.Width(KeptW), .Depth(T)) u_direction (
       .clk_i, .rst_ni, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(kept_way));
+
     rc_ram_prefetch #(.Width(MeshRayW), .Depth(T)) u_changed (
       .clk_i, .rst_ni, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(changed_ray));
+
     assign in_mesh           = node_rsp_i.what == rc_pkg::LineMeshNode;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
+
     if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_same
       assign decide_req_o       = {node_rsp_i.ray, in_mesh ? changed_ray : kept_ray,
                                    node_rsp[rc_pkg::NodeBits-1:0]};
       assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
       assign node_rsp_ready_o   = is_instance ? xform_req_ready_i : decide_req_ready_i;
       assign {mesh_req_valid_o, mesh_req_o} = '0;
+
       logic unused;
       assign unused = mesh_req_ready_i;
     end else begin : gen_own
@@ -165,45 +185,55 @@ module rc_trav (
       assign node_rsp_ready_o   = is_instance ? xform_req_ready_i
                                 : in_mesh     ? mesh_req_ready_i : decide_req_ready_i;
     end
+
     logic [3*rc_pkg::OriginWidth-1:0] kept_o;
     assign kept_o = kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth];
+
     if (Home == 0) begin : gen_request
       assign xform_req_o = {node_rsp_i.ray, kept_o, kept_way, node_rsp[rc_pkg::PlacementW-1:0]};
     end else begin : gen_home_request   // kind and home come first
       assign xform_req_o = {node_rsp_i.ray, kept_way[KeptW-1:3*M], kept_o, kept_way[3*M-1:0],
                             node_rsp[rc_pkg::PlacementW-1:0]};
     end
+
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) if (rst_ni && changed && node_rsp_valid_i)
       a_changed: assert (changed_at != node_rsp_i.ray)
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end
-  // Box's answer, and the ray's distance to beat.
+
+  // ---- Answers: box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires;
   logic [TB-1:0]              in_t;
+
   assign came               = decide_rsp_i;
   assign came_fires         = decide_rsp_valid_i;
   assign decide_rsp_ready_o = 1'b1;
-  logic [W-1:0]               in_within;   // which children lie no farther
+
+  logic [W-1:0]               in_within;   // children that lie no farther
+
   rc_ray_t_max #(.Nears(W)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
     .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t),
     .near_i(in.t_near), .within_o(in_within));
+
   rc_path_register #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 
-  // The leaves, moved to the front, go to list if the nearest can matter.
+  // Leaves: moved to the front of the entries.
   logic [S-1:0]    in_inner;
   logic [W*TB-1:0] leaf_near;
   logic [W*O-1:0]  in_offset, leaf_offset;
   logic [W*C-1:0]  leaf_count;
   logic [W*S-1:0]  in_slot;
-  assign in_inner  = in.inner[S-1:0];   // W of them leave no leaves
+
+  assign in_inner  = in.inner[S-1:0];   // W inner children leave no leaves
   assign in_offset = in.offset;
+
   always_comb begin
     leaf_near   = in.t_near;
     leaf_offset = in.offset;
@@ -215,24 +245,31 @@ module rc_trav (
         leaf_count  = leaf_count >> (C << b);
       end
   end
+
   for (genvar i = 0; i < W; i++) begin : gen_slot   // an inner child is a line, two halves
     assign in_slot[i*S +: S] = in_offset[i*O + 1 +: S];
   end
+
   rc_pkg::leaves_t              leaves;
   logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
   logic [rc_pkg::ChildrenW-1:0] in_children, children;
   logic [TB-1:0]                leaves_beat;
+
   assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
   assign in_children = {in.base, in.inner, in.t_near, in_slot};
+
   rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
     .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
-  // Leaves fire if the nearest can matter. In a fast chip all children are compared a cycle before,
-  // and the nearest leaf's comparison is taken: list, where a few hundred cells want it, has it
-  // from a register.
+
+  // Leaves go to list if the nearest can matter. A fast chip compares all children one cycle
+  // earlier, and selects the nearest leaf's result. A few hundred cells of list get it from a
+  // register.
   logic            leafless_fires;
   logic [W*TB-1:0] leaves_near;
+
   assign leaves_near = leaves.t_near;
+
   if (rc_pkg::Cut == 0) begin : gen_in_now
     logic matters;
     assign matters        = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;
@@ -241,71 +278,86 @@ module rc_trav (
     assign leafless_fires = in_fires && !matters;
   end else begin : gen_in_late   // two registers
     logic matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
+
     always_comb begin
       matters = 1'b0;
       for (int i = 0; i < W; i++)
         if (in_inner == S'(i) && in_within[i]) matters = in.leaves != '0;
     end
+
     always_ff @(posedge clk_i) begin
       came_fires_q     <= rst_ni && came_fires;
       in_fires_q       <= rst_ni && came_fires_q;
       leaves_fires_q   <= rst_ni && came_fires_q && matters;
       leafless_fires_q <= rst_ni && came_fires_q && !matters;
     end
+
     assign in_fires       = in_fires_q;
     assign leaves_fires_o = leaves_fires_q;
     assign leafless_fires = leafless_fires_q;
   end
+
   assign leaves_o       = leaves;
 
-  // Steps to take: rays whose leaves are tested, and rays without leaves.
+  // ---- Steps: rays whose leaves are tested, and rays without leaves.
   logic            leafless_valid, leafless_ready, step_valid, step_ready;
   logic [I-1:0]    leafless_ray;
   logic [TB-1:0]   leafless_t;
   rc_pkg::tested_t leafless;
+
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
     .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
+
   always_comb begin
     leafless        = '0;
     leafless.ray    = leafless_ray;
     leafless.t_best = leafless_t;
   end
+
   rc_pkg::tested_t            step;
   logic [rc_pkg::TestedW-1:0] step_flat;
+
   rc_priority_merge #(.Width(rc_pkg::TestedW)) u_step (
     .clk_i, .rst_ni,
     .first_valid_i(tested_valid_i), .first_ready_o(tested_ready_o), .first_i(tested_i),
     .second_valid_i(leafless_valid), .second_ready_o(leafless_ready), .second_i(leafless),
     .valid_o(step_valid), .ready_i(step_ready), .data_o(step_flat));
+
   assign step    = step_flat;
-  // A ray that goes round is work, if nothing waits behind it.
+
+  // A ray in recirculation counts as work if no step waits behind it.
   always_comb begin
     if (step_valid) cause_o = step_ready ? rc_pkg::TravBusyWork : rc_pkg::TravStalledRecirculation;
     else            cause_o = step_ready ? rc_pkg::TravStarvedList : rc_pkg::TravBusyWork;
   end
 
-  // Stage 0: a returning ray before a new step. It has no new children and is not stopped.
+  // ---- Stage 0: a returning ray goes before a new step. It has no new children and no stop.
   logic            again_q, step_fires;
   logic [I-1:0]    again_ray_q, s0_ray;
   logic [TB-1:0]   again_t_q;
   rc_pkg::tested_t again_tested;
+
   assign step_ready = !again_q;
   assign step_fires = step_valid && step_ready;
   assign s0_ray     = again_q ? again_ray_q : step.ray;
+
   always_comb begin
     again_tested        = '0;
     again_tested.ray    = again_ray_q;
     again_tested.t_best = again_t_q;
   end
 
+  // ---- Stage 1: the step and the ray's children.
   logic                         s1_valid_q, s1_again_q;
   logic [rc_pkg::TestedW-1:0]   s1_tested_q, end_tested_flat;
-  logic [rc_pkg::ChildrenW-1:0] kept_children, s1_children;   // inner ones of each ray's node
+  logic [rc_pkg::ChildrenW-1:0] kept_children, s1_children;   // inner children of each ray's node
   rc_pkg::tested_t              s1_tested, end_tested;
+
   assign s1_tested   = s1_tested_q;
   assign s1_children = s1_again_q ? '0 : kept_children;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
     else         s1_valid_q <= again_q || step_fires;
@@ -313,40 +365,47 @@ module rc_trav (
     if (again_q)         s1_tested_q <= again_tested;
     else if (step_fires) s1_tested_q <= step;
   end
+
   rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
     .read_data_o(kept_children));
+
   rc_path_register #(.Width(rc_pkg::TestedW), .Stages(rc_pkg::StackStages)) u_wait (
     .clk_i, .data_i(s1_tested_q), .data_o(end_tested_flat));
   assign end_tested = end_tested_flat;
 
-  // Last stage: the stack decides.
+  // ---- Last stage: the stack decides.
   logic          visit, done, again;
   logic [A-1:0]  visit_base;
   logic [S-1:0]  visit_slot;
+
   rc_stack u_stack (
     .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
     .s1_valid_i(s1_valid_q), .s1_tested_i(s1_tested), .s1_children_i(s1_children),
     .visit_o(visit), .visit_base_o(visit_base), .visit_slot_o(visit_slot), .done_o(done),
     .again_o(again));
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) again_q <= 1'b0;
     else         again_q <= again;
     if (again) {again_ray_q, again_t_q} <= {end_tested.ray, end_tested.t_best};
   end
 
-  // Nodes to fetch; new rays wait for a gap.
+  // ---- Nodes to fetch. New rays wait for a gap.
   logic           visit_valid, visit_ready, spawn_valid, spawn_ready, root_valid, root_ready;
   logic [I+A-1:0] visit_data, root_data;
   logic [I-1:0]   spawn_ray;
+
   rc_queue #(.Width(I + A), .Depth(T)) u_visit (
     .clk_i, .rst_ni, .push_i(visit),
     .data_i({end_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
     .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
+
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
     .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
+
   if (rc_pkg::Levels == 1) begin : gen_new
     assign root_valid  = spawn_valid;
     assign spawn_ready = root_ready;
@@ -354,9 +413,11 @@ module rc_trav (
   end else begin : gen_changed   // roots of meshes first
     logic           mesh_valid, mesh_ready;
     logic [I+A-1:0] mesh_data;
+
     rc_queue #(.Width(I + A), .Depth(T)) u_mesh (
       .clk_i, .rst_ni, .push_i(change_fires_i), .data_i({change_i.ray, change_i.root}),
       .valid_o(mesh_valid), .pop_i(mesh_valid && mesh_ready), .data_o(mesh_data));
+
     rc_priority_merge #(.Width(I + A)) u_root (
       .clk_i, .rst_ni,
       .first_valid_i(mesh_valid), .first_ready_o(mesh_ready), .first_i(mesh_data),
@@ -364,17 +425,21 @@ module rc_trav (
       .second_i({spawn_ray, frame_i.root}),
       .valid_o(root_valid), .ready_i(root_ready), .data_o(root_data));
   end
+
   rc_priority_merge #(.Width(I + A)) u_node (
     .clk_i, .rst_ni,
     .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
     .second_valid_i(root_valid), .second_ready_o(root_ready), .second_i(root_data),
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
-  // A ray's end is told from a register: by it list reads what it has found, far away.
+  // ---- Rays that end. A fast chip reports them from a register, because list reads its results
+  // with it.
   logic         done_place, ends;
   logic [I-1:0] ends_ray;
+
   rc_pulse_register u_ends (.clk_i, .rst_ni, .fires_i(done), .fires_o(ends));
   rc_path_register #(.Width(I)) u_ends_ray (.clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
+
   rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
@@ -387,10 +452,13 @@ module rc_trav (
   always_ff @(posedge clk_i) if (rst_ni && ends) a_done_never_full: assert (done_place)
     else $error("a queue that cannot overflow did");
 `endif
-  logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
+
+  // Fields of a ray that only tri uses.
+  logic [rc_pkg::RayW-1:0]   ray_flat;
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic [rc_pkg::ChangeW-1:0] change_flat;
   logic                      unused;
+
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;
   assign change_flat = change_i;

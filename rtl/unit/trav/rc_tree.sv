@@ -1,23 +1,27 @@
-// The engine that walks a ray through a tree: only wiring of trav and of the unit that decides
-// nodes, which depends on what a node is (rc_pkg::Structure). With two levels meshes may be of
-// another structure (rc_pkg::MeshStructure): then there are two such units, and one of them is
-// asked in a cycle. The quicker one's answers wait as long as the other's, so that one comes in a
-// cycle.
+// The engine that walks a ray through a tree: wires trav, the unit that decides nodes (chosen by
+// rc_pkg::Structure) and, with two levels, xform.
 //
-// Its face is that of every engine (rtl/README.md). It takes rays, gives their leaves to list, gets
-// told when they are tested, asks for its nodes in memory, and says when nothing that is left can
-// matter to a ray. What a node is, in which order children are visited, and what is kept for later
-// are its own affair. What trav and its stack do with a kd-tree's exits or with globes is what they
-// do with boxes: those met come in order, leaves go to list, inner ones wait. That a ray in a
-// kd-tree ends early, when its hit lies before a cell, follows from the exits' t_near. Outside,
-// decide_req and decide_rsp have the names of the unit's links (model/core/links.hpp), and
-// so have mesh_req and mesh_rsp. Model: model/engine/bvh, model/engine/kd, model/engine/globe, model/engine/bsp.
+// With two levels meshes may have another structure (rc_pkg::MeshStructure). Then there are two
+// such units, and one of them gets a node per cycle. The faster unit's answers are delayed to the
+// slower unit's latency, so one answer comes per cycle.
+//
+// It has the interface of every engine (rtl/README.md). It accepts rays, sends their leaves to
+// list, and requests nodes from memory. It reports when a ray is done. The node format, the order
+// of the children and the stored state are its own decisions.
+//
+// trav and its stack treat the exits of a kd-tree, and globes, like boxes. Those that are met come
+// in order; leaves go to list, and inner ones wait. A ray in a kd-tree ends early if its hit lies
+// before a cell; this follows from the exits' t_near.
+//
+// In traces, decide_req, decide_rsp, mesh_req and mesh_rsp have the names of the unit's links
+// (model/core/links.hpp). Model: model/engine/bvh, model/engine/kd, model/engine/globe,
+// model/engine/bsp.
 `default_nettype none
 module rc_tree (
   input  logic              clk_i,
   input  logic              rst_ni,
   input  rc_pkg::frame_t    frame_i,
-  // A ray starts; from raygen
+  // From raygen: a ray starts, and a ray arrives
   input  logic              start_fires_i,
   input  rc_pkg::start_t    start_i,
   input  logic              ray_valid_i,
@@ -30,7 +34,7 @@ module rc_tree (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
-  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and its ray
   input  logic [rc_pkg::RayBits-1:0] node_next_i,
   input  logic              node_waits_i,
   // To and from list
@@ -42,17 +46,18 @@ module rc_tree (
   output logic              done_valid_o,
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
-  output logic              done_next_fires_o,   // likewise
+  output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
-  // What its units did; rc_pkg::trav_cause_e, decide_cause_e
+  // What its units did: rc_pkg::trav_cause_e, decide_cause_e
   output logic [2:0]        trav_cause_o,
   output logic [2:0]        decide_cause_o,
-  output logic [2:0]        mesh_cause_o,    // of the second of two
-  // With two levels: a ray changed, to list; rc_pkg::xform_cause_e
+  output logic [2:0]        mesh_cause_o,    // of the second unit
+  // With two levels: a transformed ray, to list; rc_pkg::xform_cause_e
   output logic              change_fires_o,
   output rc_pkg::change_t   change_o,
   output logic [2:0]        xform_cause_o
 );
+  // Links.
   logic                           decide_req_valid, decide_req_ready;
   logic [rc_pkg::NodeReqBits-1:0] decide_req;
   logic                           decide_rsp_valid, decide_rsp_ready;
@@ -78,17 +83,20 @@ module rc_tree (
     .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
     .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
 
-  // What decides a node. If there are two they share one door, which counts what is under way, so
-  // that their own are never closed.
+  // The unit that decides nodes. Two units share a credit counter that counts all nodes in flight,
+  // so their own counters never close.
   logic open;
+
   rc_node_test #(.Pad(rc_pkg::NodePad)) u_decide (
     .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
     .req_i(decide_req), .open_i(open), .rsp_valid_o(decide_rsp_valid), .rsp_o(decide_rsp),
     .node_waits_i, .cause_o(decide_cause_o));
+
   if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_one_structure
     assign open = 1'b1;
     assign rsp  = decide_rsp;
     assign {mesh_req_ready, mesh_rsp_valid, mesh_rsp_ready, mesh_rsp, mesh_cause_o} = '0;
+
     logic unused;
     assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp, decide_rsp_ready};
   end else begin : gen_two_structures
@@ -99,36 +107,44 @@ module rc_tree (
       .clk_i, .rst_ni, .req_valid_i(mesh_req_valid), .req_ready_o(mesh_req_ready),
       .req_i(mesh_req), .open_i(open), .rsp_valid_o(mesh_rsp_valid), .rsp_o(mesh_rsp),
       .node_waits_i, .cause_o(mesh_cause_o));
+
     assign mesh_rsp_ready = decide_rsp_ready;
     assign rsp            = mesh_rsp_valid ? mesh_rsp : decide_rsp;
+
     rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
       .clk_i, .rst_ni,
       .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
       .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));
+
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) if (rst_ni)
       a_one_answer: assert (!(decide_rsp_valid && mesh_rsp_valid))
       else $error("two nodes are decided in one cycle");
 `endif
+
     logic unused;
     assign unused = mesh_rsp_ready;
   end
 
-  // What takes an instance, if there are two levels.
+  // The unit that transforms rays for instances, with two levels.
   if (rc_pkg::Levels == 1) begin : gen_one_level
     assign {xform_req_ready, change_fires, change, xform_cause_o} = '0;
+
     logic unused;
     assign unused = ^{xform_req_valid, xform_req};
   end else begin : gen_xform
     logic rests;
+
     rc_xform u_xform (
       .clk_i, .rst_ni, .req_valid_i(xform_req_valid), .req_ready_o(xform_req_ready),
       .req_i(xform_req), .rests_o(rests), .change_fires_o(change_fires), .change_o(change));
+
     always_comb begin
       if (xform_req_valid || rests) xform_cause_o = rc_pkg::XformBusyWork;
       else xform_cause_o = node_waits_i ? rc_pkg::XformStarvedMemory : rc_pkg::XformStarvedTrav;
     end
   end
+
   assign change_fires_o = change_fires;
   assign change_o       = change;
 endmodule

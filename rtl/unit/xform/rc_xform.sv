@@ -1,27 +1,30 @@
-// A ray of the scene's space -> the ray in the space of an instance's mesh, with reciprocals.
+// Transforms a ray from the scene's space into the space of an instance's mesh, with its
+// reciprocals.
 //
-// o' = round(A o + b), d' = round(A d), with MapFrac fraction bits, halves up: once for each ray
-// and instance, so that all primitives of the instance see the same whole numbers. d' is not
-// normalised: a point of the ray has the same t in both spaces. Rows of A sum to 1 at most in size,
-// and |A o + b| is below 2^(CoordBits-1), which the scene's compiler sees to; so o' and d' are no
-// wider than o and d.
+// o' = round(A o + b), d' = round(A d), with MapFrac fraction bits, halves up. It happens once for
+// each ray and instance, so all primitives of the instance see the same integers. d' is not
+// normalised: a point of the ray has the same t in both spaces.
 //
-// If the chip shades, o and o' have OriginBits of fraction; a shadow ray's o' is rounded to a
-// lattice point. Of the instance that a ray leaves, or at which a shadow ray ends, o' and d' come
-// with it.
+// The scene's compiler ensures that the magnitudes of a row of A sum to at most 1. It also ensures
+// that
+// A o + b| is below 2^(CoordBits-1). So o' and d' need not more bits than o and d.
 //
-// Latency rc_pkg::XformLatency, a ray every XformInterval cycles: its 18 products share
-// multipliers, and its reciprocals dividers. Its answers are always taken. Model:
+// If the chip shades, o and o' have OriginBits of fraction. A shadow ray's o' is rounded to a
+// lattice point. For the instance that a ray leaves, or at which a shadow ray ends, o' and d' come
+// with the request.
+//
+// Latency rc_pkg::XformLatency, one ray every XformInterval cycles: its 18 products share
+// multipliers, and its reciprocals share dividers. Its answers must always be accepted. Model:
 // model/unit/xform/xform.hpp.
 `default_nettype none
 module rc_xform (
   input  logic               clk_i,
   input  logic               rst_ni,
-  // From node_cache, with the ray as it came
+  // From node_cache, with the original ray
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::xform_req_t req_i,
-  output logic               rests_o,        // products of its last ray are being made
+  output logic               rests_o,        // products of the last ray are being made
   // To trav and list
   output logic               change_fires_o,
   output rc_pkg::change_t    change_o
@@ -33,46 +36,57 @@ module rc_xform (
   localparam int unsigned K  = rc_pkg::MapFrac;
   localparam int unsigned B  = rc_pkg::OriginBits;
   localparam int unsigned BW = N - B + K;
-  localparam int unsigned P  = E + X;               // of a product
-  localparam int unsigned SW = X + K + 1;           // of a sum
+  localparam int unsigned P  = E + X;               // width of a product
+  localparam int unsigned SW = X + K + 1;           // width of a sum
   localparam int unsigned R1 = rc_pkg::RecipBits + 1;
   localparam int unsigned EB = rc_pkg::ExpBits;
   localparam int unsigned L  = rc_pkg::XformLatency;
   localparam int unsigned Share  = rc_pkg::RecipShare;
-  // Stages: a ray comes in, its products are there, it is moved.
+
+  // Stages in which a ray has arrived, its products are ready, and it is transformed.
   localparam int unsigned In    = rc_pkg::Cut;
   localparam int unsigned Moved = rc_pkg::MapStages;
   localparam int unsigned Made  = Moved - 2;
 
-  // ---- It takes a ray, and rests while the products are made.
+  // ---- Admission: rests while the products are made.
   logic admit;
+
   assign admit = req_valid_i && req_ready_o;
+
   if (rc_pkg::XformInterval == 1) begin : gen_always
     assign rests_o = 1'b0;
   end else begin : gen_rest
     localparam int unsigned RestW = $clog2(rc_pkg::XformInterval);
     logic [RestW-1:0] rest_q;
+
     assign rests_o = rest_q != '0;
+
     always_ff @(posedge clk_i) begin
       if (!rst_ni)      rest_q <= '0;
       else if (admit)   rest_q <= RestW'(rc_pkg::XformInterval - 1);
       else if (rests_o) rest_q <= rest_q - 1'b1;
     end
   end
+
   assign req_ready_o = !rests_o;
 
-  // valid[i]: stage i takes over a ray.
+  // valid[i]: stage i accepts a ray.
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
+
   assign valid = {valid_q, admit};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
 
+  // The request.
   rc_pkg::xform_req_t           in;
   logic [rc_pkg::XformReqW-1:0] in_flat;
+
   rc_path_register #(.Width(rc_pkg::XformReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+
   assign in = in_flat;
 
   // ---- Products: of o, then of d, each row by row.
@@ -83,28 +97,34 @@ module rc_xform (
   logic [18*E-1:0] factor_a;
   logic [18*X-1:0] factor_v;
   logic [18*P-1:0] product;
+
   assign in_o     = in.o;
   assign in_d     = in.d;
   assign in_a     = in.a;
   assign in_b     = in.b;
   assign factor_a = {in_a, in_a};
+
   for (genvar i = 0; i < 9; i++) begin : gen_factor
     assign factor_v[i*X +: X]     = X'($signed(in_o[(i%3)*N +: N]));
     assign factor_v[(9+i)*X +: X] = X'($signed(in_d[(i%3)*M +: M]));
   end
+
   rc_mul_shared #(.AW(E), .BW(X), .Products(18), .Share(rc_pkg::MapShare)) u_products (
     .clk_i, .valid_i(valid[In]), .a_i(factor_a), .b_i(factor_v), .p_o(product));
 
-  // ---- Sums. Half a step is added early, to b, or in its place.
+  // ---- Sums. Half a step, for the rounding, is added to b or, for d, in its place.
   localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
+
   logic [3*SW-1:0] begin_b, made_b;
   logic            in_shadow, moved_shadow, at_home, sum_shadow;
   logic [3*N-1:0]  home_o;
   logic [3*M-1:0]  home_d;
+
   for (genvar i = 0; i < 3; i++) begin : gen_b
     assign begin_b[i*SW +: SW] = (SW'($signed(in_b[i*BW +: BW])) <<< B)
                                + (in_shadow ? Half << B : Half);
   end
+
   rc_path_register #(.Width(3 * SW), .Stages(Made - In)) u_b (
     .clk_i, .data_i(begin_b), .data_o(made_b));
 
@@ -113,6 +133,7 @@ module rc_xform (
     logic [SW-1:0] rest, first_q, second_q;
     logic [SW-1:0] total;
     logic [X-1:0]  moved_q, home, rounded;
+
     if (i < 3) begin : gen_point
       assign rest = made_b[i*SW +: SW];
       assign moved_o[i*X +: X] = moved_q;
@@ -124,7 +145,9 @@ module rc_xform (
       assign home = X'($signed(home_d[(i-3)*M +: M]));
       assign rounded = total[K +: X];
     end
+
     assign total = first_q + second_q;
+
     always_ff @(posedge clk_i) begin
       if (valid[Made]) begin
         first_q  <= SW'($signed(product[3*i*P +: P])) + SW'($signed(product[(3*i+1)*P +: P]));
@@ -132,30 +155,37 @@ module rc_xform (
       end
       if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
+
 `ifndef SYNTHESIS
     localparam int unsigned Width = i < 3 ? N : M;
     always_ff @(posedge clk_i) if (rst_ni && valid[Made+1])
       a_fits: assert (total[SW-1:K+Width-1] == {(SW-K-Width+1){total[SW-1]}})
       else $error("an instance moves a ray beyond its lattice");
 `endif
+
     logic unused;
     assign unused = ^total;
   end
+
   logic [3*N-1:0] o;
   logic [3*M-1:0] d;
+
   for (genvar k = 0; k < 3; k++) begin : gen_narrow
     assign o[k*N +: N] = moved_o[k*X +: N];
     assign d[k*M +: M] = moved_d[k*X +: M];
   end
 
-  // ---- A ray that starts from this instance, or a shadow ray that ends there.
+  // ---- Home: a ray that starts from this instance, or a shadow ray that ends there.
   if (rc_pkg::Homes == 1) begin : gen_homes
     logic in_home;
+
     assign in_shadow = in.kind == rc_pkg::RayShadow;
     assign in_home   = in.kind != rc_pkg::RayCamera && in.home == in.here;
+
     rc_path_register #(.Width(2 + 3 * (N + M)), .Stages(Made + 1 - In)) u_home (
       .clk_i, .data_i({in_home, in_shadow, in.home_o, in.home_d}),
       .data_o({at_home, sum_shadow, home_o, home_d}));
+
     rc_path_register #(.Width(1), .Stages(1)) u_shadow (
       .clk_i, .data_i(sum_shadow), .data_o(moved_shadow));
   end else begin : gen_no_homes
@@ -165,30 +195,37 @@ module rc_xform (
 
   // ---- Reciprocals: a divider makes those of Share axes, one after the other.
   localparam int unsigned Dividers = (3 + Share - 1) / Share;
+
   logic [3*R1-1:0] recip;
   logic [3*EB-1:0] len;
+
   for (genvar m = 0; m < Dividers; m++) begin : gen_divider
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = 3 - First < Share ? 3 - First : Share;
     logic signed [M-1:0] axis;
     logic [R1+EB-1:0]    made;
     logic                is_short;
+
     if (Own == 1) begin : gen_alone
       assign axis     = d[First*M +: M];
       assign is_short = !moved_shadow;
-    end else begin : gen_axes   // the next waits lowest
+    end else begin : gen_axes   // the next axis is lowest
       logic [(Own-1)*M-1:0] wait_q;
       logic               short_q;
+
       assign axis     = valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];
       assign is_short = valid[Moved] ? !moved_shadow : short_q;
+
       always_ff @(posedge clk_i) begin
         short_q <= is_short;
         wait_q <= valid[Moved] ? d[(First+1)*M +: (Own-1)*M] : wait_q >> M;
       end
     end
+
     rc_recip u_recip (
       .clk_i, .rst_ni, .valid_i(valid[Moved +: Own] != '0), .short_i(is_short), .d_i(axis),
       .recip_o(made[R1-1:0]), .len_o(made[R1+EB-1:R1]));
+
     for (genvar i = 0; i < Own; i++) begin : gen_axis   // the first wait for the last
       rc_path_register #(.Width(R1 + EB), .Stages(Share - 1 - i)) u_early (
         .clk_i, .data_i(made),
@@ -196,20 +233,25 @@ module rc_xform (
     end
   end
 
-  // ---- What is known earlier waits beside.
-  // Ray, first and root; if the chip shades, its kind and the instance's own line as well.
+  // ---- Delays. Ray, first and root; if the chip shades, the ray's kind and the instance's line as
+  // well.
   localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (N + M + R1 + EB);
   logic [WhoseW-1:0]    in_whose, end_whose;
+
   if (rc_pkg::Homes == 1) begin : gen_whose_home
     assign in_whose = {in.ray, in.kind, in.first, in.root, in.here};
   end else begin : gen_whose
     assign in_whose = {in.ray, in.first, in.root};
   end
+
   logic [3*(N+M)-1:0]   end_moved;
+
   rc_delay_ram #(.Width(WhoseW), .Stages(L - In)) u_whose (
     .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_whose), .data_o(end_whose));
+
   rc_delay_ram #(.Width(3 * (N + M)), .Stages(L - Moved)) u_moved (
     .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o(end_moved));
+
   assign change_fires_o = valid[L];
   assign change_o       = {end_whose, end_moved, recip, len};
 

@@ -1,5 +1,5 @@
-// Box's signals: rtl/engine/bvh/rc_slab.sv, which has the widths, for every exponent of a node with every sign and
-// bit length of a direction.
+// Box's signals: rtl/engine/bvh/rc_slab.sv, which has the widths, for every exponent of a node with every
+// sign and bit length of a direction.
 #include "sim/explore/fit/ranges.hpp"
 
 namespace rayclock::fit {

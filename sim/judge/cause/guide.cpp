@@ -136,8 +136,8 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
     return moved;
 }
 
-/// Where a ray meets a sphere the machine rounds a root (model/unit/isect/any.hpp): what is closer by less may
-/// win.
+/// Where a ray meets a sphere the machine rounds a root (model/unit/isect/any.hpp): what is closer by less
+/// may win.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
     const Config& config = rules_.asked.config;

@@ -1,7 +1,7 @@
 #pragma once
 // Exact ray-box overlap in wide integers, by cross-multiplication: no division, no reciprocal, no rounding.
-// Written from the geometry; shares nothing with model/engine/bvh. Unlike exact.hpp it needs no Boost and is fast
-// enough for whole frames.
+// Written from the geometry; shares nothing with model/engine/bvh. Unlike exact.hpp it needs no Boost and is
+// fast enough for whole frames.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,8 @@
 // A machine rounds: directions, points, materials. Each rounding moves its rays a little, and the paths of
 // two tracers part at the next edge. A RefSteer hands the tracer the other one's rays, one by one, so that
 // the tracer judges every step of the same path by its own rules: what the ray meets, which lights count,
-// what is in their way, which bounces leave and where. sim/judge/cause/guide.hpp is the one that follows a machine.
+// what is in their way, which bounces leave and where. sim/judge/cause/guide.hpp is the one that follows a
+// machine.
 //
 // All vectors are in the tracer's space (RefUnitSpace), directions are unit vectors.
 #include <array>

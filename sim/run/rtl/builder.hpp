@@ -21,8 +21,8 @@ struct RtlBuild {
     bool was_cached = false;
     double seconds = 0;
 };
-/// `module` is rc_chip or a unit (sim/run/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache is
-/// missing, std::runtime_error with the tool's message if it fails, or if interrupted().
+/// `module` is rc_chip or a unit (sim/run/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache
+/// is missing, std::runtime_error with the tool's message if it fails, or if interrupted().
 RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip", Waves waves = Waves::no);
 
 /// From now on this program builds netlists in the place of RTL (sim/run/rtl/gates.hpp). Throws UserError if

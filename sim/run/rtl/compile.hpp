@@ -10,11 +10,12 @@
 
 namespace rayclock {
 
-/// Whether a library can write waveforms of its signals (sim/run/rtl/wave_abi.hpp). It is slower then, and takes
-/// longer to build.
+/// Whether a library can write waveforms of its signals (sim/run/rtl/wave_abi.hpp). It is slower then, and
+/// takes longer to build.
 enum class Waves : bool { no, yes };
 
-/// What is simulated: the RTL as it is written, or the netlist that Yosys makes of it (sim/run/rtl/gates.hpp).
+/// What is simulated: the RTL as it is written, or the netlist that Yosys makes of it
+/// (sim/run/rtl/gates.hpp).
 enum class Form : bool { rtl, netlist };
 
 /// Everything that goes into a library beside the tools, as one text: whatever changes it changes the

@@ -34,13 +34,13 @@ std::vector<std::string> units() {
     return names;
 }
 
-/// Those of its own library that netlists are made of. What they have beyond these (sim/silicon/synth/yosys.cpp reads
-/// them without bodies) has its models in the RTL's folder.
+/// Those of its own library that netlists are made of. What they have beyond these
+/// (sim/silicon/synth/yosys.cpp reads them without bodies) has its models in the RTL's folder.
 const std::vector<std::string> modelled_by_yosys{"LUT2", "LUT4", "CCU2C", "TRELLIS_FF", "TRELLIS_DPR16X4"};
 
-/// As `rayclock chip` synthesises (sim/silicon/chip/run.cpp), without what synth_ecp5 does in the end: `autoname`
-/// gives cells long names, `check` is the tests'. Afterwards nets that nobody asks for go, and vectors in
-/// units become bits: a carry chain within one vector would look like a loop to Verilator.
+/// As `rayclock chip` synthesises (sim/silicon/chip/run.cpp), without what synth_ecp5 does in the end:
+/// `autoname` gives cells long names, `check` is the tests'. Afterwards nets that nobody asks for go, and
+/// vectors in units become bits: a carry chain within one vector would look like a loop to Verilator.
 std::string script(const std::string& module) {
     std::string text = "hierarchy -check -top " + module + "\n";
     const std::vector<std::string> all = units();

@@ -1,6 +1,6 @@
 #pragma once
-// What a module that was built for waveforms offers beside sim/run/rtl/abi.hpp: every signal of it, written by
-// Verilator as an FST file over any stretch of time.
+// What a module that was built for waveforms offers beside sim/run/rtl/abi.hpp: every signal of it, written
+// by Verilator as an FST file over any stretch of time.
 
 extern "C" {
 

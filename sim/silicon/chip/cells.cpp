@@ -163,7 +163,7 @@ Use use_of(const std::string& type) {
 
 std::string source_line(const std::string& src, const std::string& sources, bool instances) {
     for (const std::string& place : split(src, '|')) {   // in no order
-        const std::size_t colon = place.rfind(':');      // /some/rtl/bvh/rc_box.sv:120.3-140.6
+        const std::size_t colon = place.rfind(':');      // /some/rtl/engine/bvh/rc_box.sv:120.3-140.6
         int line = 0, column = 0;
         if (colon == std::string::npos || std::sscanf(place.c_str() + colon, ":%d.%d-", &line, &column) != 2)
             continue;

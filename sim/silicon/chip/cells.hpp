@@ -42,8 +42,8 @@ constexpr const char* carry_unit = "carry_ends";
 /// What a cell takes, before or after it is placed.
 Use use_of(const std::string& type);
 
-/// "rtl/engine/bvh/rc_box.sv:120" of a src attribute: of its places in the folder `sources` that are instances, or
-/// that are none but what is in one, the first; empty if there is no such place.
+/// "rtl/engine/bvh/rc_box.sv:120" of a src attribute: of its places in the folder `sources` that are
+/// instances, or that are none but what is in one, the first; empty if there is no such place.
 std::string source_line(const std::string& src, const std::string& sources, bool instances = false);
 /// The innermost line that a name tells of, for cells that Yosys made without a place:
 /// "u_mshr.u_next.mem.0.7" of prim_cache is where rc_mshr has u_next, if there is a rc_mshr.sv; else where

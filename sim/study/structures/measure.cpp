@@ -85,7 +85,7 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
     for (const Surroundings& around : surroundings()) {
         Config config = job.config;
         config.node_sets = config.prim_sets = around.sets;
-        config.dram = choice_named<Dram>(around.dram);
+        config.dram = choice_named<DramName>(around.dram);
         config.own_dram = nullptr;
         cell.elsewhere.push_back(frame_of(config, frames).cycles_per_ray());
     }

@@ -8,7 +8,7 @@ namespace rayclock {
 
 /// A line of the Verilog sources.
 struct SourceLine {
-    std::string file;   ///< from the folder of the sources: "isect/rc_tri.sv"
+    std::string file;   ///< from the folder of the sources: "unit/isect/rc_tri.sv"
     std::size_t line = 0;
     std::string text;
 };
