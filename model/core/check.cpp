@@ -80,8 +80,7 @@ void check_config(const Config& c, const std::string& where) {
     for (const Structure s : {c.structure, c.lower_structure()})
         if (c.has_instances() && node_bits(c, Config::engine_of(s)) > line_bits - line_kind_bits)
             refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
-                   name_of(s) + " leaves " +
-                   std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
+                   name_of(s) + " leaves " + std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
                    " of its 512 free: coord_bits or addr_bits must be smaller");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},

@@ -1,5 +1,6 @@
 #pragma once
-// Parameters that are one of several named values. A row defines the enum and the names that files and --set know.
+// Parameters that are one of several named values. A row defines the enum and the names that files and --set
+// know.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -24,26 +25,26 @@ template <class Choice> Choice choice_named(std::string_view name) {
 /// "a, b, c" as its words.
 std::vector<std::string> words_of(std::string_view list);
 
-#define RAYCLOCK_CHOICE(Type, ...)                                                 \
-    enum class Type { __VA_ARGS__ };                                               \
-    template <> inline const std::vector<std::string>& names_of<Type>() {          \
-        static const std::vector<std::string> names = words_of(#__VA_ARGS__);      \
-        return names;                                                              \
+#define RAYCLOCK_CHOICE(Type, ...)                                            \
+    enum class Type { __VA_ARGS__ };                                          \
+    template <> inline const std::vector<std::string>& names_of<Type>() {     \
+        static const std::vector<std::string> names = words_of(#__VA_ARGS__); \
+        return names;                                                         \
     }
 
 /// Ray-triangle tests: model/unit/isect/primitive.hpp.
 RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
 
 /// Acceleration structures: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), a list of all
-/// primitives (engine/none), cells cut in the middle of all axes (engine/octree; the engine of kd walks them), bounding
-/// spheres (engine/globe), space cut by planes in any direction (engine/bsp).
+/// primitives (engine/none), cells cut in the middle of all axes (engine/octree; the engine of kd walks
+/// them), bounding spheres (engine/globe), space cut by planes in any direction (engine/bsp).
 RAYCLOCK_CHOICE(Structure, bvh, kd, none, octree, spheres, bsp)
 
 /// Acceleration structures of meshes, with two levels; same: the structure of the scene.
 RAYCLOCK_CHOICE(MeshStructure, same, bvh, kd, octree, spheres, bsp)
 
-/// Where a primitive goes that lies on both sides of a plane, in an octree and in bsp: into every leaf that it reaches
-/// into, into the inner node (octree), or the plane is not used (bsp).
+/// Where a primitive goes that lies on both sides of a plane, in an octree and in bsp: into every leaf that
+/// it reaches into, into the inner node (octree), or the plane is not used (bsp).
 RAYCLOCK_CHOICE(Straddlers, leaves, inner, stop)
 
 /// Whether the builder of boxes may cut primitives.

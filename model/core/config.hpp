@@ -51,7 +51,7 @@ constexpr int power_stages = 7;      ///< and of rc_power.sv
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' of docs/origins.md.
 constexpr int far_drop = light_reach + 1;
 constexpr int most_dram_channels = 4;   ///< of Config::dram_channels
-constexpr int max_panes = 4;   ///< of Config::panes
+constexpr int max_panes = 4;            ///< of Config::panes
 
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
@@ -62,10 +62,10 @@ struct Config {
 
     // The parameters, with their defaults.
 #define GROUP(name, text)
-#define NUMBER(key, usual, least, most, unit, effect, text) int key = usual;
-#define POWER(key, usual, least, most, unit, effect, text) int key = usual;
-#define FLAG(key, effect, text) bool key = false;
-#define CHOICE(key, Type, usual, effect, text) Type key = Type::usual;
+#define NUMBER(key, place, usual, least, most, unit, effect, text) int key = usual;
+#define POWER(key, place, usual, least, most, unit, effect, text) int key = usual;
+#define FLAG(key, place, effect, text) bool key = false;
+#define CHOICE(key, place, Type, usual, effect, text) Type key = Type::usual;
 #include "model/core/parameters.inl"
 #undef GROUP
 #undef NUMBER

@@ -61,8 +61,8 @@ std::int64_t capacity_bytes(const DramPart& part);
 /// the part stands in its way once, and all its bursts follow one another.
 std::int64_t longest_pause_ps(const DramPart& part);
 
-
-/// The memory of that name in names_of<DramName>(); `ideal` is none of these. Throws UserError for any other name.
+/// The memory of that name in names_of<DramName>(); `ideal` is none of these. Throws UserError for any other
+/// name.
 const DramPart& dram_part(const std::string& name);
 
 }   // namespace rayclock

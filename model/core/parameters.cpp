@@ -14,7 +14,8 @@ bool has_octree(const Config& c) { return c.upper().is_octree() || c.lower().is_
 namespace condition {
 const Condition always{nullptr, [](const Config&) { return true; }, ""};
 const Condition ideal{"dram", [](const Config& c) { return !c.dram_part(); }, "dram=ideal"};
-const Condition dram{"dram", [](const Config& c) { return c.dram_part() != nullptr; }, "dram other than ideal"};
+const Condition dram{"dram", [](const Config& c) { return c.dram_part() != nullptr; },
+                     "dram other than ideal"};
 const Condition l2{"l2_sets", [](const Config& c) { return c.l2_sets > 0; }, "l2_sets above 0"};
 const Condition tree{"structure", [](const Config& c) { return !c.is_list(); }, "structure other than none"};
 const Condition straddlers{"structure", [](const Config& c) { return has_octree(c) || c.has_slants(); },
@@ -29,6 +30,7 @@ const Condition levels{"levels", [](const Config& c) { return c.has_instances();
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};
 }   // namespace condition
 
+enum class Place { rtl, host };
 enum class Group { format, structure, shading, timing, caches, memory };
 
 template <auto member> int get(const Config& config) { return int(config.*member); }
@@ -48,21 +50,22 @@ const std::vector<Parameter>& parameters() {
             row.group = heading, row.timing_only = group >= Group::timing;
             rows.push_back(row);
         };
+// clang-format off
 #define GROUP(name, text) group = Group::name, heading = text;
-#define RAYCLOCK_NUMBER(kind, key, least, most, unit, effect, text)                                     \
-    add({#key, Type::kind, least, most, unit, "", false, &condition::effect, text, nullptr, &Config::key, \
-         get<&Config::key>, set<&Config::key>});
-#define NUMBER(key, usual, least, most, unit, effect, text) RAYCLOCK_NUMBER(number, key, least, most, unit, effect, text)
-#define POWER(key, usual, least, most, unit, effect, text) RAYCLOCK_NUMBER(power, key, least, most, unit, effect, text)
-#define FLAG(key, effect, text)                                                                    \
-    add({#key, Type::flag, 0, 1, "", "", false, &condition::effect, text, nullptr, nullptr, \
-         get<&Config::key>, set<&Config::key>});
-#define CHOICE(key, Kind, usual, effect, text)                                                            \
-    add({#key, Type::choice, 0, int(names_of<Kind>().size()) - 1, "", "", false, &condition::effect, text, \
-         &names_of<Kind>(), nullptr, get<&Config::key>, set<&Config::key>});
+#define ROW(kind, key, place, least, most, unit, effect, text, names, number)                                      \
+    add({#key, Type::kind, least, most, unit, "", false, Place::place == Place::rtl, &condition::effect, text,      \
+         names, number, get<&Config::key>, set<&Config::key>});
+#define NUMBER(key, place, usual, least, most, unit, effect, text)                                                  \
+    ROW(number, key, place, least, most, unit, effect, text, nullptr, &Config::key)
+#define POWER(key, place, usual, least, most, unit, effect, text)                                                   \
+    ROW(power, key, place, least, most, unit, effect, text, nullptr, &Config::key)
+#define FLAG(key, place, effect, text) ROW(flag, key, place, 0, 1, "", effect, text, nullptr, nullptr)
+#define CHOICE(key, place, Kind, usual, effect, text)                                                               \
+    ROW(choice, key, place, 0, int(names_of<Kind>().size()) - 1, "", effect, text, &names_of<Kind>(), nullptr)
+// clang-format on
 #include "model/core/parameters.inl"
 #undef GROUP
-#undef RAYCLOCK_NUMBER
+#undef ROW
 #undef NUMBER
 #undef POWER
 #undef FLAG

@@ -18,10 +18,11 @@ struct Parameter {
     enum class Type { number, power, flag, choice };
     const char* key;
     Type type;
-    int lo, hi;                                        ///< range, both ends legal
-    const char* unit;                                  ///< empty for a flag or a choice
-    const char* group;                                 ///< heading of its group
-    bool timing_only;                                  ///< decides when things happen, never what a ray does
+    int lo, hi;          ///< range, both ends legal
+    const char* unit;    ///< empty for a flag or a choice
+    const char* group;   ///< heading of its group
+    bool timing_only;    ///< decides when things happen, never what a ray does
+    bool in_rtl;         ///< a constant of rc_pkg.sv
     const Condition* effect;
     const char* meaning;                               ///< one sentence
     const std::vector<std::string>* names = nullptr;   ///< of a choice: of the values 0, 1 ...

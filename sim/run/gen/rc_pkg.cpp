@@ -98,24 +98,16 @@ std::string camel(std::string_view name) {
     return text;
 }
 
-/// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
-bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits",  "straddlers", "splits",        "references",
-                                "leaf_size",    "dram",       "dram_channels", "mem_latency",
-                                "mem_interval", "scan_out",   "pixel_writes"};
-    return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
-}
-
 class Package {
 public:
     explicit Package(const Config& config) : config_(config) {}
 
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
-            if (is_for_rtl(p.key))
+            if (p.in_rtl)
                 constant(camel(p.key), p.is("structure")        ? int(config_.engine())
                                        : p.is("mesh_structure") ? int(config_.lower_engine())
-                                                                             : p.get(config_));
+                                                                : p.get(config_));
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
