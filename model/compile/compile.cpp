@@ -14,6 +14,7 @@
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/unit/isect/vectors.hpp"
+#include "model/core/parameters.hpp"
 
 namespace rayclock {
 
@@ -110,10 +111,9 @@ void check_stack(int need, const Config& config, const std::string& name) {
     const std::string begin =
         name + ": a ray may have to keep " + std::to_string(need) + " groups of siblings, and ";
     const auto depth = int(std::bit_ceil(unsigned(need)));
-    for (const Parameter& p : parameters())
-        if (p.member == &Config::stack_depth && depth > p.hi)
-            throw UserError(begin + "no stack_depth above " + std::to_string(p.hi) +
-                            " exists; wider nodes (--set node_width=8) need fewer");
+    if (const int most = parameter("stack_depth").hi; depth > most)
+        throw UserError(begin + "no stack_depth above " + std::to_string(most) +
+                        " exists; wider nodes (--set node_width=8) need fewer");
     throw UserError(begin + "stack_depth is " + std::to_string(config.stack_depth) +
                     ": --set stack_depth=" + std::to_string(depth));
 }

@@ -3,8 +3,9 @@
 #include <utility>
 
 #include "model/base/error.hpp"
-#include "model/core/config.hpp"
+#include "model/core/parameters.hpp"
 #include "model/core/lines.hpp"
+#include "model/core/parameters.hpp"
 #include "model/core/settled.hpp"
 
 namespace rayclock {
@@ -14,7 +15,7 @@ constexpr int most_rtl_pipelines = 8;
 
 void check_rtl(const Config& c) {
     if (c.test() != PrimitiveTest::exact && c.test() != PrimitiveTest::sheared)
-        throw UserError("primitive_test=" + primitive_test_names()[std::size_t(c.primitive_test)] +
+        throw UserError("primitive_test=" + name_of(c.primitive_test) +
                         " exists in software only; the RTL has exact and sheared");
     if (c.pipelines > most_rtl_pipelines)
         throw UserError("pipelines=" + std::to_string(c.pipelines) +
@@ -22,20 +23,20 @@ void check_rtl(const Config& c) {
                         ", since registers number no more counters");
 }
 
+void check_range(const Parameter& p, int value, const std::string& where) {
+    if (std::string_view(p.key).ends_with("_line") && value < line_bytes)
+        throw UserError(where + ": " + p.key +
+                        " must be at least 64 bytes, since a node of the tree takes 64, not " +
+                        std::to_string(value));
+    if (value < p.lo || value > p.hi)
+        throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." +
+                        std::to_string(p.hi) + ", not " + std::to_string(value));
+    if (p.power_of_two() && (value & (value - 1)) != 0)
+        throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
+}
+
 void check_config(const Config& c, const std::string& where) {
-    for (const Parameter& p : parameters()) {
-        const int value = c.*p.member;
-        const std::string key = p.key;
-        if (key.ends_with("_line") && value < line_bytes)
-            throw UserError(where + ": " + key +
-                            " must be at least 64 bytes, since a node of the tree takes 64, not " +
-                            std::to_string(value));
-        if (value < p.lo || value > p.hi)
-            throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." +
-                            std::to_string(p.hi) + ", not " + std::to_string(value));
-        if (p.power_of_two && (value & (value - 1)) != 0)
-            throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
-    }
+    for (const Parameter& p : parameters()) check_range(p, p.get(c), where);
     const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
     if (2 * c.coord_bits + c.dir_bits > 62)
         refuse(
@@ -57,15 +58,15 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.dir_bits));
     if ((c.has_treelets() || c.has_globes() || c.has_slants()) && c.test() != PrimitiveTest::exact &&
         !c.is_sheared())
-        refuse("structure=" + structure_names()[std::size_t(c.structure)] +
+        refuse("structure=" + name_of(c.structure) +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
-    const auto has = [&](Structure s) { return Structure(c.structure) == s || c.lower_structure() == s; };
-    if (has(Structure::octree) && Straddlers(c.straddlers) == Straddlers::stop)
+    const auto has = [&](Structure s) { return c.structure == s || c.lower_structure() == s; };
+    if (has(Structure::octree) && c.straddlers == Straddlers::stop)
         refuse(
             "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
             "bsp");
-    if (c.has_slants() && Straddlers(c.straddlers) == Straddlers::inner)
+    if (c.has_slants() && c.straddlers == Straddlers::inner)
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
             "(inner)");
@@ -77,11 +78,10 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
             "known of these alone");
-    for (const Structure s : {Structure(c.structure), c.lower_structure()})
+    for (const Structure s : {c.structure, c.lower_structure()})
         if (c.has_instances() && node_bits(c, Config::engine_of(s)) > line_bits - line_kind_bits)
             refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
-                   structure_names()[std::size_t(s)] + " leaves " +
-                   std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
+                   name_of(s) + " leaves " + std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
                    " of its 512 free: coord_bits or addr_bits must be smaller");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},

@@ -6,29 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "model/core/choices.hpp"
+
 namespace rayclock {
 
 struct DramPart;
-
-/// The length of the RTL's paths, by the value of Config::timing; see model/core/stages.hpp.
-enum class Timing { relaxed, fast };
-
-/// The data structure that holds the scene, by the value of Config::structure:
-/// - bvh: boxes in boxes (model/engine/bvh);
-/// - kd: space cut by planes (model/engine/kd);
-/// - none: a list of all primitives (model/engine/none);
-/// - octree: planes through the middle of each cell, walked by the engine of kd;
-/// - spheres: bounding spheres (model/engine/globe);
-/// - bsp: planes in any direction (model/engine/bsp).
-enum class Structure { bvh, kd, none, octree, spheres, bsp };
-
-/// The treatment of a primitive on both sides of a cut in an octree or bsp, by the value of
-/// Config::straddlers: every leaf that it reaches holds it (leaves), the inner node holds it (inner, octree
-/// only), or the compiler makes no such cut (stop, bsp only).
-enum class Straddlers { leaves, inner, stop };
-
-/// Ray-triangle tests, by the value of Config::primitive_test; see model/unit/isect/primitive.hpp.
-enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
 constexpr int guard_bits = 14;        ///< fraction bits of the camera's pixel steps; one rounding drops them
 constexpr int most_shift = 15;        ///< most bits by which a short camera direction is shifted up
@@ -70,108 +52,44 @@ constexpr int power_stages = 7;      ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/origins.md.
 constexpr int far_drop = light_reach + 1;
-constexpr int max_panes = 4;   ///< maximum of Config::panes
+constexpr int most_dram_channels = 4;   ///< maximum of Config::dram_channels
+constexpr int max_panes = 4;            ///< maximum of Config::panes
 
 /// Format and shape of one machine: everything that synthesis fixes. One C++ binary serves all machines; the
 /// RTL gets the same values as constants of rc_pkg.sv.
 struct Config {
     std::string name = "default";
 
-    // Format: widths in bits.
-    int coord_bits = 18;      ///< N: signed lattice coordinate
-    int dir_bits = 20;        ///< M: signed direction component; 2N + M <= 62
-    int t_frac_bits = 4;      ///< F: fraction bits of a distance t, see t_bits()
-    int recip_bits = 16;      ///< R: precision of a reciprocal direction component
-    int box_bits = 8;         ///< bits of a child box plane relative to its node
-    int bary_bits = 16;       ///< fraction bits of the barycentric u and v of a hit
-    int primitive_test = 0;   ///< ray-triangle test, see primitive_test_names()
-    int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, with `shading`; see
-                              ///< docs/origins.md
+    std::shared_ptr<const DramPart> own_dram;   ///< a memory from a file; `dram` is ignored then
 
-    int structure = 0;    ///< data structure of the scene, see structure_names()
-    int straddlers = 0;   ///< with octree or bsp, see straddlers_names()
-    int splits = 0;       ///< with bvh, see splits_names()
-    int references = 8;   ///< with kd, octree or bsp: most references per primitive on average, 1..64
-    int levels = 1;       ///< 2: a tree over instances, and one tree below it for each mesh (docs/motion.md)
-    int mesh_structure = 0;   ///< data structure of meshes, see mesh_structure_names(); 0: the same as
-                              ///< `structure`
-
-    // Shape: counts, depths, latencies.
-    int node_width = 8;        ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;         ///< most primitives in a leaf, 1..6
-    int contexts = 64;         ///< T: rays in flight
-    int stack_depth = 16;      ///< groups of siblings that a ray can leave for later
-    int raygen_queue = 16;     ///< answers that raygen may hold, a power of two
-    int box_queue = 16;        ///< answers that box may hold, a power of two
-    int tri_queue = 32;        ///< answers that tri may hold, a power of two
-    int box_lanes = 8;         ///< children that box tests at once: 1, 2, 4 or 8; 8 covers any node
-    int tri_interval = 1;      ///< cycles between primitives that tri accepts: 1, 2 or 4
-    int raygen_interval = 1;   ///< cycles between rays that raygen begins: 1, 2, 4 or 8
-    int xform_interval = 2;    ///< cycles between rays that xform accepts, with two levels: 1, 2 or 4
-    int shade_interval = 1;    ///< cycles between passes that shade accepts, with shading: 1, 2, 4 or 8
-    int pipelines = 1;         ///< P: pipelines of one machine, 1 to 16
-    int tile_bits = 4;    ///< tiles are squares of 2^k x 2^k pixels, in Morton order inside; 0: row by row
-    int node_sets = 64;   ///< node cache of a pipeline: sets
-    int node_ways = 4;    ///< ways
-    int node_line = 64;   ///< bytes per line
-    int node_mshrs = 8;   ///< most lines in flight
-    int prim_sets = 64;   ///< primitive cache of a pipeline, the same fields
-    int prim_ways = 4;
-    int prim_line = 64;
-    int prim_mshrs = 8;
-    int l2_sets = 0;   ///< cache that all pipelines share, the same; 0: there is none
-    int l2_ways = 4;
-    int l2_line = 64;
-    int l2_mshrs = 16;
-    int cache_queue = 4;   ///< answers that a cache may hold, a power of two
-    int timing = 0;        ///< length of the chip's paths, see timing_names()
-
-    // Shape: optional units, present only if a scene needs them. All but the first need `shading`.
-    int shading = 0;         ///< 1: the chip computes finished colours, with shadow rays and bounces
-    int spheres = 0;         ///< 1: tri can test spheres
-    int planes = 0;          ///< 1: tri can test planes, and shade computes checkers
-    int smooth = 0;          ///< 1: normals interpolated between a triangle's corners
-    int refraction = 0;      ///< 1: refracted rays
-    int panes = 0;           ///< most transmitting planes for which a path records its side
-    int horizon = 0;         ///< 1: bounces that miss the lattice meet planes beyond it
-    int supersampling = 0;   ///< 1: several samples per pixel
-    int lights = 8;          ///< most point lights
-    int bounces = 5;         ///< most waiting rays of a pixel: the largest depth
-    int shade_queue = 64;    ///< answers that shade may hold, a power of two
-    int surf_sets = 64;      ///< surface cache of a pipeline, the same fields
-    int surf_ways = 4;
-    int surf_line = 64;
-    int surf_mshrs = 8;
-
-    // Outside the chip.
-    int dram = 2;                               ///< memory, see dram_names()
-    std::shared_ptr<const DramPart> own_dram;   ///< a memory described in a file; if set, `dram` is ignored
-    int dram_channels = 1;   ///< number of such memories side by side; the ideal one has no channels
-    int mem_latency = 8;     ///< ideal memory: cycles from a request to its answer
-    int mem_interval = 1;    ///< ideal memory: cycles between two requests
-    int scan_out = 0;        ///< 1: a screen reads its picture from the memory, see FrameBuffer
-    int pixel_writes = 0;    ///< 1: finished pixels are written to the memory
-
-    // Limits of the widest scene and picture, checked when a scene is compiled and a frame is made.
-    int addr_bits = 24;    ///< memory address in lines of 64 bytes
-    int prim_bits = 32;    ///< primitive number
-    int pixel_bits = 14;   ///< pixel coordinate
+    // The parameters, with their defaults.
+#define GROUP(name, text)
+#define NUMBER(key, place, usual, least, most, unit, effect, text) int key = usual;
+#define POWER(key, place, usual, least, most, unit, effect, text) int key = usual;
+#define FLAG(key, place, effect, text) bool key = false;
+#define CHOICE(key, place, Type, usual, effect, text) Type key = Type::usual;
+#include "model/core/parameters.inl"
+#undef GROUP
+#undef NUMBER
+#undef POWER
+#undef FLAG
+#undef CHOICE
 
     // Derived.
     /// Bits of a distance. A distance saturates; all ones means beyond.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }
-    PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
-    bool has_splits() const { return is_bvh() && splits != 0; }
-    bool is_bvh() const { return Structure(structure) == Structure::bvh; }
-    bool is_list() const { return Structure(structure) == Structure::none; }
-    bool is_octree() const { return Structure(structure) == Structure::octree; }
+    PrimitiveTest test() const { return primitive_test; }
+    bool has_splits() const { return is_bvh() && splits == Splits::on; }
+    bool is_bvh() const { return structure == Structure::bvh; }
+    bool is_list() const { return structure == Structure::none; }
+    bool is_octree() const { return structure == Structure::octree; }
     bool has_instances() const { return levels == 2; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Returns the structure of meshes; with one level, that of the scene.
     Structure lower_structure() const;
     /// Returns the structure for which the RTL is built. An octree has the nodes of a kd-tree.
     static Structure engine_of(Structure s) { return s == Structure::octree ? Structure::kd : s; }
-    Structure engine() const { return engine_of(Structure(structure)); }
+    Structure engine() const { return engine_of(structure); }
     Structure lower_engine() const { return engine_of(lower_structure()); }
     /// True if one unit decides the nodes of the scene's tree and another those of meshes.
     bool has_two_engines() const { return engine() != lower_engine(); }
@@ -251,42 +169,9 @@ struct Config {
     int mem_id_bits() const;       ///< id of a request at the memory port
 };
 
-/// One parameter, as files, `--set` and reports show it.
-struct Parameter {
-    const char* key;
-    int Config::*member;
-    int lo, hi;
-    bool power_of_two;
-    const char* meaning;
-    const std::vector<std::string>* names = nullptr;   ///< of the values 0, 1, ..., if they have names
-};
-const std::vector<Parameter>& parameters();
-
-/// Memories outside the chip, by the value of Config::dram.
-const std::vector<std::string>& dram_names();
-
-/// Data structures of the scene, by the value of Config::structure.
-const std::vector<std::string>& structure_names();
-/// Data structures of meshes, by the value of Config::mesh_structure.
-const std::vector<std::string>& mesh_structure_names();
-
-/// Treatments of a primitive that a plane cuts, by the value of Config::straddlers.
-const std::vector<std::string>& straddlers_names();
-/// Permission for the compiler of boxes to cut primitives, by the value of Config::splits.
-const std::vector<std::string>& splits_names();
-
-/// Lengths of the chip's paths, by the value of Config::timing.
-const std::vector<std::string>& timing_names();
-
-/// Ray-triangle tests, by the value of Config::primitive_test.
-const std::vector<std::string>& primitive_test_names();
-
 /// Throws UserError if the configuration needs something that the RTL does not have: a primitive test in
 /// software only, or too many pipelines.
 void check_rtl(const Config& config);
-
-/// Returns a parameter's value as files and reports show it: a number or a name.
-std::string value_text(const Config& config, const Parameter& parameter);
 
 /// Returns the names of the configurations that ship with the program.
 const std::vector<std::string>& config_names();

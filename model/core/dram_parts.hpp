@@ -63,9 +63,7 @@ std::int64_t capacity_bytes(const DramPart& part);
 /// refresh falls due, waits once for every gate of the part, and gives its bursts one after another.
 std::int64_t longest_pause_ps(const DramPart& part);
 
-constexpr int most_dram_channels = 4;   ///< maximum of Config::dram_channels
-
-/// Returns the memory with this name in dram_names(). Throws UserError for any other name and for `ideal`.
+/// Returns the memory of a DramName. Throws UserError for any other name and for `ideal`.
 const DramPart& dram_part(const std::string& name);
 
 }   // namespace rayclock

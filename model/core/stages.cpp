@@ -25,7 +25,7 @@ int stages_of_quotient(int bits, int in_each) { return (bits + in_each - 1) / in
 }   // namespace
 
 Stages::Stages(const Config& config) {
-    const bool fast = Timing(config.timing) == Timing::fast;
+    const bool fast = config.timing == Timing::fast;
     cut = fast ? 1 : 0;
     far = config.shading ? cut : 0;
     multiply = fast ? 3 : 0;

@@ -231,10 +231,10 @@ int run(const Options& o) {
     const Config& base = request.config;
     if (base.test() != PrimitiveTest::exact)
         throw UserError("fit: primitive_test must be exact, not " +
-                        primitive_test_names()[std::size_t(base.primitive_test)] +
+                        name_of(base.primitive_test) +
                         ": only exact decisions make the primitives depend on N and M alone");
     if (!base.is_bvh())
-        throw UserError("fit: structure must be bvh, not " + structure_names()[std::size_t(base.structure)] +
+        throw UserError("fit: structure must be bvh, not " + name_of(base.structure) +
                         ": the widths that it looks for are those of boxes");
     Measure measure(scene, size, o.threads, picture);
     Fit fit = search_for(o, goal, base, measure, progress);

@@ -6,7 +6,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "model/core/config.hpp"
+#include "model/core/parameters.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 

@@ -1,4 +1,4 @@
-// Builds the configurations of the study of number formats.
+#include "model/core/parameters.hpp"
 #include "sim/study/study.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ Study make_study(int khz) {
                      "Children of a node, with a stack of 64 groups, which the narrow trees need. No width "
                      "of a number, and so no error; for comparison.",
                      deep);
-    maker.add_series(fmt::format("primitive_test={}", fmt::join(primitive_test_names(), ",")),
+    maker.add_series(fmt::format("primitive_test={}", fmt::join(names_of<PrimitiveTest>(), ",")),
                      "The test of ray against triangle. All but exact and sheared are software only and have "
                      "no multipliers and flip-flops.",
                      base);

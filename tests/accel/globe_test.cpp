@@ -18,7 +18,7 @@ namespace {
 
 Config globes(int width = 8) {
     Config config;
-    config.structure = int(Structure::spheres);
+    config.structure = Structure::spheres;
     config.node_width = width;
     config.stack_depth = 64;
     return config;
@@ -142,7 +142,7 @@ TEST_CASE("images of globes hold spheres and planes, and what the sheared test a
     for (const char* name : {"spheres", "balls:1", "plane"})
         CHECK(check_globes(image_of(name, config, Primitives::native), config) == std::vector<std::string>{});
     Config sheared = globes();
-    sheared.coord_bits = 16, sheared.dir_bits = 20, sheared.primitive_test = int(PrimitiveTest::sheared);
+    sheared.coord_bits = 16, sheared.dir_bits = 20, sheared.primitive_test = PrimitiveTest::sheared;
     CHECK(check_globes(image_of("gears:1", sheared, Primitives::triangles), sheared) ==
           std::vector<std::string>{});
 }

@@ -122,13 +122,13 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     };
     Config config = format(18, 20);
     CHECK(refused(config, scene).empty());
-    config.primitive_test = int(PrimitiveTest::sheared);
+    config.primitive_test = PrimitiveTest::sheared;
     CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(18, 20);
-    config.structure = int(Structure::none);
+    config.structure = Structure::none;
     CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(20, 18);
-    config.structure = int(Structure::bsp);
+    config.structure = Structure::bsp;
     CHECK(refused(config, scene).find("leaves 0 of its 512 free") != std::string::npos);
     config = format(18, 20);
     PlacedScene round = scene;

@@ -76,7 +76,7 @@ TEST_CASE("a plane and true spheres beside instances are the reference's, in eve
     std::vector<std::array<std::uint32_t, 3>> first;
     for (const Structure structure : tree_structures) {
         const Drawn two = drawn(scene, size, settings, of_structure(format(18, 20), structure), 2);
-        INFO(structure_names()[std::size_t(structure)]);
+        INFO(name_of(structure));
         const double with_two = psnr(two.picture, right.pixels);
         CAPTURE(with_two);
         CHECK(with_two >= 40);
@@ -91,7 +91,7 @@ TEST_CASE("a plane and true spheres beside instances are the reference's, in eve
 TEST_CASE("what is not placed is drawn by two levels as by one, bit for bit", "[levels][secondary]") {
     const Structure structure = GENERATE(from_range(tree_structures));
     const std::string name = GENERATE("spheres", "plane", "mirrors", "balls:1", "gears:1");
-    CAPTURE(name, structure_names()[std::size_t(structure)]);
+    CAPTURE(name, name_of(structure));
     const Scene scene = make_builtin(name, Primitives::native);
     constexpr FrameSize size{40, 30};
     Whitted settings;

@@ -7,7 +7,7 @@
 namespace rayclock::test {
 
 inline std::vector<PrimData> prims_of(const char* name, Config config, Primitives primitives) {
-    config.structure = int(Structure::none);
+    config.structure = Structure::none;
     config.splits = 0;
     if (primitives == Primitives::native) config.spheres = config.planes = config.shading = 1;
     Scene scene = load_scene(name, {}, primitives);

@@ -13,7 +13,7 @@ namespace {
 
 Config octree_of(int leaf_size, Straddlers straddlers) {
     Config config;
-    config.structure = int(Structure::octree);
+    config.structure = Structure::octree;
     config.leaf_size = leaf_size;
     config.straddlers = int(straddlers);
     return config;

@@ -19,7 +19,7 @@ namespace {
 
 Config bsp_of(int width = 8, Straddlers straddlers = Straddlers::leaves) {
     Config config;
-    config.structure = int(Structure::bsp);
+    config.structure = Structure::bsp;
     config.straddlers = int(straddlers);
     config.node_width = width;
     config.stack_depth = 64;
@@ -153,7 +153,7 @@ TEST_CASE("planes in any direction hold spheres and planes, and what the sheared
     for (const char* name : {"spheres", "balls:1", "plane"})
         CHECK(complaints(test::prims_of(name, config, Primitives::native), config) == none);
     Config sheared = bsp_of();
-    sheared.coord_bits = 16, sheared.dir_bits = 20, sheared.primitive_test = int(PrimitiveTest::sheared);
+    sheared.coord_bits = 16, sheared.dir_bits = 20, sheared.primitive_test = PrimitiveTest::sheared;
     CHECK(complaints(test::prims_of("gears:1", sheared, Primitives::triangles), sheared) == none);
 }
 

@@ -188,7 +188,7 @@ std::size_t treelets_in(const Cell& cell, int levels) {
 TEST_CASE("a treelet begins where it was decided, and nowhere else but where planes end", "[treelets]") {
     for (const char* name : {"gears:1", "balls:2", "mount:4"}) {
         Config config;
-        config.structure = int(Structure::kd);
+        config.structure = Structure::kd;
         const std::vector<PrimData> prims = test::prims_of(name, config, Primitives::triangles);
         const CellPtr root = kd::build(prims, config);
         CHECK(compile_triangles(prims, config, name).report.nodes == treelets_in(*root, 0));
@@ -207,7 +207,7 @@ TEST_CASE("no choice of treelets costs less than the one that is made", "[treele
     test::Draw draw{11};
     for (int i = 0; i < 60; ++i) {
         Config config;
-        config.structure = int(Structure::kd);
+        config.structure = Structure::kd;
         config.node_width = i % 3 == 0 ? 2 : i % 3 == 1 ? 4 : 8;
         const int levels = 1 + i % 3;
         const LatticeBox box{{0, 0, 0}, {draw.between(20, 99), draw.between(20, 99), draw.between(20, 99)}};

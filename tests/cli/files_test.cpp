@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/core/config.hpp"
+#include "model/core/parameters.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;

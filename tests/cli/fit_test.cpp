@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "model/core/config.hpp"
+#include "model/core/parameters.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;

@@ -269,7 +269,7 @@ TEST_CASE("every field that a unit before a cache sends is a field of a link beh
     };
     Config whole = named_config("default"), sheared = whole;
     whole.shading = whole.spheres = whole.planes = 1;
-    sheared.primitive_test = int(PrimitiveTest::sheared);
+    sheared.primitive_test = PrimitiveTest::sheared;
     for (const Config& config : {whole, sheared}) add(of_tri, Link::tri_req, config);
     for (std::size_t i = 0; i < link_count; ++i)
         if (const Link link = Link(i); asks_of_node(link) || link == Link::xform_req) {

@@ -163,7 +163,7 @@ TEST_CASE("machines without a tree that can be refitted make all of it anew, and
           "[motion][deform]") {
     const Folder folder;
     Config list = quick_config("default");
-    list.structure = int(Structure::kd);
+    list.structure = Structure::kd;
     Film film = film_of(sheet_film(folder, 6), list, small, options("between", 1.5, 3));
     const Recorded made = recorded(film);
     for (const FrameTrace& trace : made.traces) {

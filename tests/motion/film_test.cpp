@@ -35,7 +35,7 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
     // Trees of planes have no bound on their lines, so there is room for the largest of the film.
     const Structure structure = GENERATE(Structure::bvh, Structure::spheres, Structure::kd, Structure::bsp);
     for (const char* uploads : {"between", "double"}) {
-        INFO(structure_names()[std::size_t(structure)] << ", " << uploads);
+        INFO(name_of(structure) << ", " << uploads);
         Film film = film_of("crowd:3", two("default", 2, {{"structure", int(structure)}}), {32, 24},
                             frames_of(6, 8, uploads));
         const Recorded made = recorded(film);

@@ -91,7 +91,7 @@ double cost_of(const MemoryImage& image, const Config& config) {
 }
 
 Config list_of(Config config) {
-    config.structure = int(Structure::none);
+    config.structure = Structure::none;
     config.leaf_size = 1;
     return config;
 }
@@ -138,8 +138,8 @@ TEST_CASE("a refitted tree holds all its triangles, and gives the hits of a rebu
 }
 
 TEST_CASE("a triangle that has no area in one frame is hit in the next", "[motion][refit]") {
-    const int test = GENERATE(range(0, int(primitive_test_names().size())));
-    INFO("primitive_test=" << primitive_test_names()[std::size_t(test)]);
+    const int test = GENERATE(range(0, int(names_of<PrimitiveTest>().size())));
+    INFO("primitive_test=" << name_of(test));
     const Config config = with(quick_config("default"), {{"primitive_test", test}});
     Film film(soup(50, 0, 3), config);   // all triangles are points
     Refit tree(config, "points");

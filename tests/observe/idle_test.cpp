@@ -5,6 +5,7 @@
 
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/idle.hpp"
@@ -44,8 +45,8 @@ TEST_CASE("a setting that is said to have no effect has none") {
             const std::string item = std::string(p.key) + "=";
             if (idle_settings(config, {item}).empty()) continue;
             ++idle;
-            other.*p.member = p.power_of_two ? config.*p.member * 2 : config.*p.member + 1;
-            if (other.*p.member > p.hi) other.*p.member = p.power_of_two ? config.*p.member / 2 : p.lo;
+            p.set(other, p.power_of_two() ? p.get(config) * 2 : p.get(config) + 1);
+            if (p.get(other) > p.hi) p.set(other, p.power_of_two() ? p.get(config) / 2 : p.lo);
             INFO(values[0].second << ", " << p.key);
             CHECK_NOTHROW(check_config(other, "test"));
             CHECK(frame_of(other) == frame);

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "model/base/error.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/explore/sweep/shard.hpp"
 #include "tests/sweep/support.hpp"
 
@@ -82,7 +83,7 @@ TEST_CASE("timing does not make another trace, every width does") {
     for (const Parameter& p : parameters()) {
         INFO(p.key);
         Config other = base;
-        other.*p.member = base.*p.member == p.lo ? p.hi : p.lo;
+        p.set(other, p.get(base) == p.lo ? p.hi : p.lo);
         const std::string key = p.key;
         const bool is_format =
             key.ends_with("_bits")

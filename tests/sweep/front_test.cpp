@@ -130,7 +130,7 @@ TEST_CASE("cost is what was chosen") {
     results[0].point.config.node_sets = 16;
     results[1].point.config.contexts = 128;
     results[2].point.config.pipelines = 2;
-    results[3].point.config.primitive_test = int(PrimitiveTest::woop);
+    results[3].point.config.primitive_test = PrimitiveTest::woop;
     CHECK(on_front(sweep::Cost::bits, "chip_memory_bits") == Flags{true, true, true, false});
     CHECK_THROWS_AS(sweep::parse_cost("lutt"), UserError);
     CHECK(sweep::parse_cost("bram") == sweep::Cost::bram);
@@ -150,7 +150,7 @@ TEST_CASE("memory on the chip is that of every pipeline, and what they share") {
     CHECK(sweep::chip_memory_bits(four) == 4 * bits + 8u * 64 * 4 * 64);
     one.shading = 1;
     CHECK(sweep::pipeline_cache_bytes(one) == 2u * 32 * 2 * 64 + 64u * 4 * 64);
-    one.structure = int(Structure::none);
+    one.structure = Structure::none;
     CHECK(sweep::pipeline_cache_bytes(one) == 32u * 2 * 64 + 64u * 4 * 64);
 }
 

@@ -82,7 +82,7 @@ private:
 
 void check_all(int lines) {
     Config config;
-    config.structure = int(Structure::bsp);
+    config.structure = Structure::bsp;
     config.stack_depth = 64;
     for (const int width : {8, 2}) {
         config.node_width = width;

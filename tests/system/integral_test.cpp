@@ -119,7 +119,7 @@ private:
 };
 
 void check_visits(const Config& config, int lines) {
-    INFO(structure_names()[std::size_t(config.structure)] << ", straddlers " << config.straddlers);
+    INFO(name_of(config.structure) << ", straddlers " << config.straddlers);
     const Tree tree(triangles(400, 26000, 4000), config);
     Lines drawn(config);
     const bool globes = config.has_globes();
@@ -142,8 +142,8 @@ void check_all(int lines) {
             check_visits(config, lines);
         }
     }
-    config.structure = int(Structure::octree);
-    config.straddlers = int(Straddlers::inner);
+    config.structure = Structure::octree;
+    config.straddlers = Straddlers::inner;
     check_visits(config, lines);
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
 TEST_CASE("every ray of planes and true spheres beside instances is judged, in every structure",
           "[judge][levels]") {
     for (const Structure structure : tree_structures) {
-        INFO(structure_names()[std::size_t(structure)]);
+        INFO(name_of(structure));
         check_sound(Case(mixed_with_round(false), true, of_structure(named_config("default"), structure), 5));
     }
     check_sound(Case(mixed_with_round(true), true, named_config("small"), 3, 2));

@@ -79,7 +79,7 @@ TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
 
 TEST_CASE("model and RTL draw instances alike", "[levels]") {
     const Config config = GENERATE(from_range(chips()));
-    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << ", a pass every "
+    INFO(config.name << ", " << name_of(config.structure) << ", a pass every "
                      << config.shade_interval);
     const Scene scene = flattened(mixed(config.smooth));
     Whitted settings;

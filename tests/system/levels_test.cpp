@@ -22,12 +22,8 @@ Config of(const std::string& name, Structure structure, int interval, Values mor
     return two(name, interval, more);
 }
 
-/// Returns the value of mesh_structure.
-int mesh(Structure structure) {
-    const auto& names = mesh_structure_names();
-    return int(std::find(names.begin(), names.end(), structure_names()[std::size_t(structure)]) -
-               names.begin());
-}
+/// Value of mesh_structure.
+int mesh(Structure structure) { return int(choice_named<MeshStructure>(name_of(structure))); }
 const Values fast{{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}};
 Config both(const std::string& name, Structure upper, Structure lower, int interval, Values more = {}) {
     more.insert(more.begin(), {"mesh_structure", mesh(lower)});
@@ -71,8 +67,8 @@ TEST_CASE("the RTL of two levels builds", "[.build]") {
 
 namespace {
 void check_gearboxes(const Config& config) {
-    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << " over "
-                     << structure_names()[std::size_t(config.lower_structure())] << ", every "
+    INFO(config.name << ", " << name_of(config.structure) << " over "
+                     << name_of(config.lower_structure()) << ", every "
                      << config.xform_interval);
     const Shot shot = make_deep_shot("gearbox:1", {32, 24}, config);
     check_lockstep(shot.job);
@@ -106,7 +102,7 @@ TEST_CASE("two levels of any two structures hit the same, bit for bit", "[levels
             const Closest &a = got[i], &b = right[i];
             wrong += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v;
         }
-        INFO(structure_names()[std::size_t(upper)] << " over " << structure_names()[std::size_t(lower)]);
+        INFO(name_of(upper) << " over " << name_of(lower));
         CHECK(wrong == 0);
     }
 }

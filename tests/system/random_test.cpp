@@ -2,6 +2,7 @@
 // own RTL: a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
+#include "model/core/parameters.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/machine/random_config.hpp"
 #include "tests/system/frames.hpp"
@@ -53,7 +54,7 @@ void check_random(const Config& config, std::uint64_t seed) {
     check_lockstep(shot.job);
     for (int i = 0; i < 6; ++i) {
         Job job = shot.job;
-        job.config = with(job.config, {{"dram", (config.dram + i) % int(dram_names().size())},
+        job.config = with(job.config, {{"dram", (config.dram + i) % int(names_of<DramName>().size())},
                                        {"mem_latency", 1 + rng.below(60)},
                                        {"mem_interval", 1 + rng.below(4)}});
         job.khz = 20000 + rng.below(500000);

@@ -80,7 +80,7 @@ TEST_CASE("hits do not depend on latency, order of answers or back-pressure: RTL
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     const HitFrame expected = run_rtl(shot.job).hits;
     CHECK(expected.hits == run_model(shot.job).hits.hits);
-    for (int dram = 0; dram < int(dram_names().size()); ++dram)
+    for (int dram = 0; dram < int(names_of<DramName>().size()); ++dram)
         for (const int khz : {20000, 500000}) {
             Job job = reshaped(shot.job, {{"dram", dram}});
             job.khz = khz;

@@ -58,7 +58,7 @@ Config any_part(int which) {
 /// The same with the paths of a fast clock.
 Config fast_part(int which) {
     Config config = any_part(which);
-    config.timing = int(Timing::fast);
+    config.timing = Timing::fast;
     config.tri_queue = 64;
     return config;
 }

@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("model and rtl of a cache do the same in every cycle", "[cach
 TEMPLATE_TEST_CASE("model and rtl of a fast cache do the same in every cycle", "[cache][lockstep][fast]",
                    NodeCache, PrimCache, SharedCache) {
     Config config = cache_config("four");
-    config.timing = int(Timing::fast);
+    config.timing = Timing::fast;
     lockstep<TestType>(config, 3, 2500);
 }
 

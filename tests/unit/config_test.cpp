@@ -4,6 +4,7 @@
 #include "model/base/error.hpp"
 #include "model/core/layout.hpp"
 #include "model/core/payloads.hpp"
+#include "model/core/parameters.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
@@ -25,21 +26,21 @@ TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
         for (const int value : {p.lo, p.hi}) {
             set_parameter(config, p.key, p.names ? (*p.names)[std::size_t(value)] : std::to_string(value),
                           "here");
-            REQUIRE(config.*p.member == value);
+            REQUIRE(p.get(config) == value);
             REQUIRE(value_text(config, p) ==
                     (p.names ? (*p.names)[std::size_t(value)] : std::to_string(value)));
         }
         for (const int bad : {p.lo - 1, p.hi + 1}) {
             Config wrong;
-            wrong.*p.member = bad;
+            p.set(wrong, bad);
             const bool line = std::string(p.key).ends_with("_line") && bad < p.lo;
             REQUIRE_THROWS_WITH(check_config(wrong, "here"),
                                 Contains("here: " + std::string(p.key) + " must " +
                                          (line ? "be at least 64 bytes" : "lie in")));
         }
-        if (!p.power_of_two) continue;
+        if (!p.power_of_two()) continue;
         Config odd;
-        odd.*p.member = p.lo < 2 ? 3 : p.lo + 1;
+        p.set(odd, p.lo < 2 ? 3 : p.lo + 1);
         REQUIRE_THROWS_WITH(check_config(odd, "here"), Contains("power of two"));
     }
 }
@@ -55,9 +56,9 @@ TEST_CASE("a parameter that does not exist or is no number is refused", "[config
 
 TEST_CASE("a named value that does not exist is refused with the nearest", "[config]") {
     Config config;
-    for (const std::string& name : dram_names()) {
+    for (const std::string& name : names_of<DramName>()) {
         set_parameter(config, "dram", name, "f");
-        REQUIRE(dram_names()[std::size_t(config.dram)] == name);
+        REQUIRE(name_of(config.dram) == name);
     }
     REQUIRE_THROWS_WITH(set_parameter(config, "dram", "ddr5", "f"),
                         Contains("f: ") && Contains("'ddr5'") && Contains("ddr3"));
@@ -70,12 +71,12 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
     for (int i = 0; i < 50000; ++i) {
         Config c;
         for (const Parameter& p : parameters()) {
-            if (p.power_of_two) {
+            if (p.power_of_two()) {
                 int value = p.lo;
                 while (value < p.hi && draw.coin()) value *= 2;
-                c.*p.member = value;
+                p.set(c, value);
             } else {
-                c.*p.member = draw.below(4) == 0 ? (draw.coin() ? p.lo : p.hi) : draw.between(p.lo, p.hi);
+                p.set(c, draw.below(4) == 0 ? (draw.coin() ? p.lo : p.hi) : draw.between(p.lo, p.hi));
             }
         }
         if (!c.planes || !c.refraction) c.panes = 0;

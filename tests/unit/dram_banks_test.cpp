@@ -9,7 +9,7 @@ using namespace rayclock;
 
 TEST_CASE("every named memory but the ideal one is a part, and its figures are those of its data sheet",
           "[dram]") {
-    for (const std::string& name : dram_names()) {
+    for (const std::string& name : names_of<DramName>()) {
         if (name == "ideal")
             REQUIRE_THROWS_AS(dram_part(name), UserError);
         else

@@ -4,6 +4,7 @@
 
 #include "model/base/error.hpp"
 #include "model/unit/raygen/raygen.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/explore/fit/dominant.hpp"
 #include "sim/explore/fit/search.hpp"
@@ -97,19 +98,19 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
     REQUIRE(found->parameters.size() == 10);
     for (const fit::Fitted& f : found->parameters) {
         INFO(f.parameter->key << " " << f.value << ", one step below: " << f.below);
-        CHECK(found->config.*f.parameter->member == f.value);
+        CHECK(f.parameter->get(found->config) == f.value);
         Config lower = found->config;
-        int& value = lower.*f.parameter->member;
-        value = f.parameter->power_of_two ? value / 2 : value - 1;
+        int& value = f.parameter->get(lower);
+        value = f.parameter->power_of_two() ? value / 2 : value - 1;
         CHECK(!keeps(scene, size, reference, lower, c.goal));
         CHECK(!f.below.empty());
     }
     // The shape must not change.
     Config shape = named_config(c.base);
-    for (const fit::Fitted& f : found->parameters) shape.*f.parameter->member = f.value;
+    for (const fit::Fitted& f : found->parameters) f.parameter->set(shape, f.value);
     for (const Parameter& p : parameters()) {
         INFO(p.key);
-        CHECK(shape.*p.member == found->config.*p.member);
+        CHECK(p.get(shape) == p.get(found->config));
     }
     CHECK(found->cost.total() < found->base_cost.total());
 }
@@ -148,7 +149,7 @@ TEST_CASE("fit is the same for any number of threads", "[fit]") {
         Measure measure(scene, {64, 48}, threads);
         found.push_back(Search(measure, named_config("default"), {1, {}, 2}).run()->config);
     }
-    for (const Parameter& p : parameters()) CHECK(found[0].*p.member == found[1].*p.member);
+    for (const Parameter& p : parameters()) CHECK(p.get(found[0]) == p.get(found[1]));
 }
 
 TEST_CASE("the cost counts every multiplier and every memory", "[fit]") {

@@ -32,7 +32,7 @@ void check_refused(const std::string& text, const std::vector<std::string>& word
 }   // namespace
 
 TEST_CASE("a memory that is written to a file is read again, every value", "[dram]") {
-    for (const std::string& name : dram_names()) {
+    for (const std::string& name : names_of<DramName>()) {
         if (name == "ideal") continue;
         const DramPart& part = dram_part(name);
         const std::string text = memory_file_json(part).dump(2);

@@ -132,7 +132,7 @@ TEST_CASE("jitter lets answers overtake each other within its bound and loses no
     config.dram = GENERATE(0, 1, 2);
     config.node_mshrs = 32;
     const Traffic traffic{config.dram == 0 ? 9 : 60, 0, GENERATE(1u, 2u, 3u)};
-    INFO(dram_names()[std::size_t(config.dram)] << ", seed " << traffic.seed);
+    INFO(name_of(config.dram) << ", seed " << traffic.seed);
     const Log log = run_disturbed(config, traffic, 500);
     REQUIRE_FALSE(std::is_sorted(log.order.begin(), log.order.end()));
     REQUIRE(run_disturbed(config, traffic, 500) == log);

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/core/parameters.hpp"
 #include "sim/run/gen/chip_page.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
@@ -29,6 +30,17 @@ TEST_CASE("the tables of docs/chip.md are current", "[package]") {
     REQUIRE((text.str() == with_tables(text.str())));
     for (const char* table : {"registers", "parameters", "frame", "counters", "node", "surface", "hit_t"})
         REQUIRE_THAT(text.str(), Catch::Contains(std::string("<!-- made: ") + table + " -->"));
+}
+
+TEST_CASE("docs/configurations.md has every parameter as the table of parameters has it", "[package]") {
+    std::ifstream file(rtl_sources().parent_path() / "docs/configurations.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    REQUIRE(file);
+    INFO("regenerate with: cmake --build --preset release --target regen");
+    REQUIRE((text.str() == with_tables(text.str())));
+    for (const Parameter& p : parameters())
+        REQUIRE_THAT(text.str(), Catch::Contains("| `" + std::string(p.key) + "` |"));
 }
 
 TEST_CASE("the package states the configuration's numbers", "[package]") {

@@ -11,9 +11,9 @@ using Catch::Contains;
 TEST_CASE("a primitive test is chosen by name", "[primitive]") {
     Config config;
     REQUIRE(config.test() == PrimitiveTest::exact);
-    for (const std::string& name : primitive_test_names()) {
+    for (const std::string& name : names_of<PrimitiveTest>()) {
         set_parameter(config, "primitive_test", name, "f");
-        REQUIRE(primitive_test_names()[std::size_t(config.primitive_test)] == name);
+        REQUIRE(name_of(config.primitive_test) == name);
         check_config(config, "f");
         if (name == "exact" || name == "sheared")
             REQUIRE_NOTHROW(check_rtl(config));

@@ -6,6 +6,7 @@
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
 #include "model/engine/bvh/slab.hpp"
+#include "model/core/parameters.hpp"
 #include "tests/support/cases/box_cases.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 #include "tests/support/machine/walked.hpp"
@@ -22,7 +23,7 @@ Config with(std::initializer_list<std::pair<const char*, int>> values) {
     Config config = named_config("default");
     for (const Parameter& p : parameters())
         for (const auto& [key, value] : values)
-            if (key == std::string(p.key)) config.*p.member = value;
+            if (key == std::string(p.key)) p.set(config, value);
     check_config(config, "test");
     return config;
 }
@@ -46,7 +47,7 @@ std::vector<Config> corner_configs() {
 /// Returns the corner configurations and one for each primitive test.
 std::vector<Config> configs_of_traces() {
     std::vector<Config> all = corner_configs();
-    for (int test = 1; test < int(primitive_test_names().size()); ++test)
+    for (int test = 1; test < int(names_of<PrimitiveTest>().size()); ++test)
         all.push_back(with({{"primitive_test", test}}));
     all.push_back(with({{"primitive_test", 1}, {"coord_bits", 12}, {"dir_bits", 14}, {"leaf_size", 6}}));
     return all;

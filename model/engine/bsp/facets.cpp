@@ -41,7 +41,7 @@ Vec3i nearest_normal(const glm::dvec3& direction) {
 }
 
 Facets::Facets(const std::vector<PrimData>& prims, const kd::Pieces& pieces, const Config& config)
-    : pieces_(pieces), normals_(prims.size()), stops_(Straddlers(config.straddlers) == Straddlers::stop) {
+    : pieces_(pieces), normals_(prims.size()), stops_(config.straddlers == Straddlers::stop) {
     tbb::parallel_for(std::size_t(0), prims.size(),
                       [&](std::size_t i) { normals_[i] = normals_of(prims[i]); });
 }

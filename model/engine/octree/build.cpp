@@ -34,7 +34,7 @@ public:
     Builder(const kd::Pieces& pieces, const Config& config)
         : pieces_(pieces),
           leaf_size_(std::size_t(config.leaf_size)),
-          inner_(Straddlers(config.straddlers) == Straddlers::inner) {}
+          inner_(config.straddlers == Straddlers::inner) {}
 
     CellPtr node(Part part, int depth, double budget) const {
         const bool can_be_cut = !(middle(part.box, 0).axis == no_axis &&

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "model/base/error.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/silicon/area/run.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/explore/sweep/run.hpp"
@@ -12,11 +13,6 @@
 namespace rayclock::balance {
 
 namespace {
-
-const Parameter& parameter(int Config::*member) {
-    return *std::find_if(parameters().begin(), parameters().end(),
-                         [&](const Parameter& p) { return p.member == member; });
-}
 
 chip::Use use_of(const synth::Count& count) { return {count.luts(), count.ff, count.dsp, count.bram}; }
 

@@ -69,7 +69,7 @@ std::string parameter_table(const Fit& fit, const Config& base) {
     Table table({"parameter", "for", "one step below", base.name, "fitted"}, 3);
     for (const Fitted& f : fit.parameters)
         table.add({f.parameter->key, purpose_name(f.purpose), f.below,
-                   std::to_string(base.*f.parameter->member), std::to_string(f.value)});
+                   std::to_string(f.parameter->get(base)), std::to_string(f.value)});
     return table.text();
 }
 
@@ -131,7 +131,7 @@ ordered_json parameters_json(const Fit& fit, const Config& base) {
     for (const Fitted& f : fit.parameters)
         list.push_back({{"key", f.parameter->key},
                         {"value", f.value},
-                        {"base", base.*f.parameter->member},
+                        {"base", f.parameter->get(base)},
                         {"for", purpose_name(f.purpose)},
                         {"one_step_below", f.below}});
     return list;

@@ -9,6 +9,7 @@
 
 #include "model/base/error.hpp"
 #include "model/scene/folded.hpp"
+#include "model/core/parameters.hpp"
 
 namespace rayclock::fit {
 
@@ -17,10 +18,6 @@ namespace {
 constexpr double colour_loss = 0.1,
                  colour_enough = 60;   // dB that bary_bits may cost, and beyond which it may cost all
 
-const Parameter& parameter(int Config::*member) {
-    return *std::find_if(parameters().begin(), parameters().end(),
-                         [&](const Parameter& p) { return p.member == member; });
-}
 int most(int Config::*member) { return parameter(member).hi; }
 int least(int Config::*member) { return parameter(member).lo; }
 
@@ -192,7 +189,7 @@ Fitted Search::fitted(int Config::*member, Purpose purpose) {
 Fitted Search::needed(int Config::*member, const std::string& why) const {
     Fitted f{&parameter(member), Purpose::correctness, best_.*member, why};
     Config lower = best_;
-    lower.*member = f.parameter->power_of_two ? f.value / 2 : f.value - 1;
+    lower.*member = f.parameter->power_of_two() ? f.value / 2 : f.value - 1;
     if (f.value == f.parameter->lo)
         f.below = "there is no less";
     else if (const std::string rule = broken_rule(lower); !rule.empty())

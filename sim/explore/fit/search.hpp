@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/explore/fit/cost.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/explore/fit/measure.hpp"
 
 namespace rayclock::fit {

@@ -2,7 +2,6 @@
 #include "sim/explore/sweep/axes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "model/core/settled.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/run/memory/memory_file.hpp"
 
 namespace rayclock::sweep {
@@ -45,16 +45,7 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
     return values;
 }
 
-/// Parameters that change only timing and never the path of a ray. All other parameters belong to the format.
-constexpr std::array timing_only{
-    "contexts",       "raygen_queue", "box_queue",      "tri_queue",     "tri_interval", "cache_queue",
-    "pipelines",      "tile_bits",    "node_sets",      "node_ways",     "node_line",    "node_mshrs",
-    "prim_sets",      "prim_ways",    "prim_line",      "prim_mshrs",    "l2_sets",      "l2_ways",
-    "l2_line",        "l2_mshrs",     "dram",           "dram_channels", "mem_latency",  "mem_interval",
-    "timing",         "shade_queue",  "surf_sets",      "surf_ways",     "surf_line",    "surf_mshrs",
-    "xform_interval", "box_lanes",    "shade_interval", "scan_out",      "pixel_writes", "raygen_interval"};
-
-/// Returns one value for each linked parameter. A single `dram` value may be a path, which contains slashes.
+/// One value for each of the linked parameters. A memory alone may be the path of its file.
 std::vector<std::string> values_of(const std::string& value, const std::string& key) {
     return key == "dram" ? std::vector<std::string>{value} : split(value, '/');
 }
@@ -157,7 +148,7 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
 std::string trace_format(const Config& config) {
     std::string text;
     for (const Parameter& p : parameters())
-        if (std::find(timing_only.begin(), timing_only.end(), std::string_view(p.key)) == timing_only.end())
+        if (!p.timing_only)
             text += fmt::format("{}={} ", p.key, value_text(config, p));
     return text;
 }

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/core/parameters.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/run/memory/memory_file.hpp"
 #include "sim/run/request/reference_picture.hpp"
 #include "sim/files/process/stopping.hpp"

@@ -10,13 +10,6 @@ namespace rayclock {
 
 namespace {
 
-/// The value of Config::mesh_structure.
-int meshes_of(Structure structure) {
-    const auto& names = mesh_structure_names();
-    const auto it = std::find(names.begin(), names.end(), structure_names()[std::size_t(structure)]);
-    return int(it - names.begin());
-}
-
 Config shading_chip() {
     Config c;
     c.coord_bits = 14, c.dir_bits = 16, c.t_frac_bits = 3, c.recip_bits = 12, c.box_bits = 5,
@@ -38,7 +31,7 @@ Config wide_chip() {
     c.coord_bits = 18, c.dir_bits = 24, c.t_frac_bits = 6, c.recip_bits = 23, c.box_bits = 8,
     c.bary_bits = 24, c.origin_bits = 11;
     c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 2, c.tile_bits = 5;
-    c.timing = int(Timing::fast), c.box_lanes = 2, c.shade_interval = 2;
+    c.timing = Timing::fast, c.box_lanes = 2, c.shade_interval = 2;
     c.tri_queue = 32, c.node_sets = 4, c.node_ways = 4, c.node_mshrs = 8, c.prim_sets = 8, c.prim_ways = 2,
     c.prim_line = 128, c.prim_mshrs = 4;
     c.shading = 1, c.surf_sets = 8, c.surf_ways = 1, c.surf_mshrs = 4, c.lights = 3, c.bounces = 1;
@@ -47,7 +40,7 @@ Config wide_chip() {
 
 Config sheared_chip() {
     Config c;
-    c.primitive_test = int(PrimitiveTest::sheared);
+    c.primitive_test = PrimitiveTest::sheared;
     // Short reciprocals of long directions: the slabs' shifts go as far as they can.
     c.coord_bits = 16, c.dir_bits = 24, c.recip_bits = 8, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 6;
     c.node_width = 2, c.leaf_size = 3, c.contexts = 4, c.stack_depth = 32, c.tile_bits = 0;
@@ -62,7 +55,7 @@ Config sheared_chip() {
 /// Two levels that shade: rays start at home in an instance. All that rests, rests long.
 Config homes_chip() {
     Config c = shading_chip();
-    c.structure = int(Structure::kd), c.levels = 2, c.mesh_structure = meshes_of(Structure::bvh);
+    c.structure = Structure::kd, c.levels = 2, c.mesh_structure = MeshStructure::bvh;
     c.coord_bits = 16, c.dir_bits = 18, c.bary_bits = 14, c.origin_bits = 10, c.t_frac_bits = 2;
     c.xform_interval = 4, c.shade_interval = 4, c.tri_interval = 4, c.raygen_interval = 8, c.box_lanes = 2;
     c.stack_depth = 32, c.tile_bits = 2, c.addr_bits = 10, c.lights = 3, c.bounces = 3;
@@ -73,8 +66,8 @@ Config homes_chip() {
 /// Two levels that do not: planes in any direction above globes, without a rest.
 Config slants_chip() {
     Config c;
-    c.timing = int(Timing::fast);
-    c.structure = int(Structure::bsp), c.levels = 2, c.mesh_structure = meshes_of(Structure::spheres);
+    c.timing = Timing::fast;
+    c.structure = Structure::bsp, c.levels = 2, c.mesh_structure = MeshStructure::spheres;
     c.coord_bits = 15, c.dir_bits = 17, c.recip_bits = 14, c.t_frac_bits = 5, c.bary_bits = 10;
     c.node_width = 4, c.leaf_size = 2, c.contexts = 16, c.stack_depth = 32, c.xform_interval = 1;
     c.raygen_queue = 32, c.box_queue = 32, c.tri_queue = 64;
@@ -86,7 +79,7 @@ Config slants_chip() {
 /// No tree, every unit that shades, in the longest stages; addresses as short as they may be.
 Config listed_chip() {
     Config c = shading_chip();
-    c.structure = int(Structure::none), c.timing = int(Timing::fast), c.shade_interval = 8;
+    c.structure = Structure::none, c.timing = Timing::fast, c.shade_interval = 8;
     c.raygen_interval = 2, c.tri_interval = 1, c.node_width = 2, c.pipelines = 1, c.tile_bits = 3;
     c.tri_queue = c.shade_queue = 64;   // its pipelines are long
     c.contexts = 32, c.l2_sets = 0, c.surf_line = 64, c.prim_line = 128, c.prim_sets = 8, c.addr_bits = 8,

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/core/parameters.hpp"
 #include "model/core/payloads.hpp"
 #include "sim/run/gen/description.hpp"
 #include "sim/run/gen/registers.hpp"
@@ -110,7 +111,32 @@ std::string counter_table() {
     return text;
 }
 
-/// Returns `default` with every unit that a finished picture may need.
+/// Every parameter: legal values, its value in each named configuration ("=": as in `default`), when it
+/// matters.
+std::string configuration_tables() {
+    std::vector<Config> configs;
+    std::string head = "\n| parameter | values |", line = "|---|---|", text;
+    for (const std::string& name : config_names()) {
+        configs.push_back(named_config(name));
+        head += " " + name + " |", line += "---|";
+    }
+    head += " only with | meaning |\n" + line + "---|---|\n";
+    const char* group = "";
+    for (const Parameter& p : parameters()) {
+        if (p.group != group)
+            text += fmt::format("{}**{}**\n{}", text.empty() ? "" : "\n", group = p.group, head);
+        const std::string usual = value_text(configs[0], p);
+        text += fmt::format("| `{}` | {} | {} |", p.key, range_text(p), usual);
+        for (std::size_t i = 1; i < configs.size(); ++i) {
+            const std::string value = value_text(configs[i], p);
+            text += " " + (value == usual ? "=" : value) + " |";
+        }
+        text += fmt::format(" {} | {} |\n", p.effect->words, p.meaning);
+    }
+    return text;
+}
+
+/// `default`, with every unit that a finished picture may need.
 Config shaded() {
     Config c = named_config("default");
     c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.supersampling = 1;
@@ -119,7 +145,8 @@ Config shaded() {
 
 std::map<std::string, std::string> tables() {
     const Config plain = named_config("default"), all = shaded();
-    return {{"registers", control_table()},
+    return {{"configurations", configuration_tables()},
+            {"registers", control_table()},
             {"parameters", parameter_table(plain)},
             {"frame", frame_table(plain)},
             {"frame that is shaded", frame_table(all)},

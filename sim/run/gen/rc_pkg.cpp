@@ -13,6 +13,7 @@
 #include "model/unit/shade/state.hpp"
 #include "model/engine/globe/tables.hpp"
 #include "model/unit/shade/tables.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/run/gen/registers.hpp"
 
 namespace rayclock {
@@ -98,25 +99,16 @@ std::string camel(std::string_view name) {
     return text;
 }
 
-/// Returns false for parameters that the RTL does not need: the host's, the memory's, and lines in bytes.
-bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits",  "straddlers", "splits",        "references",
-                                "leaf_size",    "dram",       "dram_channels", "mem_latency",
-                                "mem_interval", "scan_out",   "pixel_writes"};
-    return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
-}
-
-/// Collects the text of the package.
 class Package {
 public:
     explicit Package(const Config& config) : config_(config) {}
 
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
-            if (is_for_rtl(p.key))
-                constant(camel(p.key), p.member == &Config::structure        ? int(config_.engine())
-                                       : p.member == &Config::mesh_structure ? int(config_.lower_engine())
-                                                                             : config_.*p.member);
+            if (p.in_rtl)
+                constant(camel(p.key), p.is("structure")        ? int(config_.engine())
+                                       : p.is("mesh_structure") ? int(config_.lower_engine())
+                                                                : p.get(config_));
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);

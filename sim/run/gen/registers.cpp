@@ -77,7 +77,7 @@ std::vector<HostParameter> host_parameters(const Config& c) {
                                    {"mem_id_bits", u(c.mem_id_bits())},
                                    {"hit_bits", u(bits_of<HitOut>(c))},
                                    {"frame_words", u(int(frame_words(c).size()))},
-                                   {"primitive_test", u(c.primitive_test)},
+                                   {"primitive_test", u(int(c.primitive_test))},
                                    {"shading", u(c.shading)},
                                    {"spheres", u(c.spheres)},
                                    {"planes", u(c.planes)},

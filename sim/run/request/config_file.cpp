@@ -9,6 +9,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
@@ -59,7 +60,7 @@ Config parse_config(const std::string& path, std::string_view text) {
                 "under \"like\"",
                 p.key));
         if (!value) continue;
-        if (p.member == &Config::dram && value->raw().is_object())
+        if (p.is("dram") && value->raw().is_object())
             config.own_dram = std::make_shared<const DramPart>(inner_memory(path, value->raw()));
         else
             set_value(config, p.key, text_of(*value, p), printable(path),

@@ -3,20 +3,15 @@
 
 #include <algorithm>
 
+#include "model/core/parameters.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 
 namespace rayclock::area {
 
 namespace {
 
-constexpr int Config::*further[] = {&Config::spheres, &Config::planes, &Config::smooth, &Config::refraction,
-                                    &Config::supersampling};
-
-const char* key_of(int Config::*member) {
-    for (const Parameter& p : parameters())
-        if (p.member == member) return p.key;
-    return "";
-}
+/// Units of a chip that shades, which only some scenes need.
+constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", "supersampling"};
 
 bool always(const Config&) { return true; }
 bool shades(const Config& c) { return c.shading != 0; }
@@ -32,11 +27,11 @@ bool has_instances(const Config& c) { return c.has_instances(); }
 }   // namespace
 
 Config shading_alone(Config c) {
-    c.shading = 1;
+    c.shading = true;
     c.levels = 1;
-    for (int Config::*unit : further) c.*unit = 0;
-    c.panes = c.horizon = 0;
-    // Keep the ranges that check_config() requires.
+    for (const char* unit : further) parameter(unit).set(c, 0);
+    c.panes = 0, c.horizon = false;
+    // What check_config() asks of it.
     c.origin_bits = std::max(
         2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
     return c;
@@ -44,17 +39,17 @@ Config shading_alone(Config c) {
 
 Config all_units(Config c) {
     c = shading_alone(c);
-    for (int Config::*unit : further) c.*unit = 1;
+    for (const char* unit : further) parameter(unit).set(c, 1);
     return c;
 }
 
 std::vector<Variant> variants_of(const Config& base) {
     std::vector<Variant> all{{"hits", base}, {"shading", shading_alone(base)}};
-    all[0].config.shading = all[0].config.panes = all[0].config.horizon = 0;
-    for (int Config::*unit : further) {
-        all[0].config.*unit = 0;
-        all.push_back({std::string("shading, ") + key_of(unit), shading_alone(base)});
-        all.back().config.*unit = 1;
+    all[0].config.shading = all[0].config.horizon = false, all[0].config.panes = 0;
+    for (const char* unit : further) {
+        parameter(unit).set(all[0].config, 0);
+        all.push_back({std::string("shading, ") + unit, shading_alone(base)});
+        parameter(unit).set(all.back().config, 1);
     }
     all.push_back({"all units", all_units(base)});
     for (const Variant& variant : all) {

@@ -49,12 +49,7 @@ std::vector<FrameTrace> recorded(const Job& job, const Study& study) {
     return frames;
 }
 
-int dram_called(const char* name) {
-    const auto& names = dram_names();
-    return int(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-/// The reference's picture, with which all structures of a scene are compared.
+/// The reference's picture, which all structures of a scene are set beside.
 struct Drawn {
     HitFrame hits;
     Picture picture;
@@ -91,7 +86,7 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
     for (const Surroundings& around : surroundings()) {
         Config config = job.config;
         config.node_sets = config.prim_sets = around.sets;
-        config.dram = dram_called(around.dram);
+        config.dram = choice_named<DramName>(around.dram);
         config.own_dram = nullptr;
         cell.elsewhere.push_back(frame_of(config, frames).cycles_per_ray());
     }

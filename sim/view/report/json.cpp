@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/scene/folded.hpp"
+#include "model/core/parameters.hpp"
 #include "sim/run/memory/memory_file.hpp"
 #include "sim/view/report/accounts.hpp"
 
@@ -52,7 +53,7 @@ ordered_json camera_json(const Camera& camera) {
 ordered_json config_json_object(const Config& config) {
     ordered_json json{{"name", config.name}};
     for (const Parameter& p : parameters())
-        json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(config.*p.member);
+        json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(p.get(config));
     if (config.own_dram) json["dram"] = memory_file_json(*config.own_dram);
     return json;
 }

@@ -17,7 +17,7 @@ inline Config shaded_format(const std::string& name) {
         Config c = shaded_format(name.substr(colon + 1));
         c.name = name;
         if (name.starts_with("fast:"))
-            c.timing = int(Timing::fast), c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
+            c.timing = Timing::fast, c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
         else if (name.starts_with("levels:"))
             c.levels = 2;
         else

@@ -279,7 +279,7 @@ inline Config format(const std::string& name) {
     }
     if (name.starts_with("fast:")) {
         Config config = format(name.substr(5));
-        config.timing = int(Timing::fast);
+        config.timing = Timing::fast;
         config.raygen_queue = config.box_queue = 32;
         config.tri_queue = 64;
         return config;
@@ -295,7 +295,7 @@ inline Config format(const std::string& name) {
     }
     if (name.starts_with("sheared:")) {
         Config config = format(name.substr(8));
-        config.primitive_test = int(PrimitiveTest::sheared);
+        config.primitive_test = PrimitiveTest::sheared;
         return config;
     }
     if (name == "precise") {

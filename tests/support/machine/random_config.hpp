@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "model/core/config.hpp"
+#include "model/core/parameters.hpp"
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
 
@@ -32,7 +32,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
         const int pick = rng.below(4);
-        if (!p.power_of_two) return pick == 0 ? p.lo : pick == 1 ? hi : p.lo + rng.below(hi - p.lo + 1);
+        if (!p.power_of_two()) return pick == 0 ? p.lo : pick == 1 ? hi : p.lo + rng.below(hi - p.lo + 1);
         const int lo = std::max(p.lo, 1);
         int steps = 0;
         while (lo << (steps + 1) <= hi) ++steps;
@@ -42,12 +42,12 @@ inline Config random_config(std::uint64_t seed, bool single) {
         Config config;
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters())
-            if (p.member != &Config::levels && p.member != &Config::mesh_structure &&
-                p.member != &Config::xform_interval && p.member != &Config::shade_interval &&
-                p.member != &Config::raygen_interval && p.member != &Config::panes &&
-                p.member != &Config::horizon)
-                config.*p.member = draw(p, most_of(p));
-        // Not below the scenes' needs, and from a separate generator.
+            if (!p.is("levels") && !p.is("mesh_structure") &&
+                !p.is("xform_interval") && !p.is("shade_interval") &&
+                !p.is("raygen_interval") && !p.is("panes") &&
+                !p.is("horizon"))
+                p.set(config, draw(p, most_of(p)));
+        // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
         config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));
         config.prim_bits = 16 + widths.below(max_prim_bits - 15);
@@ -69,7 +69,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         if (config.planes && config.refraction) config.panes = widths.below(max_panes + 1);
         if (config.planes && config.origin_bits >= far_drop) config.horizon = widths.below(2);
         if (config.is_list() || config.is_sheared() || config.shading) config.levels = 1;
-        config.mesh_structure = config.has_instances() ? widths.below(int(mesh_structure_names().size())) : 0;
+        config.mesh_structure = config.has_instances() ? widths.below(int(names_of<MeshStructure>().size())) : 0;
         try {
             check_config(config, config.name);
             return config;

@@ -9,7 +9,7 @@ namespace {
 /// Returns a configuration whose queue holds as many answers as slant has cycles.
 Config bsp_format(const std::string& name) {
     Config config = format(name);
-    config.structure = int(Structure::bsp);
+    config.structure = Structure::bsp;
     config.box_queue = 64;
     return config;
 }

@@ -11,8 +11,8 @@ namespace {
 
 Config globe_format(const std::string& name) {
     Config config = format(name);
-    config.structure = int(Structure::spheres);
-    if (config.timing == int(Timing::fast)) config.box_queue = 64;   // globe has more stages than box
+    config.structure = Structure::spheres;
+    if (config.timing == Timing::fast) config.box_queue = 64;   // it has more stages than box
     return config;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 Config kd_format(const std::string& name) {
     Config config = format(name);
-    config.structure = int(Structure::kd);
+    config.structure = Structure::kd;
     return config;
 }
 

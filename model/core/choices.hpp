@@ -1,0 +1,61 @@
+#pragma once
+// Parameters that are one of several named values. A row defines the enum and the names that files and --set
+// know.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rayclock {
+
+/// The names of an enum of this file, in the order of its values.
+template <class Choice> const std::vector<std::string>& names_of();
+
+/// The name of a value.
+template <class Choice> const std::string& name_of(Choice value) {
+    return names_of<Choice>()[std::size_t(value)];
+}
+
+/// The value of that name; it must exist.
+template <class Choice> Choice choice_named(std::string_view name) {
+    const std::vector<std::string>& names = names_of<Choice>();
+    return Choice(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// "a, b, c" as its words.
+std::vector<std::string> words_of(std::string_view list);
+
+#define RAYCLOCK_CHOICE(Type, ...)                                            \
+    enum class Type { __VA_ARGS__ };                                          \
+    template <> inline const std::vector<std::string>& names_of<Type>() {     \
+        static const std::vector<std::string> names = words_of(#__VA_ARGS__); \
+        return names;                                                         \
+    }
+
+/// Ray-triangle tests: model/unit/isect/primitive.hpp.
+RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
+
+/// Acceleration structures: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), a list of all
+/// primitives (engine/none), cells cut in the middle of all axes (engine/octree; the engine of kd walks
+/// them), bounding spheres (engine/globe), space cut by planes in any direction (engine/bsp).
+RAYCLOCK_CHOICE(Structure, bvh, kd, none, octree, spheres, bsp)
+
+/// Acceleration structures of meshes, with two levels; same: the structure of the scene.
+RAYCLOCK_CHOICE(MeshStructure, same, bvh, kd, octree, spheres, bsp)
+
+/// Where a primitive goes that lies on both sides of a plane, in an octree and in bsp: into every leaf that
+/// it reaches into, into the inner node (octree), or the plane is not used (bsp).
+RAYCLOCK_CHOICE(Straddlers, leaves, inner, stop)
+
+/// Whether the builder of boxes may cut primitives.
+RAYCLOCK_CHOICE(Splits, off, on)
+
+/// How short the paths of the RTL are cut: model/core/stages.hpp.
+RAYCLOCK_CHOICE(Timing, relaxed, fast)
+
+/// Memories outside the chip: model/core/dram_presets.hpp.
+RAYCLOCK_CHOICE(DramName, ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2)
+
+#undef RAYCLOCK_CHOICE
+
+}   // namespace rayclock
