@@ -230,8 +230,7 @@ int run(const Options& o) {
     const PictureChoice picture{request.finished, request.settings, settled_frames(o.frames, scene), o.view};
     const Config& base = request.config;
     if (base.test() != PrimitiveTest::exact)
-        throw UserError("fit: primitive_test must be exact, not " +
-                        name_of(base.primitive_test) +
+        throw UserError("fit: primitive_test must be exact, not " + name_of(base.primitive_test) +
                         ": only exact decisions make the primitives depend on N and M alone");
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + name_of(base.structure) +

@@ -8,7 +8,7 @@ namespace rayclock::test {
 
 inline std::vector<PrimData> prims_of(const char* name, Config config, Primitives primitives) {
     config.structure = Structure::none;
-    config.splits = 0;
+    config.splits = Splits::off;
     if (primitives == Primitives::native) config.spheres = config.planes = config.shading = 1;
     Scene scene = load_scene(name, {}, primitives);
     if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);

@@ -15,7 +15,7 @@ Config octree_of(int leaf_size, Straddlers straddlers) {
     Config config;
     config.structure = Structure::octree;
     config.leaf_size = leaf_size;
-    config.straddlers = int(straddlers);
+    config.straddlers = straddlers;
     return config;
 }
 

@@ -20,7 +20,7 @@ namespace {
 Config bsp_of(int width = 8, Straddlers straddlers = Straddlers::leaves) {
     Config config;
     config.structure = Structure::bsp;
-    config.straddlers = int(straddlers);
+    config.straddlers = straddlers;
     config.node_width = width;
     config.stack_depth = 64;
     return config;

@@ -26,7 +26,7 @@ inline constexpr std::array tree_structures{Structure::bvh, Structure::kd, Struc
                                             Structure::spheres, Structure::bsp};
 /// Planes in any direction need two free bits in the line of a node.
 inline Config of_structure(Config config, Structure structure) {
-    config.structure = int(structure);
+    config.structure = structure;
     if (config.has_slants()) config.addr_bits = 22;
     return config;
 }

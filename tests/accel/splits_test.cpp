@@ -16,7 +16,7 @@ constexpr int parts = 6;   // parts of an edge: points are in units of a sixth o
 
 Config split(int width = 8) {
     Config config;
-    config.splits = 1;
+    config.splits = Splits::on;
     config.node_width = width;
     config.leaf_size = width == 8 ? 1 : 3;
     config.stack_depth = 64;
@@ -137,7 +137,7 @@ TEST_CASE("triangles that overlap are cut, and no more of them than the rule say
     const std::vector<PrimData> rings = test::prims_of("rings:1", {}, Primitives::triangles);
     CHECK(references(rings, split()) > rings.size() + rings.size() / 20);
     Config off = split();
-    off.splits = 0;
+    off.splits = Splits::off;
     CHECK(references(rings, off) == rings.size());
     // Without overlap there is no gain.
     std::vector<PrimData> row;

@@ -40,9 +40,10 @@ const Hostile hostile[] = {
      "= {in.base | {rc_mut::id == 7, {(rc_pkg::AddrBits-1){1'b0}}}, in.inner,", "the memory image has"},
     {8, "unit/sched/rc_dispatch.sv", "= {x_q, y_q};", "= {x_q, y_q} ^ {($bits(tile_o)){rc_mut::id == 8}};",
      nullptr},
-    {9, "unit/sched/rc_sched.sv", "= {slot_ray, x, y};", "= {slot_ray ^ {I{rc_mut::id == 9}}, x, y};", nullptr},
-    {10, "unit/sched/rc_sched.sv", "assign cause_o = give ?", "assign cause_o = rc_mut::id == 10 ? 3'd7 : give ?",
+    {9, "unit/sched/rc_sched.sv", "= {slot_ray, x, y};", "= {slot_ray ^ {I{rc_mut::id == 9}}, x, y};",
      nullptr},
+    {10, "unit/sched/rc_sched.sv", "assign cause_o = give ?",
+     "assign cause_o = rc_mut::id == 10 ? 3'd7 : give ?", nullptr},
     {11, "mem/rc_arbiter.sv", "<< source_o;", "<< (rc_mut::id == 11 ? ~source_o : source_o);", nullptr},
 };
 

@@ -139,7 +139,7 @@ TEST_CASE("a refitted tree holds all its triangles, and gives the hits of a rebu
 
 TEST_CASE("a triangle that has no area in one frame is hit in the next", "[motion][refit]") {
     const int test = GENERATE(range(0, int(names_of<PrimitiveTest>().size())));
-    INFO("primitive_test=" << name_of(test));
+    INFO("primitive_test=" << name_of(PrimitiveTest(test)));
     const Config config = with(quick_config("default"), {{"primitive_test", test}});
     Film film(soup(50, 0, 3), config);   // all triangles are points
     Refit tree(config, "points");

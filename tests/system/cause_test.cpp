@@ -236,7 +236,7 @@ TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "
     const Case made =
         make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
     const Judgement j = made.judged();
-    INFO(name_of(test) << ": " << j.wrong << " answers are not the oracle's");
+    INFO(name_of(PrimitiveTest(test)) << ": " << j.wrong << " answers are not the oracle's");
     CHECK(j.wrong > 0);
     CHECK(j.bugs() == 0);
     // Another primitive is never blamed on it where it holds the oracle's.

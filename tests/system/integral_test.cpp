@@ -119,7 +119,7 @@ private:
 };
 
 void check_visits(const Config& config, int lines) {
-    INFO(name_of(config.structure) << ", straddlers " << config.straddlers);
+    INFO(name_of(config.structure) << ", straddlers " << name_of(config.straddlers));
     const Tree tree(triangles(400, 26000, 4000), config);
     Lines drawn(config);
     const bool globes = config.has_globes();
@@ -135,7 +135,7 @@ void check_visits(const Config& config, int lines) {
 void check_all(int lines) {
     Config config;
     for (const Structure structure : {Structure::bvh, Structure::spheres, Structure::kd, Structure::octree}) {
-        config.structure = int(structure);
+        config.structure = structure;
         for (const int width : {8, 2}) {
             config.node_width = width;
             config.stack_depth = 64;

@@ -79,8 +79,7 @@ TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
 
 TEST_CASE("model and RTL draw instances alike", "[levels]") {
     const Config config = GENERATE(from_range(chips()));
-    INFO(config.name << ", " << name_of(config.structure) << ", a pass every "
-                     << config.shade_interval);
+    INFO(config.name << ", " << name_of(config.structure) << ", a pass every " << config.shade_interval);
     const Scene scene = flattened(mixed(config.smooth));
     Whitted settings;
     settings.depth = 4, settings.aa = config.supersampling ? 2 : 1;

@@ -67,9 +67,8 @@ TEST_CASE("the RTL of two levels builds", "[.build]") {
 
 namespace {
 void check_gearboxes(const Config& config) {
-    INFO(config.name << ", " << name_of(config.structure) << " over "
-                     << name_of(config.lower_structure()) << ", every "
-                     << config.xform_interval);
+    INFO(config.name << ", " << name_of(config.structure) << " over " << name_of(config.lower_structure())
+                     << ", every " << config.xform_interval);
     const Shot shot = make_deep_shot("gearbox:1", {32, 24}, config);
     check_lockstep(shot.job);
     const FrameSize small{12, 9};

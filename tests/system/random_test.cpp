@@ -54,7 +54,7 @@ void check_random(const Config& config, std::uint64_t seed) {
     check_lockstep(shot.job);
     for (int i = 0; i < 6; ++i) {
         Job job = shot.job;
-        job.config = with(job.config, {{"dram", (config.dram + i) % int(names_of<DramName>().size())},
+        job.config = with(job.config, {{"dram", (int(config.dram) + i) % int(names_of<DramName>().size())},
                                        {"mem_latency", 1 + rng.below(60)},
                                        {"mem_interval", 1 + rng.below(4)}});
         job.khz = 20000 + rng.below(500000);
@@ -94,9 +94,9 @@ TEST_CASE("the RTL of random configurations, and of any units that shade, is cle
     Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);
     if (config.shading) {   // no scene here needs them
         Rng rng(seed);
-        for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,
-                                  &Config::spheres, &Config::planes})
-            config.*unit = rng.below(2);
+        for (bool Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,
+                                   &Config::spheres, &Config::planes})
+            config.*unit = rng.below(2) != 0;
         if (config.bary_bits + plane_bits + 1 > 32) config.planes = 0;
         config.panes = config.planes && config.refraction ? rng.below(max_panes + 1) : 0;
         config.horizon = config.planes && config.origin_bits >= far_drop && rng.below(2);

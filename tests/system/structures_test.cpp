@@ -45,8 +45,8 @@ std::vector<Config> all_structures(const Config& config) {
 /// Returns a fast chip that shades with all units.
 Config shaded(Config config, Structure structure) {
     config = structured(config, structure);
-    for (int Config::*unit : {&Config::shading, &Config::spheres, &Config::planes, &Config::smooth,
-                              &Config::refraction, &Config::supersampling})
+    for (bool Config::*unit : {&Config::shading, &Config::spheres, &Config::planes, &Config::smooth,
+                               &Config::refraction, &Config::supersampling})
         config.*unit = 1;
     config.stack_depth = 64;
     config.timing = Timing::fast;
@@ -286,7 +286,7 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
     config = quick_config("default");
-    config.splits = 1;
+    config.splits = Splits::on;
     config.primitive_test = PrimitiveTest::woop;
     CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("splits=on needs"));
     config.primitive_test = PrimitiveTest::exact;

@@ -30,7 +30,7 @@ TEST_CASE("every link has two ends that exist whenever it does", "[description]"
         return nullptr;
     };
     std::vector<Config> configs(6);
-    for (std::size_t i = 0; i < configs.size(); ++i) configs[i].structure = int(i % 3);
+    for (std::size_t i = 0; i < configs.size(); ++i) configs[i].structure = Structure(i % 3);
     for (std::size_t i = 3; i < configs.size(); ++i) configs[i].shading = 1, configs[i].l2_sets = 8;
     for (const LinkInfo& link : link_infos) {
         INFO(link.name);

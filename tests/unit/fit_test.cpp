@@ -100,8 +100,7 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
         INFO(f.parameter->key << " " << f.value << ", one step below: " << f.below);
         CHECK(f.parameter->get(found->config) == f.value);
         Config lower = found->config;
-        int& value = f.parameter->get(lower);
-        value = f.parameter->power_of_two() ? value / 2 : value - 1;
+        f.parameter->set(lower, f.parameter->power_of_two() ? f.value / 2 : f.value - 1);
         CHECK(!keeps(scene, size, reference, lower, c.goal));
         CHECK(!f.below.empty());
     }

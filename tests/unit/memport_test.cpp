@@ -16,7 +16,7 @@ constexpr int khz = 66000;
 
 Config memory(int latency, int interval) {
     Config config;
-    config.dram = 0;
+    config.dram = DramName::ideal;
     config.mem_latency = latency;
     config.mem_interval = interval;
     return config;
@@ -129,9 +129,9 @@ TEST_CASE("without traffic a memory is as its kind says, and counts what it does
 
 TEST_CASE("jitter lets answers overtake each other within its bound and loses nothing", "[memport]") {
     Config config = memory(8, 1);
-    config.dram = GENERATE(0, 1, 2);
+    config.dram = GENERATE(DramName::ideal, DramName::sdr, DramName::ddr3);
     config.node_mshrs = 32;
-    const Traffic traffic{config.dram == 0 ? 9 : 60, 0, GENERATE(1u, 2u, 3u)};
+    const Traffic traffic{config.dram == DramName::ideal ? 9 : 60, 0, GENERATE(1u, 2u, 3u)};
     INFO(name_of(config.dram) << ", seed " << traffic.seed);
     const Log log = run_disturbed(config, traffic, 500);
     REQUIRE_FALSE(std::is_sorted(log.order.begin(), log.order.end()));
@@ -139,7 +139,7 @@ TEST_CASE("jitter lets answers overtake each other within its bound and loses no
     Traffic other = traffic;
     other.seed += 10;
     REQUIRE_FALSE(run_disturbed(config, other, 500) == log);
-    if (config.dram != 0) return;
+    if (config.dram != DramName::ideal) return;
     int late = 0;
     for (std::size_t i = 0; i < 500; ++i) {
         const int waited = log.came[i] - log.accepted[std::size_t(log.order[i])];

@@ -68,8 +68,8 @@ int lines_of(const Fit& fit) { return int(fit.outcome.compile.bytes / line_bytes
 std::string parameter_table(const Fit& fit, const Config& base) {
     Table table({"parameter", "for", "one step below", base.name, "fitted"}, 3);
     for (const Fitted& f : fit.parameters)
-        table.add({f.parameter->key, purpose_name(f.purpose), f.below,
-                   std::to_string(f.parameter->get(base)), std::to_string(f.value)});
+        table.add({f.parameter->key, purpose_name(f.purpose), f.below, std::to_string(f.parameter->get(base)),
+                   std::to_string(f.value)});
     return table.text();
 }
 

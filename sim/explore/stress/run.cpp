@@ -44,7 +44,7 @@ Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::u
     for (const char* c = which.name; *c; ++c) seeds = Rng(seeds.next() + std::uint64_t(*c));
     Rng rng(seeds.next());
     Config config = format_of(cell.bits, batch);
-    config.primitive_test = int(test.primitive_test);
+    config.primitive_test = test.primitive_test;
     const Case subject = which.make(config.coord_bits, config.dir_bits, rng);
     Judge judge(subject, config, test, which.closed);
     Counts counts;

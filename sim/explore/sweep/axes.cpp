@@ -148,8 +148,7 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
 std::string trace_format(const Config& config) {
     std::string text;
     for (const Parameter& p : parameters())
-        if (!p.timing_only)
-            text += fmt::format("{}={} ", p.key, value_text(config, p));
+        if (!p.timing_only) text += fmt::format("{}={} ", p.key, value_text(config, p));
     return text;
 }
 

@@ -240,7 +240,7 @@ private:
         // Renders as simulate does. Each point checks separately whether its memory is large enough.
         Config config = group.results[0]->point.config;
         config.own_dram.reset();
-        config.dram = 0;
+        config.dram = DramName::ideal;
         config.scan_out = config.pixel_writes = 0;
         Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
         std::vector<FrameTrace> frames;

@@ -12,12 +12,14 @@ namespace {
 /// Memories, clocks and disturbances, one after the other.
 void disturb(TortureCase& t, int number) {
     struct Disturbance {
-        int dram, latency, interval, khz;
+        DramName dram;
+        int latency, interval, khz;
         Traffic traffic;
     };
-    static const Disturbance all[] = {{0, 1, 1, 66000, {}},         {0, 40, 3, 66000, {60, 0, 5}},
-                                      {2, 8, 1, 66000, {0, 60, 6}}, {0, 7, 1, 66000, {15, 85, 7}},
-                                      {1, 8, 1, 200000, {}},        {3, 8, 1, 33000, {9, 20, 8}}};
+    static const Disturbance all[] = {
+        {DramName::ideal, 1, 1, 66000, {}},        {DramName::ideal, 40, 3, 66000, {60, 0, 5}},
+        {DramName::ddr3, 8, 1, 66000, {0, 60, 6}}, {DramName::ideal, 7, 1, 66000, {15, 85, 7}},
+        {DramName::sdr, 8, 1, 200000, {}},         {DramName::rpu, 8, 1, 33000, {9, 20, 8}}};
     const Disturbance& d = all[std::size_t(number) % std::size(all)];
     t.job.config.dram = d.dram, t.job.config.mem_latency = d.latency, t.job.config.mem_interval = d.interval;
     t.job.khz = d.khz;

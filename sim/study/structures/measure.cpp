@@ -22,8 +22,8 @@ constexpr int depth = 4;
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 Kind kind_of(const char* name, Config config, Structure structure, Straddlers straddlers) {
-    config.structure = int(structure);
-    config.straddlers = int(straddlers);
+    config.structure = structure;
+    config.straddlers = straddlers;
     while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for one node per cycle
     return {name, config};
 }
@@ -113,7 +113,7 @@ bool Study::is_round(const std::string& scene) const {
 
 std::vector<Kind> trees(const Config& base) {
     Kind splits = kind_of("bvh, splits", base, Structure::bvh, Straddlers::leaves);
-    splits.config.splits = 1;
+    splits.config.splits = Splits::on;
     return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
             std::move(splits),
             kind_of("spheres", base, Structure::spheres, Straddlers::leaves),

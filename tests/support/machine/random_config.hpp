@@ -42,10 +42,8 @@ inline Config random_config(std::uint64_t seed, bool single) {
         Config config;
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters())
-            if (!p.is("levels") && !p.is("mesh_structure") &&
-                !p.is("xform_interval") && !p.is("shade_interval") &&
-                !p.is("raygen_interval") && !p.is("panes") &&
-                !p.is("horizon"))
+            if (!p.is("levels") && !p.is("mesh_structure") && !p.is("xform_interval") &&
+                !p.is("shade_interval") && !p.is("raygen_interval") && !p.is("panes") && !p.is("horizon"))
                 p.set(config, draw(p, most_of(p)));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
@@ -69,7 +67,8 @@ inline Config random_config(std::uint64_t seed, bool single) {
         if (config.planes && config.refraction) config.panes = widths.below(max_panes + 1);
         if (config.planes && config.origin_bits >= far_drop) config.horizon = widths.below(2);
         if (config.is_list() || config.is_sheared() || config.shading) config.levels = 1;
-        config.mesh_structure = config.has_instances() ? widths.below(int(names_of<MeshStructure>().size())) : 0;
+        config.mesh_structure =
+            MeshStructure(config.has_instances() ? widths.below(int(names_of<MeshStructure>().size())) : 0);
         try {
             check_config(config, config.name);
             return config;
