@@ -143,11 +143,11 @@ private:
     void add_octrees() {
         for (const Straddlers straddlers : {Straddlers::inner, Straddlers::leaves}) {
             Config octree = config_;
-            octree.structure = int(Structure::octree), octree.straddlers = int(straddlers);
+            octree.structure = Structure::octree, octree.straddlers = straddlers;
             check_config(octree, octree.name);
             const std::vector<PrimData> prims = soup(octree, dice_, 16);
-            TortureCase t = begin("octree of " + straddlers_names()[std::size_t(straddlers)],
-                                  image_of(prims, octree, dice_, "octree"));
+            TortureCase t =
+                begin("octree of " + name_of(straddlers), image_of(prims, octree, dice_, "octree"));
             t.job.config = octree;
             for (int i = 0; i < 2; ++i) add(t, view(prims, config_, {9, 7}, 0, dice_));
             end(std::move(t));
