@@ -220,7 +220,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command chip_command() {
-    return command("chip", "place and route a configuration on an ECP5: area, clock, critical paths",
+    return command("chip", "place and route a chip on an ECP5: area, clock, critical paths",
                    "rayclock chip --config small --device lfe5u-85 -o chip", declare, run);
 }
 

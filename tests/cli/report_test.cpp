@@ -216,8 +216,9 @@ TEST_CASE("every command has help with an example") {
     const Outcome whole = run_program({"--help"});
     CHECK(whole.code == 0);
     CHECK(whole.err.empty());
-    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "tradeoff",
-                                      "yardstick", "bench", "config", "rtl", "doctor"}) {
+    for (const std::string command :
+         {"scenes", "config", "render", "simulate", "explain", "trace", "compare", "sweep", "merge", "fit",
+          "rtl", "export", "chip", "verify", "stress", "bench", "doctor"}) {
         CHECK(whole.out.find("\n  " + command + " ") != std::string::npos);
         const Outcome help = run_program({command, "--help"});
         INFO(help.out);

@@ -72,12 +72,13 @@ TEST_CASE("elements of arrays and parts of structs drive the whole, and concaten
   always_ff @(posedge clk_i) begin
     if (we_i) mem_q[at_i] <= data_i;
     {valid_q, tag_q[1:0]} <= {valid_i, tag_i};
+    if (we_i) mem_q[tail_q[1:0]][3:0] <= tail_i;
     state_q.left[0].x <= mem_q[from_i];
   end
 endmodule
 )");
     CHECK(drivers_of(module) == Lines{"4: ff mem_q <- data_i", "5: ff valid_q tag_q <- valid_i tag_i",
-                                      "6: ff state_q <- mem_q from_i"});
+                                      "6: ff mem_q <- tail_i", "7: ff state_q <- mem_q from_i"});
 }
 
 TEST_CASE("comments and directives drive nothing, whatever words are in them") {

@@ -245,7 +245,7 @@ private:
         const auto instance = signals_.instance(place.levels.back().instance, driver.instance);
         note(place, module, driver.line, false);
         if (child == modules_.end() || !instance) return false;
-        if (child->second.file.starts_with("prim/")) return go_through(place, module, driver);
+        if (child->second.file.starts_with("cells/")) return go_through(place, module, driver);
         place.levels.push_back({*instance, child->second.name});
         place.name = driver.port;
         return true;

@@ -130,7 +130,7 @@ private:
 
     void assignment(std::size_t begin, const std::string& text) {
         static const std::regex operation(
-            R"(((?:\{[^{}]*\}|[a-z_]\w*)(?:\s*\[[^\]]*\]|\.\w+)*)\s*(<=|=)(?!=))");
+            R"(((?:\{[^{}]*\}|[a-z_]\w*)(?:\s*\[(?:[^\[\]]|\[[^\[\]]*\])*\]|\.\w+)*)\s*(<=|=)(?!=))");
         static const std::regex before(R"((?:^|\bassign|\bbegin(?:\s*:\s*\w+)?|\belse|\)|:|\bend)\s*$)");
         std::smatch best;
         std::size_t best_at = 0;
