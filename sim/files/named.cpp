@@ -24,6 +24,17 @@ Files inputs, outputs;
 
 std::pair<dev_t, ino_t> key_of(const struct stat& file) { return {file.st_dev, file.st_ino}; }
 
+/// Finds the name of a file. Removes the entry of a file that its name does not lead to any more: the system
+/// gives the inode of a removed file to a new one.
+const std::string* name_in(Files& files, const struct stat& file) {
+    const auto found = files.find(key_of(file));
+    if (found == files.end()) return nullptr;
+    struct stat now {};
+    if (::stat(found->second.c_str(), &now) == 0 && key_of(now) == found->first) return &found->second;
+    files.erase(found);
+    return nullptr;
+}
+
 [[noreturn]] void refuse(const std::string& output, const std::string& input) {
     throw UserError(fmt::format("{}: the output would replace {}; name another file", printable(output),
                                 input == output ? "an input" : "the input " + printable(input)));
@@ -33,16 +44,16 @@ std::pair<dev_t, ino_t> key_of(const struct stat& file) { return {file.st_dev, f
 
 void note_input(const std::string& path, const struct stat& file) {
     const std::lock_guard lock(mutex);
-    if (const auto output = outputs.find(key_of(file)); output != outputs.end()) refuse(output->second, path);
-    inputs.emplace(key_of(file), path);
+    if (const std::string* const output = name_in(outputs, file)) refuse(*output, path);
+    inputs.insert_or_assign(key_of(file), path);
 }
 
 void note_output(const std::string& path) {
     struct stat file {};
     if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return;
     const std::lock_guard lock(mutex);
-    if (const auto input = inputs.find(key_of(file)); input != inputs.end()) refuse(path, input->second);
-    outputs.emplace(key_of(file), path);
+    if (const std::string* const input = name_in(inputs, file)) refuse(path, *input);
+    outputs.insert_or_assign(key_of(file), path);
 }
 
 void forget_output(const std::string& path) {

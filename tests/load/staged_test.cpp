@@ -42,6 +42,16 @@ TEST_CASE("a published file replaces the old one, which may be read again under 
     CHECK(read_file(kept) == "old");
 }
 
+TEST_CASE("an input that its name does not lead to any more protects no output") {
+    const Place place;
+    const fs::path input = place.path / "a.json", output = place.path / "b.json";
+    std::ofstream(input) << "{}";
+    CHECK(read_file(input) == "{}");
+    CHECK_THROWS_AS(check_writable(input), UserError);
+    fs::rename(input, output);   // the same inode, as the system may give that of a removed file to a new one
+    CHECK_NOTHROW(check_writable(output));
+}
+
 TEST_CASE("a signal after files are published removes none of them, and one before removes them all") {
     const Place place;
     const fs::path out = place.path / "out", exported = place.path / "exported";
