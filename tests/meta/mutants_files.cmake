@@ -135,10 +135,10 @@ mutant(oracle_fraction_by_boost FILE sim/judge/oracle/exact.hpp WITH tests/unit/
   NEW [[quotient.negate();]])
 # What the machine does not give, and what other programs write (tests/cli/faults_test.cpp, hostile_test.cpp).
 mutant(output_replaces_an_input FILE sim/files/named.cpp TEST cli "no output replaces an input*"
-  OLD [[inputs.emplace(key_of(file), path);]]
+  OLD [[inputs.insert_or_assign(key_of(file), path);]]
   NEW [[]])
 mutant(input_is_read_from_an_output FILE sim/files/named.cpp TEST cli "no output replaces an input*"
-  OLD [[outputs.emplace(key_of(file), path);]]
+  OLD [[outputs.insert_or_assign(key_of(file), path);]]
   NEW [[]])
 mutant(waveform_may_be_cut FILE sim/view/wave/fst_writer.cpp TEST cli "a waveform that the disk*"
   OLD [[if (rc_fst_error != 0) not_written(file_->path, rc_fst_error);]]
