@@ -109,7 +109,7 @@ TEST_CASE("Embree finds the same primitives, but for its rounding", "[reference]
 
 // Embree transforms origin and direction into an instance's space in single precision. The bound above has
 // room for these few roundings.
-TEST_CASE("Embree's instances are hit as ours are, but for its rounding", "[reference][embree][placed]") {
+TEST_CASE("Embree's instances are hit as ours are, except for its rounding", "[reference][embree][placed]") {
     const auto spec = GENERATE(as<std::string>{}, "gearbox:2", "flake:2", "boughs:4", "clockwork:4",
                                "crowd:3", "flight:20");
     PlacedScene placed = make_placed(spec);

@@ -34,7 +34,7 @@ namespace rayclock {
 /// a triangle's area is at most the area of its bounding rectangle: det < 2^(2N+2). |A_z| < 2^N:
 /// num < 2^(3N+2).
 ///
-/// Mirror of rtl/unit/isect/rc_shear.sv and rc_edges2.sv in rc_tri.sv, latency Config::tri_latency() + 1, one
+/// Mirror of rtl/unit/isect/rc_shear.sv in rc_tri.sv, latency Config::tri_latency() + 1, one
 /// triangle per cycle.
 void sheared_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
                   const Config& config, TriRsp& out);

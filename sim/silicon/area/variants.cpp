@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/core/parameters.hpp"
+#include "model/core/settled.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 
 namespace rayclock::area {
@@ -30,11 +31,7 @@ Config shading_alone(Config c) {
     c.shading = true;
     c.levels = 1;
     for (const char* unit : further) parameter(unit).set(c, 0);
-    c.panes = 0, c.horizon = false;
-    // What check_config() asks of it.
-    c.origin_bits = std::max(
-        2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
-    return c;
+    return settled(c);
 }
 
 Config all_units(Config c) {

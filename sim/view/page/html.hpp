@@ -21,7 +21,7 @@ std::string table(std::string_view caption, const std::vector<std::string>& head
 
 /// Returns a section with its heading; `inside` is HTML.
 std::string section(const char* id, const char* title, const std::string& inside);
-/// Returns the placeholder where a script draws the chart with this id.
+/// Returns the element in which a script draws the chart with this id.
 std::string chart(const char* id, const char* label);
 /// Returns a row of boxes, each with a name and a value as text.
 std::string figures(const std::vector<std::pair<const char*, std::string>>& figures);
