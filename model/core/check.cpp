@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "model/base/error.hpp"
-#include "model/core/parameters.hpp"
 #include "model/core/lines.hpp"
 #include "model/core/parameters.hpp"
 #include "model/core/settled.hpp"
@@ -61,8 +60,7 @@ void check_config(const Config& c, const std::string& where) {
         refuse("structure=" + name_of(c.structure) +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
-    const auto has = [&](Structure s) { return c.structure == s || c.lower_structure() == s; };
-    if (has(Structure::octree) && c.straddlers == Straddlers::stop)
+    if (c.has_octree() && c.straddlers == Straddlers::stop)
         refuse(
             "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
             "bsp");
@@ -83,11 +81,11 @@ void check_config(const Config& c, const std::string& where) {
             refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
                    name_of(s) + " leaves " + std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
                    " of its 512 free: coord_bits or addr_bits must be smaller");
-    const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
-                                                 {"planes", c.planes},
-                                                 {"smooth", c.smooth},
-                                                 {"refraction", c.refraction},
-                                                 {"supersampling", c.supersampling}};
+    const std::pair<const char*, bool> units[] = {{"spheres", c.spheres},
+                                                  {"planes", c.planes},
+                                                  {"smooth", c.smooth},
+                                                  {"refraction", c.refraction},
+                                                  {"supersampling", c.supersampling}};
     for (const auto& [key, is_there] : units)
         if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
     if (c.panes > 0 && !(c.planes && c.refraction))
@@ -120,7 +118,7 @@ Config settled(Config config) {
     config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits,
                                                config.dir_bits + config.t_frac_bits - 2}));
     if (!config.planes || !config.refraction) config.panes = 0;
-    if (!config.planes || config.origin_bits < far_drop) config.horizon = 0;
+    if (!config.planes || config.origin_bits < far_drop) config.horizon = false;
     return config;
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/base/split.hpp"
+
 namespace rayclock {
 
 /// The names of an enum of this file, in the order of its values.
@@ -23,7 +25,11 @@ template <class Choice> Choice choice_named(std::string_view name) {
 }
 
 /// "a, b, c" as its words.
-std::vector<std::string> words_of(std::string_view list);
+inline std::vector<std::string> words_of(std::string_view list) {
+    std::vector<std::string> words = split(list, ',');
+    for (std::string& word : words) word.erase(0, word.find_first_not_of(' '));
+    return words;
+}
 
 #define RAYCLOCK_CHOICE(Type, ...)                                            \
     enum class Type { __VA_ARGS__ };                                          \

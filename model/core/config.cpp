@@ -1,4 +1,4 @@
-// The table of parameters, the named configurations, and the widths derived from them.
+// The named configurations, the setting of a parameter, and derived widths.
 #include "model/core/config.hpp"
 
 #include <algorithm>
@@ -12,17 +12,6 @@
 #include "model/core/parameters.hpp"
 
 namespace rayclock {
-
-std::vector<std::string> words_of(std::string_view list) {
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        words.emplace_back(list.substr(at, comma - at));
-        at = list.find_first_not_of(' ', comma + 1);
-        if (at == std::string_view::npos) break;
-    }
-    return words;
-}
 
 Structure Config::lower_structure() const {
     if (!has_instances()) return structure;

@@ -83,6 +83,10 @@ struct Config {
     bool is_bvh() const { return structure == Structure::bvh; }
     bool is_list() const { return structure == Structure::none; }
     bool is_octree() const { return structure == Structure::octree; }
+    /// True if any level is an octree.
+    bool has_octree() const {
+        return structure == Structure::octree || lower_structure() == Structure::octree;
+    }
     bool has_instances() const { return levels == 2; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Returns the structure of meshes; with one level, that of the scene.

@@ -9,8 +9,6 @@ namespace rayclock {
 
 namespace {
 
-bool has_octree(const Config& c) { return c.upper().is_octree() || c.lower().is_octree(); }
-
 namespace condition {
 const Condition always{nullptr, [](const Config&) { return true; }, ""};
 const Condition ideal{"dram", [](const Config& c) { return !c.dram_part(); }, "dram=ideal"};
@@ -18,13 +16,13 @@ const Condition dram{"dram", [](const Config& c) { return c.dram_part() != nullp
                      "dram other than ideal"};
 const Condition l2{"l2_sets", [](const Config& c) { return c.l2_sets > 0; }, "l2_sets above 0"};
 const Condition tree{"structure", [](const Config& c) { return !c.is_list(); }, "structure other than none"};
-const Condition straddlers{"structure", [](const Config& c) { return has_octree(c) || c.has_slants(); },
+const Condition straddlers{"structure", [](const Config& c) { return c.has_octree() || c.has_slants(); },
                            "octree or bsp"};
 const Condition planes{"structure", [](const Config& c) { return c.has_planes(); }, "kd, octree or bsp"};
 const Condition boxes{"structure", [](const Config& c) { return c.has_boxes(); }, "bvh"};
 const Condition bvh{"structure", [](const Config& c) { return c.is_bvh(); }, "structure=bvh"};
 const Condition leaves{"structure",
-                       [](const Config& c) { return c.has_boxes() || c.has_globes() || has_octree(c); },
+                       [](const Config& c) { return c.has_boxes() || c.has_globes() || c.has_octree(); },
                        "bvh, spheres or octree"};
 const Condition levels{"levels", [](const Config& c) { return c.has_instances(); }, "levels=2"};
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};

@@ -48,7 +48,7 @@ module rc_credit_counter #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && admit_i) a_admit_if_open: assert (open_o)
-    else $error("a request passed a closed door");
+    else $error("a request came without a credit");
   always_ff @(posedge clk_i) if (rst_ni && leave_i)
     a_leave_if_inside: assert (in_flight_q != '0)
     else $error("an answer left that was not asked for");

@@ -33,6 +33,7 @@ using namespace rayclock;
 struct Group {
     const char* heading;
     std::vector<Command (*)()> commands;
+    bool is_study = false;   ///< the commands are words of study
 };
 
 const std::vector<Group>& groups() {
@@ -42,9 +43,10 @@ const std::vector<Group>& groups() {
         {"Explore", {sweep_command, merge_command, fit_command}},
         {"Build", {rtl_command, export_command, chip_command}},
         {"Check", {verify_command, stress_command, bench_command, doctor_command}},
-        {study_name,
+        {"Pages",
          {area_command, counts_command, figures_command, gigahertz_command, structures_command,
-          tradeoff_command, yardstick_command}}};
+          tradeoff_command, yardstick_command},
+         true}};
     return all;
 }
 
@@ -58,16 +60,15 @@ std::vector<Added> add_commands(CLI::App& app) {
     std::vector<Added> all;
     CLI::App* study = nullptr;
     for (const Group& group : groups()) {
-        const bool is_study = group.heading == std::string_view(study_name);
-        if (is_study) {
+        if (group.is_study) {
             study = app.add_subcommand(study_name, study_what)->group("Explore");
             study->require_subcommand(1);
             study->footer("Options of a page: rayclock study PAGE --help");
         }
         for (Command (*make)() : group.commands) {
             Command command = make();
-            CLI::App* const sub = (is_study ? study : &app)->add_subcommand(command.name, command.what);
-            sub->group(is_study ? "Pages" : group.heading);
+            CLI::App* const sub = (group.is_study ? study : &app)->add_subcommand(command.name, command.what);
+            sub->group(group.heading);
             sub->footer(std::string("Example: ") + command.example);
             // The other commands' options are never made.
             sub->preparse_callback([sub, declare = command.declare](std::size_t) {
@@ -86,8 +87,7 @@ std::vector<Command> all_commands() {
     for (const Group& group : groups())
         for (Command (*make)() : group.commands) {
             all.push_back(make());
-            if (group.heading == std::string_view(study_name))
-                all.back().name = std::string(study_name) + " " + all.back().name;
+            if (group.is_study) all.back().name = std::string(study_name) + " " + all.back().name;
         }
     return all;
 }

@@ -4,7 +4,7 @@
 //
 // The smallest cache in which lines are evicted, requests join a line that is on its way, and ways and MSHRs run out: two ways,
 // one set, two MSHRs, four ids, memory of four lines of one bit each, whose content is any. Only for a number of cycles from
-// reset: its parts are proven for all time in fifo.sv, door.sv, queue.sv, tags.sv and mshr.sv.
+// reset: its parts are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
 module cache #(
   parameter  int unsigned Words  = 1,   // of a line, 1 or 2
   parameter  int unsigned Soon   = 9,   // cycles

@@ -1,5 +1,5 @@
-// What rc_credit_counter promises, if requests come only through an open door and answers only to requests: at most Credits are in
-// flight, never fewer than none, and the door is open exactly when another one has a place.
+// Guarantees of rc_credit_counter, if requests come only while open_o is set and answers only to requests: at most
+// Credits requests are in flight, never fewer than none, and open_o is set exactly while another one has a place.
 module credit_counter #(
   parameter int unsigned Credits = 4,
   parameter int unsigned Cut     = 0    // 0 or 1
@@ -19,7 +19,7 @@ module credit_counter #(
   always @(posedge clk_i) begun_q <= 1'b1;
   always @* if (!begun_q) assume (!rst_ni);
 
-  // Requests and answers counted apart, far beyond the door's own count.
+  // Requests and answers, counted apart, far beyond the cell's own count.
   logic [7:0] flying_q;
   always @(posedge clk_i) begin
     if (!rst_ni) flying_q <= '0;

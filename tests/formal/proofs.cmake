@@ -1,6 +1,6 @@
 # The proofs and their mutants; how to read a row: CMakeLists.txt.
 
-# ---- The door of a pipeline that cannot stall.
+# ---- The credits of a pipeline that cannot stall.
 foreach(credits IN ITEMS 1 4 5 16)
   prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} INDUCTION 4)
 endforeach()
@@ -245,12 +245,12 @@ prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
 
 # ---- Data beside a long pipeline.
 foreach(stages IN ITEMS 2 3 4)
-  prove(formal:wait_of_${stages} TOP wait_ring RTL cells/rc_delay_ram.sv cells/rc_ram.sv WITH Stages=${stages} INDUCTION 8)
+  prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv WITH Stages=${stages} INDUCTION 8)
 endforeach()
-prove(mutant:formal_wait_a_cycle_longer TOP wait_ring RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_a_cycle_longer TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
   OLD [[at_q == IndexW'(Stages - 1)) at_q]]
   NEW [[at_q == IndexW'(Stages)) at_q]])
-prove(mutant:formal_wait_writes_what_is_not_valid TOP wait_ring RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
   OLD [[.write_i(valid_i), .write_addr_i(at_q)]]
   NEW [[.write_i(1'b1), .write_addr_i(valid_i ? at_q : '0)]])
 

@@ -40,6 +40,8 @@ TEST_CASE("a published file replaces the old one, which may be read again under 
     staged.publish();
     CHECK(read_file(old) == "new");
     CHECK(read_file(kept) == "old");
+    fs::rename(kept, old);   // the old file under its old name: the announcement would fit it again
+    CHECK(read_file(old) == "old");
 }
 
 TEST_CASE("an input that its name does not lead to any more protects no output") {

@@ -1,10 +1,21 @@
-# cmake -DSOURCE=folder -P includes.cmake
+# cmake -DSOURCE=folder [-DPARTIAL=ON: not all rooms need be there] -P includes.cmake
 # Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower ones only, and
 # model includes nothing of sim. No folder has more than ten folders, and no room is missing here.
 set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile model/trace model/machine
   sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study sim/app)
 set(faults "")
-file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/*.?pp ${SOURCE}/model/*.inl ${SOURCE}/sim/*.?pp ${SOURCE}/sim/*.inl)
+set(files)
+foreach(tree model sim)
+  foreach(ending cpp hpp inl c h)
+    file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/${tree}/*.${ending})
+    list(APPEND files ${more})
+  endforeach()
+endforeach()
+foreach(room IN LISTS rooms)
+  if(NOT PARTIAL AND NOT IS_DIRECTORY ${SOURCE}/${room})
+    string(APPEND faults "${room} is listed in tests/meta/includes.cmake, and there is no such folder\n")
+  endif()
+endforeach()
 foreach(file IN LISTS files)
   string(REGEX MATCH "^[a-z]+/[a-z]+" room ${file})
   list(FIND rooms ${room} floor)

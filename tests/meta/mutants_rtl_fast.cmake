@@ -193,7 +193,7 @@ mutant(approach_steps_alike FILE rtl/unit/shade/rc_approach.sv TEST unit [pass][
 mutant(approach_tells_of_the_last_pass FILE rtl/unit/shade/rc_approach.sv TEST unit [pass][interval]
   OLD [[InTurn ? began[Took] :]]
   NEW [[InTurn ? began[Took-1] :]])
-mutant(turnout_is_taken_before_its_stage FILE rtl/unit/shade/rc_pass.sv TEST unit [pass][interval]
+mutant(pass_end_is_taken_before_its_stage FILE rtl/unit/shade/rc_pass.sv TEST unit [pass][interval]
   OLD [[.take_i(ends[L-1])]]
   NEW [[.take_i(ends[L-2])]])
 mutant(approach_adds_from_the_near_side FILE rtl/unit/shade/rc_approach.sv TEST unit [pass][interval]

@@ -136,16 +136,16 @@ mutant(pass_first_hit_of_any_depth FILE rtl/unit/shade/rc_pass_begin.sv TEST uni
 mutant(pass_leaves_with_the_ratio_of_entering FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [pass][all]
   OLD [[back ? surface_i.leave : surface_i.enter]]
   NEW [[back ? surface_i.enter : surface_i.leave]])
-mutant(turnout_light_behind_counts FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_light_behind_counts FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[positive_i && (light_near_i ? below_i : above_i)]]
   NEW [[positive_i && (light_near_i ? !above_i : above_i)]])
-mutant(turnout_last_light_is_left_out FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_last_light_is_left_out FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[next_light < frame_i.lights]]
   NEW [[next_light + 7'd1 < frame_i.lights]])
-mutant(turnout_threshold_is_not_enough FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_threshold_is_not_enough FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
   NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
-mutant(turnout_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][interval]
+mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][interval]
   OLD [[  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
     slack = '0;
     for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
@@ -153,13 +153,13 @@ mutant(turnout_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pa
   end]]
   NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
-mutant(turnout_slack_is_one_short FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_slack_is_one_short FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[slack = 6'(3 * i + 3);]]
   NEW [[slack = 6'(3 * i + 2);]])
-mutant(turnout_writes_no_share FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_writes_no_share FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[surf_i || turned, turn_i, surf_i, is_light}]]
   NEW [[surf_i || turned, turn_i, surf_i, is_arrive}]])
-mutant(turnout_writes_what_was_not_hit FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_writes_what_was_not_hit FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[surf_i || turned, turn_i, surf_i, is_light}]]
   NEW [[is_arrive || turned, turn_i, surf_i, is_light}]])
 mutant(pass_tells_a_material_of_nothing FILE rtl/unit/shade/rc_pass.sv TEST unit [pass][all]
@@ -183,19 +183,19 @@ mutant(contexts_material_of_another_context FILE rtl/unit/shade/rc_contexts.sv T
   NEW [[u_look (
       .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(write_ray_i),
       .write_data_i({new_look, new_bend})]])
-mutant(turnout_far_mirror_is_black FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_far_mirror_is_black FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])
-mutant(turnout_far_glass_is_traced FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_far_glass_is_traced FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[refracted && (starts || beyond),]]
   NEW [[refracted,]])
-mutant(turnout_far_light_behind_a_plane_counts FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_far_light_behind_a_plane_counts FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[&& (!far || light_clear_i);]]
   NEW [[;]])
-mutant(turnout_lost_point_asks_its_light FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_lost_point_asks_its_light FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[light_near_i ? !was_i.is_lost : starts;]]
   NEW [[light_near_i || starts;]])
-mutant(turnout_far_light_asks_planes FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_far_light_asks_planes FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[is_light ? !to_point && light_clear_i :]]
   NEW [[is_light ? !light_near_i && light_clear_i :]])
 mutant(light_far_point_is_turned_round FILE rtl/unit/shade/rc_light.sv TEST unit [pass][all]
@@ -232,10 +232,10 @@ mutant(edges_far_distance_halved FILE rtl/unit/isect/rc_edges.sv
   TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[dot_far ? det_sum <<< Far : ]]
   NEW [[dot_far ? det_sum <<< (Far + 1) : ]])
-mutant(turnout_far_ray_rounded_down FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_far_ray_rounded_down FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[ + P'(up_i[k]);]]
   NEW [[ + P'(up_i[k] && 1'b0);]])
-mutant(turnout_cell_is_kept_by_what_waits FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_cell_is_kept_by_what_waits FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[if (is_pop) sided.in_cell = top_i.in_cell;]]
   NEW [[]])
 mutant(light_is_clear_in_every_cell FILE rtl/unit/shade/rc_light.sv TEST unit [pass][all]
@@ -244,10 +244,10 @@ mutant(light_is_clear_in_every_cell FILE rtl/unit/shade/rc_light.sv TEST unit [p
 mutant(start_pane_is_no_border FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [pass][all]
   OLD [[state_i.in_cell ^ pane;]]
   NEW [[state_i.in_cell ^ (pane & {rc_pkg::Panes{1'b0}});]])
-mutant(turnout_one_bounce_more FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_one_bounce_more FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])
-mutant(turnout_pushed_ray_stays_outside FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
+mutant(pass_end_pushed_ray_stays_outside FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][all]
   OLD [[!was_i.is_inside}]]
   NEW [[was_i.is_inside}]])
 mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"

@@ -89,6 +89,7 @@ TEST_CASE("comments and directives drive nothing, whatever words are in them") {
 module rc_box ();   // assign g = h;
   assign one_o = a_i;   // always_ff begin two_o <= b_i; end
   /* assign three_o = c_i; */ assign four_o = d_i /* e_i */;
+  /* f *//* assign six_o = g_i; *//**/// assign seven_o = h_i;
 `define NAME assign five_o = f_i;
 endmodule
 )");

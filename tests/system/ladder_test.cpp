@@ -81,8 +81,8 @@ void check_scenes(const std::vector<std::uint64_t>& seeds) {
 
 }   // namespace
 
-TEST_CASE("the reference's rules hold in 200 random scenes as the machine draws them", "[ladder]") {
-    std::vector<std::uint64_t> all = seeds(0, 199);
+TEST_CASE("the reference's rules hold in 201 random scenes as the machine draws them", "[ladder]") {
+    std::vector<std::uint64_t> all = seeds(0, 200);
     all.push_back(615);   // which has seams: one scene of some hundreds does
     check_scenes(all);
 }

@@ -120,7 +120,7 @@ module rc_pass #(
 
   assign {hit_found, back, hit_prim, t, u, v} = hit;
 
-  rc_pass_begin u_start (
+  rc_pass_begin u_begin (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
     .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .looks_o(looks), .look_o, .known_o(known));
@@ -463,7 +463,7 @@ module rc_pass #(
   end
 
   // ---- s28: end of the pass.
-  rc_pass_end u_turnout (
+  rc_pass_end u_end (
     .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
     .surf_i(Cut ? surf_q[L-1] : surf_at[L]),

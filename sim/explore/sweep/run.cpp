@@ -241,7 +241,7 @@ private:
         Config config = group.results[0]->point.config;
         config.own_dram.reset();
         config.dram = DramName::ideal;
-        config.scan_out = config.pixel_writes = 0;
+        config.scan_out = config.pixel_writes = false;
         Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
         std::vector<FrameTrace> frames;
         while (frames.size() < film.frames()) {
@@ -277,12 +277,10 @@ private:
         const Request& request = film.request();
         const HitFrame hits = hits_of(film.job(), last);
         PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
-        if (request.finished) {
-            figures.error = frame_error(hits, rayclock::picture_of(plan_.size, last.trace.colours),
-                                        reference.hits(), reference.picture);
-            return figures;
-        }
-        figures.error = frame_error(request.scene, hits, reference.hits());
+        const Picture picture = request.finished ? rayclock::picture_of(plan_.size, last.trace.colours)
+                                                 : shade(request.scene, hits);
+        figures.error = frame_error(hits, picture, reference.hits(), reference.picture);
+        if (request.finished) return figures;
         if (!request.config.has_instances())
             figures.cracks = count_cracks(request.scene, film.job(), last.trace.hits, inner_threads_);
         return figures;

@@ -71,10 +71,9 @@ private:
         const std::vector<PrimData> prims = soup(config_, dice_, few(8 + 12 * (number % 3)));
         TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
         for (int i = 0; i < 3; ++i) {
-            const Size size = sizes[(number + 2 * i) % 6];
-            Frame frame = view(prims, config_, size, i == 1 ? number : 0, dice_);
+            Frame frame = view(prims, config_, sizes[(number + 2 * i) % 6], i == 1 ? number : 0, dice_);
             if (i == 2) frame.root = inner_root(t.job.image);
-            add(t, frame, std::min(1 + (number + i) % 3, size.width * size.height > 100 ? 2 : 3));
+            add(t, frame, 1 + (number + i) % 3);
         }
         end(std::move(t));
     }
@@ -181,8 +180,8 @@ private:
         const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const int side : {8, 7}) {
-            Frame& frame = add(t, corner_view(config_, {2, 1}, 40), side);
-            frame.shade.contrast = 0, frame.shade.lights = 1;
+            Frame& frame = add(t, corner_view(config_, {4, 3}, 40), side);
+            frame.shade.contrast = 0;
             for (auto& part : frame.shade.background) part = 1u << unit_bits;
         }
         end(std::move(t), 0);
@@ -300,9 +299,8 @@ private:
         const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
-            Frame& frame = add(t, corner_view(config_, {6, 5}, 40), 3);
+            Frame& frame = add(t, corner_view(config_, {9, 7}, 40), 3);
             frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
-            frame.shade.lights = 1;
         }
         end(std::move(t));
     }
@@ -401,8 +399,7 @@ private:
         TortureCase t = begin("samples", image_of(prims, config_, dice_, "samples"));
         for (const int side : {2, 4, 5, 6, 7, 8}) {
             Frame& frame = add(t, view(prims, config_, {3, 2}, 0, dice_), side);
-            frame.shade.depth = 0, frame.shade.lights = 1;
-            frame.shade.contrast = 0;   // and all of them are taken
+            frame.shade.depth = 0, frame.shade.contrast = 0;   // and all of them are taken
         }
         end(std::move(t));
     }

@@ -259,7 +259,11 @@ template <class Line> void cut_anew(MemoryImage& image, const Config& config, Di
         write_payload(node, config, at, scratch);
         std::uint32_t next = node.base;
         for (const std::uint32_t kind : node.kind)
-            if (kind == 1 && line_kind(image.line(next)) == LineKind::scene_node) pending.push_back(next++);
+            if (kind == 1) {   // with two levels the line may hold an instance
+                if (!config.has_instances() || line_kind(image.line(next)) == LineKind::scene_node)
+                    pending.push_back(next);
+                ++next;
+            }
     }
 }
 

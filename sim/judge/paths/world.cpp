@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -73,15 +73,12 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
-/// Spheres that have the centre and the radius of one before them: of equal centres the numbers rise.
+/// Marks each sphere with the centre and the radius of an earlier one.
 void mark_seconds(std::vector<Solid>& solids) {
-    std::map<Vec3i, std::vector<std::int64_t>> radii;
-    for (Solid& ball : solids) {
-        if (ball.kind != Solid::Kind::sphere) continue;
-        std::vector<std::int64_t>& there = radii[ball.centre];
-        ball.is_second = std::count(there.begin(), there.end(), ball.radius_squared) > 0;
-        if (!ball.is_second) there.push_back(ball.radius_squared);
-    }
+    std::set<std::pair<Vec3i, std::int64_t>> seen;
+    for (Solid& ball : solids)
+        if (ball.kind == Solid::Kind::sphere)
+            ball.is_second = !seen.insert({ball.centre, ball.radius_squared}).second;
 }
 
 /// The lattice point lies within a sphere whose inside is not seen, as the lattice has it.

@@ -1,4 +1,4 @@
-// The table of parameters that depend on other parameters.
+// Notes on settings and options that have no effect.
 #include "sim/run/request/idle.hpp"
 
 #include <string_view>

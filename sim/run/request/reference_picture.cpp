@@ -1,3 +1,4 @@
+// The picture that the reference tracer draws for a request.
 #include "sim/run/request/reference_picture.hpp"
 
 #include "sim/run/engine/engine.hpp"

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", "supersampling"};
 
 bool always(const Config&) { return true; }
-bool shades(const Config& c) { return c.shading != 0; }
+bool shades(const Config& c) { return c.shading; }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }

@@ -95,9 +95,9 @@ std::string module_name(const std::string& type) {
 
 const std::vector<std::string>& cells() {
     static const std::vector<std::string> names{
-        "divide", "sqrt",   "unit",  "power",  "sample", "recip",   "slope",    "stack",  "slab", "rank",
-        "plane",  "span",   "edges", "shear",  "hitdiv", "sphere",  "contexts", "pass",   "surf", "corners",
-        "ball",   "angles", "light", "bounce", "snell",  "schlick", "finish",   "turnout"};
+        "divide", "sqrt",   "unit",  "power",  "sample", "recip",   "slope",    "stack",   "slab", "rank",
+        "plane",  "span",   "edges", "shear",  "hitdiv", "sphere",  "contexts", "pass",    "surf", "corners",
+        "ball",   "angles", "light", "bounce", "snell",  "schlick", "finish",   "pass_end"};
     return names;
 }
 
@@ -118,8 +118,10 @@ std::string elaborate(const Config& c, const std::string& unit) {
 std::string synth_script() {
     // Omits the last steps of synth_ecp5. `autoname` would take half of the time, and the tests in
     // tests/synth run `check`.
-    return fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}*\n{}tee -q -o stat.json stat -json\n",
-                       fmt::join(cells(), "* *rc_"), ecp5_steps("check"));
+    std::string modules;   // whole names, alone or with parameters behind them: rc_pass is not rc_pass_end
+    for (const std::string& cell : cells()) modules += fmt::format(" *rc_{0} *rc_{0}[!a-z0-9_]*", cell);
+    return fmt::format("setattr -mod -set keep_hierarchy 1{}\n{}tee -q -o stat.json stat -json\n", modules,
+                       ecp5_steps("check"));
 }
 
 std::optional<std::string> shape_of(const Config& config, const std::string& unit,

@@ -10,15 +10,16 @@ namespace {
 
 /// Comments and directives become blanks, so that every place stays where it is.
 std::string without_comments(std::string text) {
-    for (std::size_t at = 0; at < text.size(); ++at) {
+    for (std::size_t at = 0; at < text.size();) {
         const bool begins_line = at == 0 || text[at - 1] == '\n';
-        const bool comment = text.compare(at, 2, "//") == 0, directive = begins_line && text[at] == '`';
+        std::size_t end = at;
         if (text.compare(at, 2, "/*") == 0)
-            for (const std::size_t end = std::min(text.find("*/", at + 2), text.size() - 2) + 2; at < end;
-                 ++at)
-                if (text[at] != '\n') text[at] = ' ';
-        if (comment || directive)
-            while (at < text.size() && text[at] != '\n') text[at++] = ' ';
+            end = std::min(text.find("*/", at + 2), text.size() - 2) + 2;
+        else if (text.compare(at, 2, "//") == 0 || (begins_line && text[at] == '`'))
+            end = std::min(text.find('\n', at), text.size());
+        for (std::size_t k = at; k < end; ++k)
+            if (text[k] != '\n') text[k] = ' ';
+        at = std::max(end, at + 1);
     }
     return text;
 }

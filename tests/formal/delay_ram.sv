@@ -1,6 +1,6 @@
 // What rc_delay_ram promises: what came with valid_i comes out after exactly Stages cycles. Two bits of data stand for any width.
 // Induction over more than Stages cycles sees everything that lies in the memory come in; only the place must be tied.
-module wait_ring #(
+module delay_ram #(
   parameter  int unsigned Stages = 3,
   localparam int unsigned IndexW = $clog2(Stages)
 ) (
