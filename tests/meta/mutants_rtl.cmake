@@ -1,334 +1,166 @@
-# Faults that the tests must notice. Each row: a name, the file, the exact text (it must be there once), what takes its
-# place, and the test program with its arguments. QUICK rows run by default, the others under the label slow.
-# How: tests/meta/CMakeLists.txt. RTL rows change a copy of rtl/, model rows one source file of a second test program; a header's
-# row names the sources WITH which it is compiled; if there are tests among them, they are the test program.
+# Faults that the tests must notice: RTL. A row has a name, the file, the exact text (which must occur exactly once), its
+# replacement, and the test program with its arguments. QUICK rows run by default, the others have the label slow.
+# A row of the RTL changes a copy of rtl/. A row of the model or the program changes one source file of a second test
+# program. If that file is a header, the row names the sources to compile WITH it; tests among them replace the program's.
+# tests/README.md says which faults get a row. tests/meta/CMakeLists.txt defines mutant().
 
-# ---- box: conservative slabs, total order.
+# ---- Boxes: < for <=, and widths at their ends.
 mutant(box_near_below_far QUICK FILE rtl/engine/bvh/rc_box.sv TEST unit [box][lockstep]
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
-mutant(slab_far_rounded_down FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
-  NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
-mutant(slab_near_rounded_up FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[.data_i(V'(placed_near_q))]]
-  NEW [[.data_i(V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}))]])
-mutant(slab_far_with_r FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[+ {{R1{1'b0}}, plane_neg == plane_zero};]]
-  NEW [[+ {{R1{1'b0}}, plane_neg || (plane_zero && !plane_zero)};]])
-mutant(slab_near_turned_to_one_more FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[^ plane_r} + {{R1{1'b0}}, plane_neg};]]
-  NEW [[^ plane_r};]])
-mutant(slab_far_turned_to_one_more FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[+ {{R1{1'b0}}, plane_neg == plane_zero};]]
-  NEW [[+ {{R1{1'b0}}, !plane_zero};]])
-mutant(slab_zero_direction FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[(zero_q && !near_q[V-1] && near_q != '0)]]
-  NEW [[(zero_q && !near_q[V-1])]])
-mutant(rank_ignores_offset FILE rtl/unit/trav/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[if (holds && (key > other) ==]]
-  NEW [[if (holds && (key[KeyW-1:O+C] > other[KeyW-1:O+C]) ==]])
-mutant(places_fifth_child_among_the_first_four FILE rtl/unit/trav/rc_child_offsets.sv TEST unit [box][lockstep]
-  OLD [[i < 4 ? lines_q : lines_q + half_q]]
-  NEW [[i < 5 ? lines_q : lines_q + half_q]])
-mutant(rank_leaves_first FILE rtl/unit/trav/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[{!s0_hit_i[i], s0_leaf_i[i], s0_near_i]]
-  NEW [[{!s0_hit_i[i], !s0_leaf_i[i], s0_near_i]])
-
-# ---- tri: exact decisions.
-mutant(edges_zero_is_inside FILE rtl/unit/isect/rc_edges.sv TEST unit [tri][lockstep]
-  OLD [[end_u_neg == end_flip && end_v_neg]]
-  NEW [[(end_u == '0 || end_u_neg == end_flip) && end_v_neg]])
-mutant(edges_tie_turned FILE rtl/unit/isect/rc_edges.sv TEST unit [tri]
-  OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
-  NEW [[assign w_sign[k]  = (k == 0) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
-mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
-  OLD [[localparam int unsigned X = 2 * D + 1;]]
-  NEW [[localparam int unsigned X = 2 * D - 2;]])
-mutant(edges_product_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
-  OLD [[localparam int unsigned C = M + D + 1;]]
-  NEW [[localparam int unsigned C = M + D - 1;]])
-mutant(edges_origin_counts FILE rtl/unit/isect/rc_edges.sv TEST unit [tri]
-  OLD [[&& !end_here && end_num[U-1] == end_flip]]
-  NEW [[&& (end_here || end_num[U-1] == end_flip)]])
-mutant(tri_higher_number_wins FILE rtl/unit/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
-  OLD [[in_first    = in.prim <= in.best_prim &&]]
-  NEW [[in_first    = in.prim >= in.best_prim &&]])
-mutant(tri_equal_is_not_closer FILE rtl/unit/isect/rc_tri.sv TEST unit [tri]
-  OLD [[{f1_theirs_q, wide_first}]]
-  NEW [[{f1_theirs_q, wide_first && f1_mine_q == '0}]])
-mutant(hitdiv_t_rounded_down FILE rtl/unit/isect/rc_hitdiv.sv TEST unit [tri][lockstep]
-  OLD [[t_down + {{(T-1){1'b0}}, t_up}]]
-  NEW [[t_down + {{(T-1){1'b0}}, t_up && 1'b0}]])
-mutant(hitdiv_u_v_swapped FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][lockstep]
-  OLD [[.u_i(pre_u), .v_i(pre_v),]]
-  NEW [[.u_i(pre_v), .v_i(pre_u),]])
-
-
-# ---- tri, sheared, and the slopes that raygen makes for it.
-mutant(shear_half_forgotten FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[s2_up_x = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_px_q;]]
-  NEW [[s2_up_x = -s2_px_q;]])
-mutant(shear_tie_turned FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[s3_py < s3_qy : s3_qx < s3_px;]]
-  NEW [[s3_py < s3_qy : s3_qx > s3_px;]])
-mutant(shear_plane_one_bit_short FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[s3_x_q <= Q'(s2_x_q) + Q'($signed(s2_up_x[P-1:S]));]]
-  NEW [[s3_x_q <= Q'($signed(D'(s2_x_q) + D'($signed(s2_up_x[P-1:S]))));]])
-mutant(shear_slope_product_one_bit_short FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[localparam int unsigned P = M + N - 1;]]
-  NEW [[localparam int unsigned P = M + N - 2;]])
-mutant(shear_origin_counts FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[&& s5_num_q != '0 && s5_num_q[U-1] == s5_turn;]]
-  NEW [[&& (s5_num_q == '0 || s5_num_q[U-1] == s5_turn);]])
-mutant(shear_axes_swapped FILE rtl/unit/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[{p[2*N-1:0], p[3*N-1:2*N]} : p;]]
-  NEW [[{p[2*N-1:N], p[3*N-1:2*N], p[N-1:0]} : p;]])
-mutant(tri_sheared_den_forgets_direction FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][sheared]
-  OLD [[.b_i(f0_size), .p_o(f0_den));]]
-  NEW [[.b_i({M{|f0_size}}), .p_o(f0_den));]])
-mutant(slope_rounded_down FILE rtl/unit/raygen/rc_slope.sv TEST unit [raygen][sheared]
-  OLD [[({x_one, x_quo[2*Stages-1 -: M-1]} + M'(1)) >> 1;]]
-  NEW [[{x_one, x_quo[2*Stages-1 -: M-1]} >> 1;]])
-mutant(slope_upper_axis_wins FILE rtl/unit/raygen/rc_slope.sv TEST unit [raygen][sheared]
-  OLD [[end else if (s0_1 >= s0_2) begin]]
-  NEW [[end else if (s0_1 > s0_2) begin]])
-mutant(slope_of_nothing_is_one FILE rtl/unit/raygen/rc_slope.sv TEST unit [raygen][sheared]
-  OLD [[assign y_size = z == '0 ? '0 :]]
-  NEW [[assign y_size =]])
-
-# ---- trav, list, sched: who goes where.
-mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]
-  NEW [[below = top_near[T-1:0];]])
-mutant(stack_pop_writes_one_up FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[level    = end_height - H'(1);]]
-  NEW [[level    = end_height;]])
-mutant(stack_equal_does_not_matter FILE rtl/unit/trav/rc_stack.sv TEST unit [trav]
-  OLD [[assign top_matters   = top_near[T-1:0] <= tested.t_best;]]
-  NEW [[assign top_matters   = top_near[T-1:0] < tested.t_best;]])
-mutant(stack_gives_up_early FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[below_matters = top_below <= tested.t_best;]]
-  NEW [[below_matters = top_below < tested.t_best;]])
-mutant(trav_gives_leaves_that_are_too_far FILE rtl/unit/trav/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;]]
-  NEW [[leaves.leaves != '0;]])
-mutant(trav_keeps_leaves_exactly_as_far FILE rtl/unit/trav/rc_trav.sv TEST unit [trav]
-  OLD [[leaves_near[TB-1:0] <= leaves_beat;]]
-  NEW [[leaves_near[TB-1:0] < leaves_beat;]])
-mutant(trav_gives_the_second_leaf FILE rtl/unit/trav/rc_trav.sv TEST unit [trav]
-  OLD [[leaf_offset = leaf_offset >> (O << b);]]
-  NEW [[leaf_offset = leaf_offset >> (O << (b + 1));]])
-mutant(reach_is_not_reset_by_a_start FILE rtl/unit/trav/rc_ray_t_max.sv TEST unit [trav]
-  OLD [[.clear_i(start_fires_i),]]
-  NEW [[.clear_i(start_fires_i && start_ray != '1),]])
-mutant(list_skips_last_triangle FILE rtl/unit/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[assign more_triangles   = cursor_triangle + C'(1) <]]
-  NEW [[assign more_triangles   = cursor_triangle + C'(2) <]])
-mutant(list_ignores_t_best FILE rtl/unit/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[&& it_within[1];]]
-  NEW [[&& (it_within[1] || it_t != '0);]])
-mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/unit/list/rc_list.sv TEST unit [list]
-  OLD [[.clear_i(start_fires_i), .clear_at_i(start_ray),]]
-  NEW [[.clear_i(start_fires_i || ray_fires_i), .clear_at_i(ray_fires_i ? ray_i.ray : start_ray),]])
-mutant(list_keeps_old_hit FILE rtl/unit/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[.clear_i(start_fires_i),]]
-  NEW [[.clear_i(start_fires_i && !closer),]])
-mutant(sched_frees_another_context QUICK FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
-  OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
-  NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
-mutant(sched_one_row_more FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[next_y < height[K-1:0]));]]
-  NEW [[next_y <= height[K-1:0]));]])
-mutant(sched_tile_begins_inside FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[(tile_lies[0] && height[K-1:0] != '0));]]
-  NEW [[tile_lies[0]);]])
-mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
-  NEW [[if (!rst_ni) first_q <= 1'b1;]])
-mutant(sched_edge_tile_is_outside FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[{1'b0, tile_i.x} == width[P:K],]]
-  NEW [[{1'b0, tile_i.x} > width[P:K],]])
-mutant(sched_order_transposed FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[      assign x[i] = at_q[2*i];
-      assign y[i] = at_q[2*i+1];]]
-  NEW [[      assign y[i] = at_q[2*i];
-      assign x[i] = at_q[2*i+1];]])
-mutant(sched_waits_outside FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[else if (give || pass)  at_q]]
-  NEW [[else if (give)          at_q]])
-mutant(sched_gives_a_pixel_at_the_start FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[assign at_hand  = tile_valid && in_frame && !start_i;]]
-  NEW [[assign at_hand  = tile_valid && in_frame;]])
-mutant(sched_keeps_the_last_frames_tile FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[if (!rst_ni || start_i) at_q <= '0;]]
-  NEW [[if (!rst_ni) at_q <= '0;]])
-mutant(dispatch_one_row_more FILE rtl/unit/sched/rc_dispatch.sv TEST unit [dispatch]
-  OLD [[<< rc_pkg::TileBits >= frame_i.height;]]
-  NEW [[<< rc_pkg::TileBits > frame_i.height;]])
-mutant(dispatch_same_again FILE rtl/unit/sched/rc_dispatch.sv TEST unit [dispatch]
-  OLD [[next_q <= (to + 1'b1) & PB'(P - 1);]]
-  NEW [[next_q <= to & PB'(P - 1);]])
-mutant(arbiter_prefers_one FILE rtl/mem/rc_arbiter.sv TEST unit [machine][lockstep]
-  OLD [[if (valid_o && ready_i) last_q <= source_o;]]
-  NEW [[if (valid_o && ready_i) last_q <= source_o & '0;]])
-mutant(arbiter_changes_its_mind FILE rtl/mem/rc_arbiter.sv TEST unit [machine][lockstep]
-  OLD [[assign source_o = held_q ? held_source_q : turn;]]
-  NEW [[assign source_o = held_q && valid_i == '0 ? held_source_q : turn;]])
-mutant(top_pops_without_asking FILE rtl/rc_pipeline.sv TEST system "model and RTL agree for every memory and every back-pressure"
-  OLD [[.closest_ready_i(closest_ready)]]
-  NEW [[.closest_ready_i(closest_ready || closest.found)]])
-
-# ---- What stands still, and what counts wrongly.
-mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockstep]
-  OLD [[.valid_i(miss_valid), .ready_o(miss_ready)]]
-  NEW [[.valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)]])
-mutant(sched_loses_hits_of_used_contexts FILE rtl/unit/sched/rc_sched.sv TEST unit [machine][lockstep]
-  OLD [[assign hit_valid_o   = pixel_valid_i;]]
-  NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
-mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[cause_o = node_waits_i ?]]
-  NEW [[cause_o = !node_waits_i ?]])
-mutant(tally_skips_a_cause FILE rtl/cells/rc_cause_counters.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[counts_q ? count_o + 1'b1 : '0;]]
-  NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])
-mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[if (counts_q || clear_i)]]
-  NEW [[if (counts_q || (clear_i && counts_q))]])
-mutant(counters_swap_group_and_unit FILE rtl/host/rc_counters.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[{4'(Group), 4'(Unit)}]]
-  NEW [[{4'(Unit), 4'(Group)}]])
-mutant(sched_cause_blames_dispatch FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
-  OLD [[: at_hand ? rc_pkg::SchedStarvedContexts]]
-  NEW [[: !at_hand ? rc_pkg::SchedStarvedContexts]])
-
-# ---- doors and queues.
-mutant(fifo_full_one_early FILE rtl/cells/rc_fifo_peek.sv TEST unit [box][lockstep]
-  OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
-  NEW [[assign ready_o = tail_q - head_q < (IndexW+1)'(Depth - 1);]])
-mutant(door_one_credit_more QUICK FILE rtl/cells/rc_credit_counter.sv TEST unit [tri][lockstep]
-  OLD [[Full = CountW'(Credits);]]
-  NEW [[Full = CountW'(Credits + 1);]])
-mutant(merge_changes_its_mind FILE rtl/cells/rc_priority_merge.sv TEST unit [list][lockstep]
-  OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
-  NEW [[assign second         = held_q && first_valid_i && held_second_q ? 1'b0 : !first_valid_i;]])
-mutant(raygen_direction_rounded_down FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[assign rounded = whole + {{(M-1){1'b0}}, up};]]
-  NEW [[assign rounded = whole + {{(M-1){1'b0}}, up && 1'b0};]])
-mutant(raygen_direction_wraps FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[= !whole[M-1] && rounded[M-1] ? whole : rounded;]]
-  NEW [[= rounded;]])
-mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
-  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
-mutant(raygen_shift_one_bit_short FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[s0_shift = S'(Most);]]
-  NEW [[s0_shift = S'(Most - 1);]])
-mutant(raygen_shift_of_the_last_axis FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[s0_used = s0_used | (s0_sum]]
-  NEW [[s0_used = (s0_sum]])
-mutant(raygen_shift_by_the_sums_sign FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[^ {(G-1){s0_sum[k*G+G-1]}});]]
-  NEW [[^ {(G-1){s0_sum[G-1]}});]])
-
-# ---- one cycle late, each unit.
-mutant(raygen_one_cycle_late FILE rtl/unit/raygen/rc_raygen.sv TEST unit [raygen][lockstep]
-  OLD [[  rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),]]
-  NEW [[  logic late_q;
-  logic [rc_pkg::RayW-1:0] late_data_q;
-  always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && valid_q[Latency-1];
-    late_data_q <= queue_data;
-  end
-  rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(box_one_cycle_late FILE rtl/unit/trav/rc_node_answer.sv TEST unit [box][lockstep]
-  OLD [[  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),]]
-  NEW [[  logic late_q;
-  logic [rc_pkg::BoxRspW-1:0] late_data_q;
-  always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && end_valid_i;
-    late_data_q <= queue_data;
-  end
-  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(tri_one_cycle_late FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][lockstep]
-  OLD [[  rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),]]
-  NEW [[  logic late_q;
-  logic [rc_pkg::TriRspW-1:0] late_data_q;
-  always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && valid_q[L-1];
-    late_data_q <= queue_data;
-  end
-  rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(trav_one_cycle_late FILE rtl/unit/trav/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[  rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
-    .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),]]
-  NEW [[  logic late_q;
-  logic [I-1:0] late_ray_q;
-  always_ff @(posedge clk_i) begin
-    late_q     <= rst_ni && ends;
-    late_ray_q <= ends_ray;
-  end
-  rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
-    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(done_place), .data_i(late_ray_q),]])
-mutant(leafless_ray_one_cycle_late FILE rtl/unit/trav/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),]]
-  NEW [[  logic late_q;
-  logic [I+TB-1:0] late_data_q;
-  always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && leafless_fires;
-    late_data_q <= {leaves.ray, leaves_beat};
-  end
-  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(late_q), .data_i(late_data_q),]])
-mutant(sched_one_cycle_late FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
-  OLD [[  rc_queue #(.Width(I), .Depth(T)) u_free (
-    .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),]]
-  NEW [[  logic late_q;
-  logic [I-1:0] late_ray_q;
-  always_ff @(posedge clk_i) begin
-    late_q     <= rst_ni && freed;
-    late_ray_q <= pixel_i.ray;
-  end
-  rc_queue #(.Width(I), .Depth(T)) u_free (
-    .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
-
-mutant(dispatch_one_cycle_late FILE rtl/unit/sched/rc_dispatch.sv TEST unit [dispatch][lockstep]
-  OLD [[  assign give         = more_q && want_i != '0;]]
-  NEW [[  logic late_q;
-  always_ff @(posedge clk_i) late_q <= rst_ni && more_q;
-  assign give         = more_q && late_q && want_i != '0;]])
-mutant(arbiter_one_cycle_late FILE rtl/mem/rc_arbiter.sv TEST unit [machine][lockstep]
-  OLD [[  assign valid_o  = valid_i != '0;]]
-  NEW [[  logic late_q;
-  always_ff @(posedge clk_i) late_q <= rst_ni && valid_i != '0;
-  assign valid_o  = valid_i != '0 && late_q;]])
-
-# ---- What every operand of a small width shows.
 mutant(small_slab_distance_one_bit_short FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[localparam int unsigned D   = N + 1; ]]
   NEW [[localparam int unsigned D   = N; ]])
 mutant(small_slab_saturation_wraps FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[over_q <= {V{1'b1}} << ready_move;]]
   NEW [[over_q <= {V{1'b1}} << 1 << ready_move;]])
-mutant(small_slab_zero_is_rounded_up FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))]]
-  NEW [[assign s1_more = P'(s1_distance_q)]])
-mutant(small_recip_of_a_power_of_two FILE rtl/unit/raygen/rc_recip.sv TEST unit [raygen][small]
-  OLD [[assign mag_power = (mag & (mag - 1'b1)) == '0;]]
-  NEW [[assign mag_power = (mag & (mag - 1'b1)) == '0 && mag == '0;]])
-mutant(small_raygen_halves_go_down FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen][small]
-  OLD [[assign s1_up = s1_moved[G-M-1];]]
-  NEW [[assign s1_up = s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0;]])
+
+# ---- Triangles: exact decisions at the corners of the lattice, and the first of equal hits.
+mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
+  OLD [[localparam int unsigned X = 2 * D + 1;]]
+  NEW [[localparam int unsigned X = 2 * D - 2;]])
 mutant(small_edges_third_tie_turned FILE rtl/unit/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
+mutant(tri_equal_is_not_closer FILE rtl/unit/isect/rc_tri.sv TEST unit [tri]
+  OLD [[{f1_theirs_q, wide_first}]]
+  NEW [[{f1_theirs_q, wide_first && f1_mine_q == '0}]])
 mutant(small_tri_compares_the_cut_product FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][small]
   OLD [[{f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};]]
   NEW [[{f1_mine_q >> 1, 1'b0} < {f1_theirs_q >> 1, wide_first};]])
+mutant(hitdiv_t_wraps FILE rtl/unit/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
+  OLD [[assign t_o = end_beyond || (&t_down)]]
+  NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
+
+# ---- Spheres: the last bit of a root, exact contact, and the sphere that a ray leaves.
+mutant(sphere_far_root_rounded_down FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
+  NEW [[far_q[AtR] && (r_inexact || r_lost) && 1'b0};]])
+mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
+  OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
+  NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
+mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[? 2 * (M + W) + 2 : 2 * (N + W) + 4;]]
+  NEW [[? 2 * (M + W) + 1 : 2 * (N + W) + 3;]])
+mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+  OLD [[assign s3_goes  = (!s3_own || s3_inside)]]
+  NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
+mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/isect/rc_sphere.sv
+  TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
+  OLD [[!sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],]]
+  NEW [[!sum_foot[Foot-1], sum_end[C-1],]])
+
+# ---- Traversal, lists, tiles and camera rays: state that belongs to another ray or frame.
+mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
+  OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]
+  NEW [[below = top_near[T-1:0];]])
+mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/unit/list/rc_list.sv TEST unit [list][shading]
+  OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
+  NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
+mutant(sched_frees_another_context QUICK FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
+  OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
+  NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
+mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
+  OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
+  NEW [[if (!rst_ni) first_q <= 1'b1;]])
+mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
+  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
+mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
+  OLD [[assign eye = frame_i.eye;]]
+  NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
+  logic is_kept_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) is_kept_q <= 1'b0;
+    else if (slot_valid_i) is_kept_q <= 1'b1;
+    if (!is_kept_q) kept_q <= frame_i.eye;
+  end
+  assign eye = is_kept_q ? kept_q : frame_i.eye;]])
+mutant(sample_cell_not_reduced_twice FILE rtl/unit/raygen/rc_sample.sv TEST unit [raygen][shading]
+  OLD [[take = once >= {1'b0, all} ? S'(once - {1'b0, all}) : S'(once);]]
+  NEW [[take = once >= {1'b0, all} ? S'(once) : S'(once);]])
+
+# ---- Shading: cells, a pass, and the contexts.
+mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
+  OLD [[s5_none_q  <= s4_none_q ||]]
+  NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
+mutant(pass_pending_forgets_the_answer QUICK FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [pass][all]
+  OLD [[(state_i.pending == rc_pkg::PendingAnswer && !found)]]
+  NEW [[(state_i.pending == rc_pkg::PendingAnswer)]])
+mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][interval]
+  OLD [[  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
+    slack = '0;
+    for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
+      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+  end]]
+  NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
+    .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
+mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_side.sv TEST unit [pass][all]
+  OLD [[&& sum != '0;]]
+  NEW [[&& sum[Q:0] != '1;]])
+mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
+  OLD [[s1_apart <= contrast &&]]
+  NEW [[s1_apart < contrast &&]])
+mutant(contexts_stack_half_as_deep FILE rtl/unit/shade/rc_contexts.sv TEST torture "model and RTL agree under torture"
+  OLD [[assign new_top_at = write_state_i.waiting - 4'd1;]]
+  NEW [[assign new_top_at = (write_state_i.waiting - 4'd1) & 4'd3;]])
+
+# ---- Caches and credits.
+mutant(mshr_chain_loses_the_last QUICK FILE rtl/mem/rc_mshr.sv TEST unit "misses to one line*"
+  OLD [[assign is_last    = head == last;]]
+  NEW [[assign is_last    = head == last || next == last;]])
+mutant(tags_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
+  OLD [[u_tag (
+        .clk_i, .write_i(!rst_ni || takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),]]
+  NEW [[u_tag (
+        .clk_i, .write_i(takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),]])
+mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
+  OLD [[took_q && same_late ? same_took : same_entry;]]
+  NEW [[took_q && same_late && 1'b0 ? same_took : same_entry;]])
+mutant(door_one_credit_more QUICK FILE rtl/cells/rc_credit_counter.sv TEST unit [tri][lockstep]
+  OLD [[Full = CountW'(Credits);]]
+  NEW [[Full = CountW'(Credits + 1);]])
+
+# ---- Counters and the registers of the host.
+mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[cause_o = node_waits_i ?]]
+  NEW [[cause_o = !node_waits_i ?]])
+mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[if (counts_q || clear_i)]]
+  NEW [[if (counts_q || (clear_i && counts_q))]])
+mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
+  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
+mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[frame_word < 13'(F)));]]
+  NEW [[frame_word < 13'(F - 1)));]])
+mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
+  NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])
+mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[&& wanted_q && some_q;]]
+  NEW [[&& wanted_q;]])
+mutant(host_writes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[write_q <= fires && we_q && is_idle && adr_q]]
+  NEW [[write_q <= fires && we_q && adr_q]])
+mutant(host_clears_a_cycle_late FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[assign clear_o = Counters != 0 && state_q == StPrepare;]]
+  NEW [[logic late_q; always_ff @(posedge clk_i) late_q <= state_q == StPrepare; assign clear_o = Counters != 0 && late_q;]])
+
+# ---- Fast chips and shared multipliers.
+mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/isect/rc_hitdiv.sv TEST unit [tri][fast]
+  OLD [[rc_path_register #(.Width(T + 1)) u_t_last]]
+  NEW [[rc_path_register #(.Width(T + 1), .Stages(0)) u_t_last]])
+mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][interval]
+  OLD [[|valid_q[Interval-2:0];]]
+  NEW [[|valid_q[(Interval-1)/2:0];]])
+mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
+  OLD [[.Stages(Share - 1 - i)) u_early]]
+  NEW [[.Stages(Own - 1)) u_early]])
+
+# ---- Random configurations are linted.
+mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"
+  OLD [[logic signed [X-1:0] sum, told, shifted;]]
+  NEW [[logic signed [X-1:0] sum, told, shifted, spare;]])
