@@ -233,7 +233,7 @@ module rc_pipeline (
       .cause_o(shade_cause));
   end
 
-  // What each unit did in this cycle; codes in model/core/units.hpp.
+  // What each unit did in this cycle; codes in model/machine/units.hpp.
   assign raygen_begins = (slot_valid && slot_ready) || (spawn_valid && spawn_ready);
   assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
                        : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
@@ -251,16 +251,22 @@ module rc_pipeline (
     end
   end
 
-  // Each unit that decides nodes has its own place, and the chip has one or two of them. causes_o
-  // has their causes at rc_pkg::DecideUnit and MeshUnit, and 0 for the others.
-  localparam int unsigned C = 3 * rc_pkg::PipelineUnits;
-  logic [C-1:0] decide_at, xform_at;
-
-  assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit
-                   | C'(mesh_cause) << 3 * rc_pkg::MeshUnit;
-  assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;
-  assign causes_o  = decide_at | xform_at
-                   | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,
-                         node_cause, trav_cause, raygen_cause, sched_cause});
+  // Each unit's cause has its own place. The chip has one or two of the units that decide nodes;
+  // with one, both constants are the same and mesh_cause is 0.
+  always_comb begin
+    causes_o = '0;
+    causes_o[3*rc_pkg::SchedUnit +: 3]     = sched_cause;
+    causes_o[3*rc_pkg::RaygenUnit +: 3]     = raygen_cause;
+    causes_o[3*rc_pkg::TravUnit +: 3]       = trav_cause;
+    causes_o[3*rc_pkg::NodeCacheUnit +: 3]  = node_cause;
+    causes_o[3*rc_pkg::DecideUnit +: 3]     = decide_cause;
+    causes_o[3*rc_pkg::MeshUnit +: 3]       = causes_o[3*rc_pkg::MeshUnit +: 3] | mesh_cause;
+    causes_o[3*rc_pkg::XformUnit +: 3]     = xform_cause;
+    causes_o[3*rc_pkg::ListUnit +: 3]       = list_cause;
+    causes_o[3*rc_pkg::PrimCacheUnit +: 3]  = prim_cause;
+    causes_o[3*rc_pkg::TriUnit +: 3]        = tri_cause;
+    causes_o[3*rc_pkg::SurfCacheUnit +: 3]  = surf_cause;
+    causes_o[3*rc_pkg::ShadeUnit +: 3]     = shade_cause;
+  end
 endmodule
 `default_nettype wire

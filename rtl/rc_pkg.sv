@@ -152,10 +152,11 @@ package rc_pkg;
   localparam int unsigned MapStages = 3;
   localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
-  localparam int unsigned BoxLatency = 6;
   localparam int unsigned BoxInterval = 1;
+  localparam int unsigned BoxLatency = 6;
   localparam int unsigned TreeletLatency = 7;
   localparam int unsigned GlobeLatency = 9;
+  localparam int unsigned BihLatency = 7;
   localparam int unsigned SlantLatency = 17;
   localparam int unsigned NodePad = 0;
   localparam int unsigned MeshPad = 0;
@@ -172,11 +173,12 @@ package rc_pkg;
 
   // What holds the scene.
   typedef enum logic [31:0] {
+    StructureNone = 32'd6,
     StructureBvh = 32'd0,
     StructureKd = 32'd1,
-    StructureNone = 32'd2,
-    StructureSpheres = 32'd4,
-    StructureBsp = 32'd5
+    StructureSpheres = 32'd3,
+    StructureBih = 32'd5,
+    StructureBsp = 32'd4
   } structure_e;
 
   // What a line of memory holds, if there are two levels.
@@ -373,7 +375,7 @@ package rc_pkg;
     28'h7603a8c, 28'h76a7a90, 28'h774ca94, 28'h77f2697, 28'h789929b, 28'h7940e9f, 28'h79e96a2, 28'h7a92ea6,
     28'h7b3d6aa, 28'h7be8aad, 28'h7c94eb1, 28'h7d41eb4, 28'h7df02b9, 28'h7e9f2bc, 28'h7f4f2c0, 28'h80002c4};
 
-  // Tables of the unit globe: model/engine/globe/tables.hpp.
+  // Tables of the unit globe: model/engine/spheres/tables.hpp.
   localparam logic [3455:0] NearInverse = {
     27'h403f901, 27'h4080503, 27'h40c1905, 27'h4103507, 27'h4145909, 27'h418890c, 27'h41cbd0d, 27'h420fd10,
     27'h4254512, 27'h4299514, 27'h42ded16, 27'h4325119, 27'h436bd1b, 27'h43b311d, 27'h43fb120, 27'h4443922,
@@ -446,18 +448,27 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 14;
-  localparam int unsigned XformUnit = 13;
+  localparam int unsigned PipelineUnits = 15;
+  localparam int unsigned SchedUnit = 0;
+  localparam int unsigned RaygenUnit = 1;
+  localparam int unsigned TravUnit = 2;
+  localparam int unsigned NodeCacheUnit = 3;
+  localparam int unsigned ListUnit = 9;
+  localparam int unsigned PrimCacheUnit = 10;
+  localparam int unsigned TriUnit = 11;
+  localparam int unsigned SurfCacheUnit = 12;
+  localparam int unsigned ShadeUnit = 13;
+  localparam int unsigned XformUnit = 14;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [13:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
-    1'd1, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [14:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd0, 1'd0,
+    1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
-  // What the links carry: model/core/links.hpp.
+  // What the links carry: model/machine/links.hpp.
 
   typedef struct packed {
     logic [9:0] x;
@@ -576,6 +587,34 @@ package rc_pkg;
     logic [23:0] count;
   } globe_rsp_t;
   localparam int unsigned GlobeRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [2:0] neg;
+    logic [50:0] recip;
+    logic [14:0] len;
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [13:0] axis;
+    logic [125:0] lower_to;
+    logic [125:0] upper_from;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } bih_req_t;
+  localparam int unsigned BihReqW = 552;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } bih_rsp_t;
+  localparam int unsigned BihRspW = 302;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -920,7 +959,7 @@ package rc_pkg;
   } waiting_t;
   localparam int unsigned WaitingW = 168;
 
-  // What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.
+  // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/chip.md.
 
   typedef struct packed {
     logic [53:0] org;
@@ -952,6 +991,18 @@ package rc_pkg;
     logic [95:0] radius;
   } globe_node_t;
   localparam int unsigned GlobeNodeW = 491;
+
+  typedef struct packed {
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [13:0] axis;
+    logic [125:0] lower_to;
+    logic [125:0] upper_from;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } bih_node_t;
+  localparam int unsigned BihNodeW = 423;
 
   typedef struct packed {
     logic open;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
 #include "model/compile/levels/levels.hpp"
 #include "model/compile/plane.hpp"
@@ -130,7 +131,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     };
     MemoryImage image;
     tell(1);
-    if (config.is_bvh() || config.has_globes()) {
+    if (!config.is_list() && !has_cells(config)) {
         const std::vector<LatticeBox> boxes = boxes_of(triangles, config);
         BinaryTree tree =
             config.has_splits() ? build_split_tree(boxes, triangles, config) : build_tree(boxes);

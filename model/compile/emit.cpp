@@ -1,9 +1,11 @@
 // Writes trees of boxes and globes as memory lines.
+#include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
 
-#include "model/layout/encode.hpp"
-#include "model/engine/globe/around.hpp"
-#include "model/engine/globe/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
+#include "model/layout/words.hpp"
+#include "model/engine/spheres/around.hpp"
+#include "model/engine/spheres/encode.hpp"
 #include "model/layout/written.hpp"
 #include "model/base/error.hpp"
 

@@ -1,9 +1,7 @@
-// Layout: cells of space as memory lines, treelet by treelet.
+// Layout: cells of space as memory lines, node by node.
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
-#include "model/engine/kd/build.hpp"
-#include "model/engine/kd/exits.hpp"
-#include "model/engine/octree/build.hpp"
+#include "model/layout/words.hpp"
+#include "model/engine/engines.hpp"
 #include "model/layout/written.hpp"
 
 namespace rayclock {
@@ -14,7 +12,7 @@ using kd::Place;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
-/// Writes a tree of cells. `Line` is the type of a node: a treelet or a slant.
+/// Writes a tree of cells. `Line` is the type of a node.
 template <class Line> class Emitter {
 public:
     Emitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
@@ -40,13 +38,13 @@ private:
 
     void emit(const Pending& at) {
         const auto width = std::size_t(config_.node_width);
-        Line treelet;
-        const std::array<Place, max_width> exits = exits_.of(at.place, config_.node_width, treelet);
+        Line node;
+        const std::array<Place, max_width> exits = exits_.of(at.place, config_.node_width, node);
         std::uint32_t inner = 0;
         std::size_t primitives = 0;
         for (std::size_t i = 0; i < width; ++i) {
             const bool leaf = exits[i].is_leaf(leaf_most);
-            treelet.kind[i] = exits[i].is_empty() ? 0 : leaf ? 1 + std::uint32_t(exits[i].count) : 1;
+            node.kind[i] = exits[i].is_empty() ? 0 : leaf ? 1 + std::uint32_t(exits[i].count) : 1;
             inner += !leaf;
             if (leaf && !exits[i].is_empty()) primitives += exits[i].count, ++image_.report.leaves;
         }
@@ -54,17 +52,17 @@ private:
         const std::size_t lines = base + inner + (primitives + 1) / 2;
         check_lines(lines, config_, name_);
         image_.words.resize(lines * words_per_line, 0);
-        treelet.base = std::uint32_t(base);
-        write_payload(treelet, config_, &image_.words[at.line * words_per_line], scratch_);
+        node.base = std::uint32_t(base);
+        write_payload(node, config_, &image_.words[at.line * words_per_line], scratch_);
         std::size_t half_line = 2 * (base + inner);
         for (std::size_t i = 0; i < width; ++i)
-            for (std::size_t p = 0; treelet.kind[i] > 1 && p < exits[i].count; ++p)
+            for (std::size_t p = 0; node.kind[i] > 1 && p < exits[i].count; ++p)
                 write_payload(prims_[exits[i].prim(p)], config_, &image_.words[half_line++ * words_per_half],
                               scratch_);
         image_.report.references += primitives;
         const std::uint32_t id = written_.add(at.parent, inner);
         for (std::size_t i = width, line = base + inner; i-- > 0;)
-            if (treelet.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
+            if (node.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
     }
 
     const kd::Cell& root_;
@@ -82,11 +80,12 @@ private:
 
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image) {
-    const kd::CellPtr root = config.is_octree() ? octree::build(prims, config) : kd::build(prims, config);
-    if (config.has_slants())
-        Emitter<Slant>{*root, prims, config, name, image}.run();
-    else
-        Emitter<Treelet>{*root, prims, config, name, image}.run();
+    with_engine(config.engine(), [&]<class E>(E) {
+        if constexpr (E::has_cells) {
+            const kd::CellPtr root = E::build(kd::Pieces(prims, config), prims, config);
+            Emitter<typename E::Node>{*root, prims, config, name, image}.run();
+        }
+    });
 }
 
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,

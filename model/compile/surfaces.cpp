@@ -10,7 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/plane.hpp"
 #include "model/base/error.hpp"
 #include "model/core/settled.hpp"

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "model/base/error.hpp"
-#include "model/core/lines.hpp"
 #include "model/core/parameters.hpp"
 #include "model/core/settled.hpp"
 
@@ -34,7 +33,7 @@ void check_range(const Parameter& p, int value, const std::string& where) {
         throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
 }
 
-void check_config(const Config& c, const std::string& where) {
+void check_parameters(const Config& c, const std::string& where) {
     for (const Parameter& p : parameters()) check_range(p, p.get(c), where);
     const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
     if (2 * c.coord_bits + c.dir_bits > 62)
@@ -55,8 +54,8 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if ((c.has_treelets() || c.has_globes() || c.has_slants()) && c.test() != PrimitiveTest::exact &&
-        !c.is_sheared())
+    const bool boxes_only = (c.is_list() || c.engine() == Structure::bvh) && c.lower_engine() == c.engine();
+    if (!boxes_only && c.test() != PrimitiveTest::exact && !c.is_sheared())
         refuse("structure=" + name_of(c.structure) +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
@@ -64,7 +63,7 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
             "bsp");
-    if (c.has_slants() && c.straddlers == Straddlers::inner)
+    if (c.is_walked(Structure::bsp) && c.straddlers == Straddlers::inner)
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
             "(inner)");
@@ -76,11 +75,6 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
             "known of these alone");
-    for (const Structure s : {c.structure, c.lower_structure()})
-        if (c.has_instances() && node_bits(c, Config::engine_of(s)) > line_bits - line_kind_bits)
-            refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
-                   name_of(s) + " leaves " + std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
-                   " of its 512 free: coord_bits or addr_bits must be smaller");
     const std::pair<const char*, bool> units[] = {{"spheres", c.spheres},
                                                   {"planes", c.planes},
                                                   {"smooth", c.smooth},

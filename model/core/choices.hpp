@@ -31,7 +31,8 @@ inline std::vector<std::string> words_of(std::string_view list) {
     return words;
 }
 
-#define RAYCLOCK_CHOICE(Type, ...)                                            \
+#define RAYCLOCK_CHOICE(Type, ...) RAYCLOCK_CHOICE_OF(Type, __VA_ARGS__)
+#define RAYCLOCK_CHOICE_OF(Type, ...)                                         \
     enum class Type { __VA_ARGS__ };                                          \
     template <> inline const std::vector<std::string>& names_of<Type>() {     \
         static const std::vector<std::string> names = words_of(#__VA_ARGS__); \
@@ -41,13 +42,16 @@ inline std::vector<std::string> words_of(std::string_view list) {
 /// Ray-triangle tests: model/unit/isect/primitive.hpp.
 RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
 
-/// Acceleration structures: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), a list of all
-/// primitives (engine/none), cells cut in the middle of all axes (engine/octree; the engine of kd walks
-/// them), bounding spheres (engine/globe), space cut by planes in any direction (engine/bsp).
-RAYCLOCK_CHOICE(Structure, bvh, kd, none, octree, spheres, bsp)
+// Structures of nodes: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), cells cut in the
+// middle of all axes (engine/octree; the engine of kd walks them), bounding spheres (engine/spheres), space cut
+// by planes in any direction (engine/bsp).
+#define RAYCLOCK_TREES bvh, kd, octree, spheres, bsp, bih
+
+/// Acceleration structures. none is a list of all primitives (engine/none).
+RAYCLOCK_CHOICE(Structure, RAYCLOCK_TREES, none)
 
 /// Acceleration structures of meshes, with two levels; same: the structure of the scene.
-RAYCLOCK_CHOICE(MeshStructure, same, bvh, kd, octree, spheres, bsp)
+RAYCLOCK_CHOICE(MeshStructure, same, RAYCLOCK_TREES)
 
 /// Where a primitive goes that lies on both sides of a plane, in an octree and in bsp: into every leaf that
 /// it reaches into, into the inner node (octree), or the plane is not used (bsp).
@@ -63,5 +67,6 @@ RAYCLOCK_CHOICE(Timing, relaxed, fast)
 RAYCLOCK_CHOICE(DramName, ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2)
 
 #undef RAYCLOCK_CHOICE
+#undef RAYCLOCK_CHOICE_OF
 
 }   // namespace rayclock

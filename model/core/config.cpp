@@ -7,23 +7,14 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
-#include "model/core/lines.hpp"
 #include "model/core/dram_parts.hpp"
 #include "model/core/parameters.hpp"
 
 namespace rayclock {
 
 Structure Config::lower_structure() const {
-    if (!has_instances()) return structure;
-    switch (mesh_structure) {
-        case MeshStructure::same: break;
-        case MeshStructure::bvh: return Structure::bvh;
-        case MeshStructure::kd: return Structure::kd;
-        case MeshStructure::octree: return Structure::octree;
-        case MeshStructure::spheres: return Structure::spheres;
-        case MeshStructure::bsp: return Structure::bsp;
-    }
-    return structure;
+    if (!has_instances() || mesh_structure == MeshStructure::same) return structure;
+    return Structure(int(mesh_structure) - 1);   // both follow RAYCLOCK_TREES
 }
 Config Config::upper() const {
     Config level = *this;

@@ -102,10 +102,8 @@ struct Config {
     Config upper() const;
     Config lower() const;
     bool has_boxes() const { return is_walked(Structure::bvh); }
-    bool has_treelets() const { return is_walked(Structure::kd); }
-    bool has_globes() const { return is_walked(Structure::spheres); }
-    bool has_slants() const { return is_walked(Structure::bsp); }
-    bool has_planes() const { return has_treelets() || has_slants(); }
+    /// True if planes that cut space in two are chosen for a level: a primitive may be on both sides.
+    bool cuts_space() const { return is_walked(Structure::kd) || is_walked(Structure::bsp); }
     bool is_walked(Structure by) const { return engine() == by || lower_engine() == by; }
     /// Returns the memory outside the chip, or null if it is the ideal memory.
     const DramPart* dram_part() const;
@@ -138,20 +136,12 @@ struct Config {
     int slot_bits() const;        ///< index 0..W-1
     int stack_bits() const;       ///< count 0..stack_depth
     int raygen_latency() const;
-    int box_latency() const;
     /// Cycles between nodes that box accepts.
     int box_interval() const { return has_boxes() ? std::max(1, node_width / box_lanes) : 1; }
-    int treelet_latency() const;
-    int globe_latency() const;
-    int slant_latency() const;
-    /// Latency of a node's decision. With two engines it is that of the slower one, and the answers of the
-    /// faster one wait.
-    int node_latency() const { return std::max(node_latency(engine()), node_latency(lower_engine())); }
-    int node_latency(Structure engine) const;
     int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
     int map_bits() const { return map_frac() + 2; }   ///< entry of that map, signed; 1 is possible
     int xform_latency() const;
-    int planes_of_node() const { return node_width - 1; }   ///< planes of a treelet or a slant
+    int planes_of_node() const { return node_width - 1; }   ///< planes in a node of cells
     /// Bits of n . x of a slant's plane, signed. The normal has three components of at most 2^6 - 1.
     int offset_of_plane_bits() const { return coord_bits + normal_step_bits + 1; }
     int tri_latency() const;
@@ -186,8 +176,9 @@ Config named_config(const std::string& name);
 void set_parameter(Config& config, const std::string& key, const std::string& value,
                    const std::string& where);
 
-/// Throws UserError unless every parameter and every combination is legal.
-void check_config(const Config& config, const std::string& where);
+/// Throws UserError unless every parameter and every combination is legal. check_config()
+/// (model/engine/check.hpp) also checks that nodes fit their lines.
+void check_parameters(const Config& config, const std::string& where);
 
 /// Returns the smallest number of bits, at least 1, that hold the values 0..n-1.
 constexpr int index_bits(int n) {

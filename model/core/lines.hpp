@@ -1,6 +1,7 @@
 #pragma once
-// The lines of memory: nodes, primitives, surfaces. Each describes its own fields, as payloads do
-// (payloads.hpp). The structs in rc_pkg.sv and the tables in the documents come from these descriptions.
+// The lines of memory that every engine shares: instances, primitives, surfaces. An engine describes its
+// nodes itself (model/engine/*/node.hpp). Each describes its own fields, as payloads do (payloads.hpp). The
+// structs in rc_pkg.sv and the tables in the documents come from these descriptions.
 #include <array>
 #include <cstdint>
 
@@ -14,108 +15,6 @@ constexpr int max_width = 8;
 
 /// One answer of the memory: 64 bytes.
 using Line = std::array<std::uint32_t, 16>;
-
-/// A node of a tree of boxes in a memory line of 64 bytes (right-aligned). Child boxes are quantised relative
-/// to `org`: plane k lies at org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles.
-/// Inner children come first. The block of children starts at line `base`: one line per inner child in slot
-/// order, then the leaves' triangles, 32 bytes each.
-struct Node {
-    Vec3i org{};
-    std::array<std::uint32_t, 3> exp{};
-    std::uint32_t base = 0;
-    std::array<std::uint32_t, max_width> kind{};
-    std::array<std::uint32_t, 3 * max_width> lo{}, hi{};   ///< [3 * child + axis]
-    template <class V> void fields(V& v, const Config& c) {
-        v("org", org, c.coord_bits, 3);
-        v("exp", exp, exp_bits, 3);
-        v("base", base, c.addr_bits);
-        v("kind", kind, count_bits, c.node_width);
-        v("lo", lo, c.box_bits, 3 * c.node_width);
-        v("hi", hi, c.box_bits, 3 * c.node_width);
-    }
-};
-
-/// A node of a kd-tree in a memory line of 64 bytes (right-aligned): a treelet of log2 W levels of planes.
-/// The closed box `lo`..`hi` bounds the contents of its cell; with `open` set, the box is ignored.
-///
-/// Planes are in heap order: plane 0 cuts the treelet's cell, planes 1 and 2 cut its lower and upper half,
-/// and so on. Plane i lies at `at`[i] on axis `axis`[i]. Axis 3 marks a missing plane, whose two sides are
-/// the whole cell. Exit 0 is on the lower side of all planes on its way, exit W - 1 on the upper side.
-///
-/// kind: 0 empty, 1 a treelet, 1 + n a leaf of n primitives. The block at line `base` holds one line for each
-/// exit to a treelet, in order, then the leaves' primitives, 32 bytes each.
-struct Treelet {
-    std::uint32_t open = 0;
-    Vec3i lo{}, hi{};
-    std::array<std::uint32_t, max_width - 1> axis{};
-    std::array<std::int32_t, max_width - 1> at{};
-    std::uint32_t base = 0;
-    std::array<std::uint32_t, max_width> kind{};
-    template <class V> void fields(V& v, const Config& c) {
-        v("open", open, 1);
-        v("lo", lo, c.coord_bits, 3);
-        v("hi", hi, c.coord_bits, 3);
-        v("axis", axis, 2, c.planes_of_node());
-        v("at", at, c.coord_bits, c.planes_of_node());
-        v("base", base, c.addr_bits);
-        v("kind", kind, count_bits, c.node_width);
-    }
-};
-constexpr std::uint32_t no_axis = 3;   ///< axis of a missing plane
-
-/// A node of a tree of planes in any direction, in a memory line of 64 bytes (right-aligned). Plane i holds
-/// the lattice points x with `normal`[3 i ..] . x = `at`[i]; its lower side has smaller products. A normal of
-/// zeros marks a missing plane. All other fields are those of Treelet.
-struct Slant {
-    std::uint32_t open = 0;
-    Vec3i lo{}, hi{};
-    std::array<std::int32_t, 3 * (max_width - 1)> normal{};   ///< [3 * plane + axis]
-    std::array<std::int32_t, max_width - 1> at{};
-    std::uint32_t base = 0;
-    std::array<std::uint32_t, max_width> kind{};
-    template <class V> void fields(V& v, const Config& c) {
-        v("open", open, 1);
-        v("lo", lo, c.coord_bits, 3);
-        v("hi", hi, c.coord_bits, 3);
-        v("normal", normal, normal_step_bits, 3 * c.planes_of_node());
-        v("at", at, c.offset_of_plane_bits(), c.planes_of_node());
-        v("base", base, c.addr_bits);
-        v("kind", kind, count_bits, c.node_width);
-    }
-};
-
-/// A node of a hierarchy of globes (bounding spheres) in a memory line of 64 bytes (right-aligned). Globe i
-/// has its centre at org + (centre << exp) and the radius radius << exp, in lattice steps. Kinds and the
-/// block at line `base` are those of Node.
-struct GlobeNode {
-    Vec3i org{};
-    std::uint32_t exp = 0;
-    std::uint32_t base = 0;
-    std::array<std::uint32_t, max_width> kind{};
-    std::array<std::uint32_t, 3 * max_width> centre{};   ///< [3 * child + axis]
-    std::array<std::uint32_t, max_width> radius{};
-    template <class V> void fields(V& v, const Config& c) {
-        v("org", org, c.coord_bits, 3);
-        v("exp", exp, exp_bits);
-        v("base", base, c.addr_bits);
-        v("kind", kind, count_bits, c.node_width);
-        v("centre", centre, globe_bits, 3 * c.node_width);
-        v("radius", radius, globe_bits, c.node_width);
-    }
-};
-
-/// Calls `work` with an empty node of the structure's type.
-template <class Work> decltype(auto) with_node(Structure engine, Work&& work) {
-    switch (engine) {
-        case Structure::kd: return work(Treelet{});
-        case Structure::spheres: return work(GlobeNode{});
-        case Structure::bsp: return work(Slant{});
-        default: return work(Node{});
-    }
-}
-inline int node_bits(const Config& c, Structure engine) {
-    return with_node(engine, [&]<class N>(const N&) { return bits_of<N>(c); });
-}
 
 /// An instance in a memory line of 64 bytes (right-aligned). x' = A x + b maps a point of the scene's lattice
 /// to the mesh's. The absolute values in a row of A sum to at most 1, so no operand grows.

@@ -28,34 +28,6 @@ struct PrimReq {
     }
 };
 
-/// node memory -> trav or xform.
-struct NodeRsp {
-    std::uint32_t ray = 0;
-    std::uint32_t what = 0;   ///< LineKind, if there are instances
-    /// Bit by bit: the bits of an instance, or of a mesh's node, beyond the width of a node of the scene's
-    /// tree. The node follows.
-    std::array<std::uint32_t, line_bits> beyond{};
-    Node node;
-    Treelet treelet;    ///< replaces `node` in a kd-tree
-    GlobeNode globes;   ///< replaces `node` in a hierarchy of bounding spheres
-    Slant slant;        ///< replaces `node` in a tree of planes in any direction
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        if (c.has_instances()) {
-            v("what", what, line_kind_bits);
-            const int most = std::max(bits_of<Placement>(c), node_bits(c, c.lower_engine()));
-            const int more = most - node_bits(c, c.engine());
-            if (more > 0) v("beyond", beyond, 1, more);
-        }
-        switch (c.engine()) {
-            case Structure::kd: return treelet.fields(v, c);
-            case Structure::spheres: return globes.fields(v, c);
-            case Structure::bsp: return slant.fields(v, c);
-            default: return node.fields(v, c);
-        }
-    }
-};
-
 /// primitive memory -> list.
 struct PrimRsp {
     std::uint32_t ray = 0;

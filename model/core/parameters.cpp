@@ -16,14 +16,16 @@ const Condition dram{"dram", [](const Config& c) { return c.dram_part() != nullp
                      "dram other than ideal"};
 const Condition l2{"l2_sets", [](const Config& c) { return c.l2_sets > 0; }, "l2_sets above 0"};
 const Condition tree{"structure", [](const Config& c) { return !c.is_list(); }, "structure other than none"};
-const Condition straddlers{"structure", [](const Config& c) { return c.has_octree() || c.has_slants(); },
+const Condition straddlers{"structure",
+                           [](const Config& c) { return c.has_octree() || c.is_walked(Structure::bsp); },
                            "octree or bsp"};
-const Condition planes{"structure", [](const Config& c) { return c.has_planes(); }, "kd, octree or bsp"};
+const Condition planes{"structure", [](const Config& c) { return c.cuts_space(); }, "kd, octree or bsp"};
 const Condition boxes{"structure", [](const Config& c) { return c.has_boxes(); }, "bvh"};
 const Condition bvh{"structure", [](const Config& c) { return c.is_bvh(); }, "structure=bvh"};
-const Condition leaves{"structure",
-                       [](const Config& c) { return c.has_boxes() || c.has_globes() || c.has_octree(); },
-                       "bvh, spheres or octree"};
+const Condition leaves{
+    "structure",
+    [](const Config& c) { return c.has_boxes() || c.is_walked(Structure::spheres) || c.has_octree(); },
+    "bvh, spheres or octree"};
 const Condition levels{"levels", [](const Config& c) { return c.has_instances(); }, "levels=2"};
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};
 }   // namespace condition

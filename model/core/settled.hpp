@@ -1,5 +1,6 @@
 #pragma once
 #include "model/core/config.hpp"
+#include "model/engine/check.hpp"
 
 namespace rayclock {
 

@@ -82,30 +82,6 @@ int Config::raygen_latency() const {
     return (supersampling ? 4 : 0) + stages.pixel + stages.direction + 1 +
            std::max(stages.recip, is_sheared() ? stages.slope : 0);
 }
-int Config::node_latency(Structure engine) const {
-    switch (engine) {
-        case Structure::kd: return treelet_latency();
-        case Structure::spheres: return globe_latency();
-        case Structure::bsp: return slant_latency();
-        default: return box_latency();
-    }
-}
-int Config::box_latency() const {
-    const Stages stages(*this);
-    return stages.cut + stages.slab + stages.meet + stages.rank;
-}
-int Config::treelet_latency() const {
-    const Stages stages(*this);
-    return stages.cut + stages.plane + stages.exits + stages.rank;
-}
-int Config::globe_latency() const {
-    const Stages stages(*this);
-    return stages.cut + stages.globe + stages.rank;
-}
-int Config::slant_latency() const {
-    const Stages stages(*this);
-    return stages.cut + stages.crossing + stages.exits + stages.rank;
-}
 int Config::tri_latency() const {
     const Stages stages(*this);
     const int test = is_sheared() ? stages.shear : stages.edges;

@@ -20,7 +20,7 @@ struct Stages {
     // The treelet, rtl/engine/kd/rc_treelet.sv, rc_plane.sv. It orders its exits as box does.
     int plane = 0;      ///< from a treelet to the times of its planes
     int exits = 0;      ///< from these to the exits' intervals
-    int globe = 0;      ///< from a node of globes to the globes that are met, rtl/engine/globe/rc_globe.sv;
+    int globe = 0;      ///< from a node of globes to the globes that are met, rtl/engine/spheres/rc_globe.sv;
                         ///< order as in box
     int crossing = 0;   ///< from a slant to the times of its planes, rtl/engine/bsp/rc_crossing.sv; exits and
                         ///< order as in treelet

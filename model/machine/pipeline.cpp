@@ -17,7 +17,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       raygen_rests_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
-      box_(config.node_latency(), config.box_queue),
+      box_(node_latency(config), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
       box_rests_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
@@ -74,7 +74,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
-            default: break;   // treelet, globe and slant are clocked as box, which stands for them
+            default: break;   // box stands for all units that decide nodes
         }
     account_caches();
 }

@@ -2,7 +2,7 @@
 // A pipeline, cycle by cycle, and its connection to the shared units.
 #include <string>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/unit/list/list.hpp"
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"

@@ -53,6 +53,16 @@ private:
 
 template <class See> void Witness::operator()(const Move& m, See&& see) {
     const auto tell = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
+    const auto ask = [&]<class E>(E) {   // trav -> the unit that decides nodes
+        Walk& w = walk(m);
+        tell(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
+        w.test_node();
+    };
+    const auto answer = [&] {
+        tell(walk(m).boxes());
+        bool done = false;
+        if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
+    };
     switch (m.link) {
         case Link::tile: return tell(Tile{m.x, m.y});
         case Link::slot:
@@ -63,13 +73,6 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             if (config_.shading) shader(m).sent(walk(m).ray());
             return tell(walk(m).ray());
         case Link::node_req: return tell(NodeReq{m.id, walk(m).node()});
-        case Link::box_req: {
-            Walk& w = walk(m);
-            const BoxRay& r = w.box_ray();
-            tell(BoxReq{m.id, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(w.node()), config_)});
-            w.test_node();
-            return;
-        }
         case Link::xform_req: {
             Walk& w = walk(m);
             tell(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_),
@@ -83,38 +86,11 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             walk(m).decide(done);
             return;
         }
-        case Link::treelet_req: {
-            Walk& w = walk(m);
-            const BoxRay& r = w.box_ray();
-            tell(TreeletReq{m.id, r.o, r.neg, r.recip, r.len,
-                            unpack<Treelet>(image_.line(w.node()), config_)});
-            w.test_node();
-            return;
-        }
-        case Link::globe_req: {
-            Walk& w = walk(m);
-            const GlobeRay& r = w.globe_ray();
-            tell(GlobeReq{m.id, r.o, r.toward, r.len, unpack<GlobeNode>(image_.line(w.node()), config_)});
-            w.test_node();
-            return;
-        }
-        case Link::slant_req: {
-            Walk& w = walk(m);
-            const BoxRay& r = w.box_ray();
-            tell(SlantReq{m.id, r.o, r.recip, r.len, w.along(),
-                          unpack<Slant>(image_.line(w.node()), config_)});
-            w.test_node();
-            return;
-        }
-        case Link::slant_rsp:
-        case Link::globe_rsp:
-        case Link::treelet_rsp:
-        case Link::box_rsp: {
-            tell(walk(m).boxes());
-            bool done = false;
-            if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
-            return;
-        }
+#define RAYCLOCK_CASES(with, structure, unit, Engine) \
+    case Link::unit##_req: return ask(Engine{});      \
+    case Link::unit##_rsp: return answer();
+            RAYCLOCK_ENGINES(RAYCLOCK_CASES, )
+#undef RAYCLOCK_CASES
         case Link::leaves:
             if (config_.is_list()) walk(m).test_node();
             return tell(walk(m).leaves());

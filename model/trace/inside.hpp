@@ -1,6 +1,5 @@
 #pragma once
-#include "model/engine/bsp/slant.hpp"
-#include "model/engine/globe/globe.hpp"
+#include "model/engine/engines.hpp"
 #include "model/unit/xform/xform.hpp"
 
 namespace rayclock {
@@ -10,10 +9,8 @@ namespace rayclock {
 /// whatever the ray did before. So a ray that returns from an instance needs no restoring.
 struct InsideRay {
     Change change;
-    BoxRay from;
-    GlobeRay toward;   ///< with globes
-    Vec3i along{};     ///< with slants
-    Ray moved{};       ///< the ray in the form of any_test()
+    RayForms forms;
+    Ray moved{};   ///< the ray in the form of any_test()
     WideNode entry;
     bool enters = false;   ///< the line read last is an instance
 
@@ -21,11 +18,9 @@ struct InsideRay {
     const WideNode& enter(const Ray& ray, const Placement& placement, const Config& config,
                           std::uint32_t* t_near, std::uint32_t& hits) {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
-        from = box_ray(change);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
         moved.self = ray.self, moved.inside = ray.inside, moved.partial = ray.partial;
-        if (config.lower_engine() == Structure::spheres) toward = globe_ray(moved, config);
-        if (config.lower_engine() == Structure::bsp) along = aligned(moved, config);
+        forms.take(moved, box_ray(change), config.lower_engine(), config);
         entry.base = change.root;
         entry.children = entry.children_mask = entry.inner_mask = 1;
         t_near[0] = 0;

@@ -99,7 +99,7 @@ struct FromAnywhere {
           hit({from.ray, from.kind}, reach_of(RayKind(from.kind), config)) {}
     RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near,
                                           std::uint32_t& hits) const {
-        const WideNode& node = decoder.node(line);
+        const WideNode& node = decoder.node<engine::Bvh>(line);
         hits = slab_test(ray, node, std::uint32_t(config.node_width), t_near);
         return node;
     }

@@ -15,9 +15,7 @@ struct UnitWay {
     const Decoder& decoder;
     TriTest* primitive_test;
     Ray ray{};
-    BoxRay from{};
-    GlobeRay toward{};    ///< with globes
-    Vec3i along{};        ///< the direction in the form of slants
+    RayForms forms{};
     InsideRay inside{};   ///< with instances
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
@@ -25,9 +23,7 @@ struct UnitWay {
 
     void start(const Ray& ray_) {
         ray = ray_;
-        from = box_ray(ray);
-        if (config.engine() == Structure::spheres) toward = globe_ray(ray, config);
-        if (config.engine() == Structure::bsp) along = aligned(ray, config);
+        forms.take(ray, box_ray(ray), config.engine(), config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -39,34 +35,17 @@ struct UnitWay {
         }
         inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
         if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
-        switch (decoder.engine(line)) {
-            case Structure::kd: {
-                const WideTreelet& treelet = decoder.treelet(line);
-                hits = treelet_exits(from_at(line), treelet, config, t_near);
-                return treelet.exits;
-            }
-            case Structure::spheres: {
-                const WideGlobes& globes = decoder.globes(line);
-                hits = globe_children(toward_at(line), globes, config, t_near);
-                return globes.children;
-            }
-            case Structure::bsp: {
-                const WideSlant& slant = decoder.slant(line);
-                hits = slant_exits(from_at(line), along_at(line), slant, config, t_near);
-                return slant.exits;
-            }
-            default: {
-                const WideNode& node = decoder.node(line);
-                hits = box_children(from_at(line), node, config, t_near);
-                return node;
-            }
-        }
+        return with_engine(decoder.engine(line), [&]<class E>(E) -> const WideNode& {
+            const typename E::Wide& node = decoder.node<E>(line);
+            hits = E::decide(form_at<E>(line), node, config, t_near);
+            return E::children(node);
+        });
     }
     bool enters() const { return inside.enters; }
-    /// Return the ray in the form of the units that decide nodes, in the space of the node in a line.
-    const BoxRay& from_at(std::uint32_t line) const { return in_mesh(line) ? inside.from : from; }
-    const GlobeRay& toward_at(std::uint32_t line) const { return in_mesh(line) ? inside.toward : toward; }
-    const Vec3i& along_at(std::uint32_t line) const { return in_mesh(line) ? inside.along : along; }
+    /// Returns the ray in the form of an engine, in the space of the node in a line.
+    template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {
+        return (in_mesh(line) ? inside.forms : forms).of<E>().form;
+    }
     bool in_mesh(std::uint32_t line) const {
         return config.has_instances() && decoder.kind(line) == LineKind::mesh_node;
     }
@@ -113,8 +92,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next node, or the one in flight
 
-    /// Performs box (treelet, globe, slant) on the next node, and trav on its answer; for a list, trav on the
-    /// next page. Returns true if list has a triangle to test.
+    /// Decides the next node, and performs trav on the answer; for a list, trav on the next page. Returns
+    /// true if list has a triangle to test.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< result of test_node()
     /// Returns that node's children that the ray meets, one bit each.
@@ -138,15 +117,14 @@ public:
     int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return way_.ray; }
-    const Vec3i& along() const { return way_.along_at(node()); }     ///< for the next node
-    const BoxRay& box_ray() const { return way_.from_at(node()); }   ///< for the next node
+    /// Returns the ray in the form of the engine that decides the next node.
+    template <class E> const typename E::RayForm& form() const { return way_.form_at<E>(node()); }
     bool enters() const { return way_.enters(); }   ///< true if the node visited last is an instance
     const Change& change() const { return way_.inside.change; }   ///< xform's answer there
     const Vec3i& o() const { return way_.o(); }                   ///< of the ray as tri sees it
     const Vec3i& d() const { return way_.d(); }
     /// Returns the next primitive, or the one in flight.
     PrimData primitive() const { return way_.primitive(prim()); }
-    const GlobeRay& globe_ray() const { return way_.toward_at(node()); }   ///< for the next node
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }
     Closest closest() const { return way_.hit.closest(); }

@@ -1,7 +1,7 @@
 // Counts how many cycles a unit spends on each of eight causes. Exactly one cause holds per cycle.
 //
 // The counters are a memory of eight words with one port: written while counting, readable
-// otherwise. A cause is counted one cycle after it holds. Model: model/core/units.hpp.
+// otherwise. A cause is counted one cycle after it holds. Model: model/machine/units.hpp.
 `default_nettype none
 module rc_cause_counters (
   input  logic                         clk_i,

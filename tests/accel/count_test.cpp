@@ -1,7 +1,7 @@
 // Counts visits and tests of the machine's walk, and compares its hits with a search through all triangles.
 #include <catch2/catch.hpp>
 
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"

@@ -2,7 +2,7 @@
 // children on a small lattice.
 #include <catch2/catch.hpp>
 
-#include "model/layout/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
 
 using namespace rayclock;
 

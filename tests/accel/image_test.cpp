@@ -4,8 +4,9 @@
 #include <tbb/global_control.h>
 
 #include "tests/support/check/image_check.hpp"
+#include "model/engine/check.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
 #include "model/base/error.hpp"
 #include "tests/accel/meshes.hpp"
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
+#include "model/engine/check.hpp"
 #include "model/scene/hit_shading.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/accel/mixed.hpp"
@@ -74,7 +75,7 @@ TEST_CASE("a plane and true spheres beside instances are the reference's, in eve
     settings.depth = 4;
     const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, settings, 1);
     std::vector<std::array<std::uint32_t, 3>> first;
-    for (const Structure structure : tree_structures) {
+    for (const Structure structure : test::tree_structures()) {
         const Drawn two = drawn(scene, size, settings, of_structure(format(18, 20), structure), 2);
         INFO(name_of(structure));
         const double with_two = psnr(two.picture, right.pixels);
@@ -89,7 +90,7 @@ TEST_CASE("a plane and true spheres beside instances are the reference's, in eve
 }
 
 TEST_CASE("what is not placed is drawn by two levels as by one, bit for bit", "[levels][secondary]") {
-    const Structure structure = GENERATE(from_range(tree_structures));
+    const Structure structure = GENERATE(from_range(test::tree_structures()));
     const std::string name = GENERATE("spheres", "plane", "mirrors", "balls:1", "gears:1");
     CAPTURE(name, name_of(structure));
     const Scene scene = make_builtin(name, Primitives::native);

@@ -7,7 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "model/core/config.hpp"
+#include "model/engine/check.hpp"
 #include "model/scene/placed.hpp"
+#include "tests/support/machine/structures.hpp"
 #include "tests/accel/meshes.hpp"
 
 namespace rayclock {
@@ -21,13 +23,10 @@ inline Config format(int coord_bits, int dir_bits) {
     return config;
 }
 
-/// The structures that two levels support.
-inline constexpr std::array tree_structures{Structure::bvh, Structure::kd, Structure::octree,
-                                            Structure::spheres, Structure::bsp};
 /// Planes in any direction need two free bits in the line of a node.
 inline Config of_structure(Config config, Structure structure) {
     config.structure = structure;
-    if (config.has_slants()) config.addr_bits = 22;
+    if (config.is_walked(Structure::bsp)) config.addr_bits = 22;
     return config;
 }
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "model/layout/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
 #include "model/unit/isect/vectors.hpp"
 #include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"

@@ -1,13 +1,13 @@
 # Faults of the structures other than the box tree. mutants_rtl.cmake explains a row.
 
 # ---- Globes: rounded outward, in the compiler and in the unit.
-mutant(globe_radius_rounded_down FILE model/engine/globe/encode.cpp TEST accel "globes are written outward*"
+mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST accel "globes are written outward*"
   OLD [[std::ceil((globe.radius + glm::length(moved)) / step)]]
   NEW [[std::floor((globe.radius + glm::length(moved)) / step)]])
-mutant(model_globe_without_slack FILE model/engine/globe/globe.cpp TEST unit "globe is right*"
+mutant(model_globe_without_slack FILE model/engine/spheres/globe.cpp TEST unit "globe is right*"
   OLD [[>> node.exp) + 3;]]
   NEW [[>> node.exp) - 6;]])
-mutant(globe_moment_of_the_wrong_sign QUICK FILE rtl/engine/globe/rc_chord.sv TEST unit [globe][lockstep]
+mutant(globe_moment_of_the_wrong_sign QUICK FILE rtl/engine/spheres/rc_chord.sv TEST unit [globe][lockstep]
   OLD [[moment_q <= ab - ba;]]
   NEW [[moment_q <= ba - ab;]])
 

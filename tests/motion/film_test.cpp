@@ -11,6 +11,7 @@
 #include "sim/run/film/film.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
+#include "tests/support/machine/structures.hpp"
 #include "tests/load/files.hpp"
 #include "tests/motion/films.hpp"
 #include "tests/support/machine/build_all.hpp"
@@ -32,8 +33,8 @@ TEST_CASE("the RTL that draws films builds", "[.build]") {
 
 TEST_CASE("frames of a film write the scene's tree alone, and the uploads in turn give every frame's memory",
           "[motion][film]") {
-    // Trees of planes have no bound on their lines, so there is room for the largest of the film.
-    const Structure structure = GENERATE(Structure::bvh, Structure::spheres, Structure::kd, Structure::bsp);
+    // Trees of cells have no bound on their lines, so there is room for the largest of the film.
+    const Structure structure = GENERATE(from_range(engines()));
     for (const char* uploads : {"between", "double"}) {
         INFO(name_of(structure) << ", " << uploads);
         Film film = film_of("crowd:3", two("default", 2, {{"structure", int(structure)}}), {32, 24},

@@ -4,7 +4,7 @@
 
 #include "tests/support/check/image_check.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/refit/flat.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/run/engine/engine.hpp"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/scene/builtin.hpp"
+#include "model/engine/check.hpp"
 #include "sim/view/observe/story.hpp"
 
 namespace rayclock::test {

@@ -11,6 +11,7 @@ is not installed, and a sentence says so.
 import concurrent.futures
 import glob
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -18,14 +19,14 @@ import sys
 
 # Each named configuration; then each engine, alone and under instances, in relaxed and in fast timing; then each interval.
 NAMED = ["default", "small", "wide", "saarcor", "rpu", "ulx3s", "ulx3s-shaded"]
-ENGINES = [
-    "default structure=kd",
+# A folder of rtl/engine has the name of its structure.
+STRUCTURE_NAMES = sorted(path.name for path in (pathlib.Path(__file__).parents[2] / "rtl" / "engine").iterdir())
+ENGINES = [f"default structure={name} shading=1" for name in STRUCTURE_NAMES if name != "none"]
+ENGINES += [f"small structure={name} timing=fast" for name in STRUCTURE_NAMES]
+ENGINES += [
     "small structure=octree timing=fast shading=1 planes=1 spheres=1",
-    "default structure=bsp",
     "small structure=bsp timing=fast shading=1 smooth=1 refraction=1",
-    "default structure=spheres",
     "small structure=spheres timing=fast shading=1 supersampling=1",
-    "small structure=none",
     "small structure=none timing=fast shading=1 planes=1 spheres=1",
     "default primitive_test=sheared",
     "ulx3s primitive_test=sheared",

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
+#include "model/engine/check.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/load/load.hpp"

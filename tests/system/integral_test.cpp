@@ -46,8 +46,8 @@ public:
     /// Returns the expected visits of a line below a node whose cell is `region`.
     double expected(std::uint32_t line, const Region& region) const {
         double sum = 0;
-        if (config_.has_treelets()) {
-            const WideTreelet& t = decoder_.treelet(line);
+        if (config_.is_walked(Structure::kd)) {
+            const WideTreelet& t = decoder_.node<engine::Kd>(line);
             const Region cell = t.open ? region : region.within(t.lo, t.hi);
             for (std::uint32_t child = 0; child < inner_of(t.exits); ++child) {
                 Region part = cell;
@@ -62,7 +62,7 @@ public:
             return sum;
         }
         const auto node = unpack<Node>(image_.line(line), config_);
-        for (std::uint32_t child = 0; child < inner_of(decoder_.node(line)); ++child) {
+        for (std::uint32_t child = 0; child < inner_of(decoder_.node<engine::Bvh>(line)); ++child) {
             Vec3i lo{}, hi{};
             for (std::size_t k = 0; k < 3; ++k) {
                 lo[k] = node.org[k] + int(node.lo[3 * child + k] << node.exp[k]);
@@ -76,10 +76,12 @@ public:
     /// Returns the visits of an unlimited ray.
     int visits(std::uint32_t line, const BoxRay& ray) const {
         std::array<std::uint32_t, max_width> t_near;
-        const bool planes = config_.has_treelets();
-        const WideNode& node = planes ? decoder_.treelet(line).exits : decoder_.node(line);
-        const std::uint32_t hits = planes ? treelet_exits(ray, decoder_.treelet(line), config_, t_near.data())
-                                          : box_children(ray, node, config_, t_near.data());
+        const bool planes = config_.is_walked(Structure::kd);
+        const WideNode& node =
+            planes ? decoder_.node<engine::Kd>(line).exits : decoder_.node<engine::Bvh>(line);
+        const std::uint32_t hits =
+            planes ? treelet_exits(ray, decoder_.node<engine::Kd>(line), config_, t_near.data())
+                   : box_children(ray, node, config_, t_near.data());
         int sum = 0;
         for (std::uint32_t child = 0; child < inner_of(node); ++child)
             if (hits >> child & 1) sum += 1 + visits(node.base + child, ray);
@@ -89,7 +91,7 @@ public:
     /// Returns the sum of the surfaces of globes. Globes are not nested like boxes, so each counts
     /// separately.
     double globes(std::uint32_t line) const {
-        const WideGlobes& node = decoder_.globes(line);
+        const WideGlobes& node = decoder_.node<engine::Globes>(line);
         double sum = 0;
         for (std::uint32_t child = 0; child < inner_of(node.children); ++child) {
             const double r = std::ldexp(node.radius[child], int(node.exp)) / ball_radius;
@@ -100,7 +102,7 @@ public:
     /// Returns how many of them a ray meets.
     int met(std::uint32_t line, const GlobeRay& ray) const {
         std::array<std::uint32_t, max_width> t_near;
-        const WideGlobes& node = decoder_.globes(line);
+        const WideGlobes& node = decoder_.node<engine::Globes>(line);
         const std::uint32_t hits = globe_children(ray, node, config_, t_near.data());
         int sum = std::popcount(hits & node.children.inner_mask);
         for (std::uint32_t child = 0; child < inner_of(node.children); ++child)
@@ -122,7 +124,7 @@ void check_visits(const Config& config, int lines) {
     INFO(name_of(config.structure) << ", straddlers " << name_of(config.straddlers));
     const Tree tree(triangles(400, 26000, 4000), config);
     Lines drawn(config);
-    const bool globes = config.has_globes();
+    const bool globes = config.is_walked(Structure::spheres);
     Mean visits;
     for (int i = 0; i < lines; ++i)
         visits.add(globes ? tree.met(0, globe_ray(drawn.next(), config))

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/judge/paths/answer.hpp"
@@ -122,7 +122,7 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
 
 TEST_CASE("every ray of planes and true spheres beside instances is judged, in every structure",
           "[judge][levels]") {
-    for (const Structure structure : tree_structures) {
+    for (const Structure structure : tree_structures()) {
         INFO(name_of(structure));
         check_sound(Case(mixed_with_round(false), true, of_structure(named_config("default"), structure), 5));
     }

@@ -2,6 +2,7 @@
 // change hits.
 #include <catch2/catch.hpp>
 
+#include "tests/support/machine/structures.hpp"
 #include "tests/support/levels/picture.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
@@ -90,10 +91,8 @@ TEST_CASE("two levels of any two structures hit the same, bit for bit", "[levels
         return run_model(make_shot("gearbox:4", {40, 30}, both("default", upper, lower, 2)).job).answers;
     };
     const std::vector<Closest> right = answers(Structure::bvh, Structure::bvh);
-    const Structure upper =
-        GENERATE(Structure::bvh, Structure::kd, Structure::octree, Structure::spheres, Structure::bsp);
-    for (const Structure lower :
-         {Structure::bvh, Structure::kd, Structure::octree, Structure::spheres, Structure::bsp}) {
+    const Structure upper = GENERATE(from_range(tree_structures()));
+    for (const Structure lower : tree_structures()) {
         const std::vector<Closest> got = answers(upper, lower);
         REQUIRE(got.size() == right.size());
         std::size_t wrong = 0;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/machine/random_config.hpp"
 #include "tests/system/frames.hpp"

@@ -6,9 +6,11 @@
 #include <tuple>
 
 #include "model/unit/raygen/raygen.hpp"
+#include "model/engine/check.hpp"
 #include "model/trace/walk.hpp"
 #include "sim/load/load.hpp"
 #include "sim/explore/stress/families.hpp"
+#include "tests/support/machine/structures.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 
@@ -27,17 +29,16 @@ Config deep(const std::string& name, Structure structure) {
     config.stack_depth = std::max(config.stack_depth, config.node_width == 2 ? 64 : 32);
     return config;
 }
-Config kd(const std::string& name) { return deep(name, Structure::kd); }
 
 /// Returns every structure with every build rule.
 std::vector<Config> all_structures(const Config& config) {
     std::vector<Config> all;
-    for (const Structure s :
-         {Structure::none, Structure::bvh, Structure::spheres, Structure::kd, Structure::octree})
+    all.push_back(structured(config, Structure::none));
+    for (const Structure s : tree_structures()) {
         all.push_back(structured(config, s));
-    all.push_back(with(all.back(), {{"straddlers", int(Straddlers::inner)}}));
-    all.push_back(structured(config, Structure::bsp));
-    all.push_back(with(all.back(), {{"straddlers", int(Straddlers::stop)}}));
+        if (s == Structure::octree) all.push_back(with(all.back(), {{"straddlers", int(Straddlers::inner)}}));
+        if (s == Structure::bsp) all.push_back(with(all.back(), {{"straddlers", int(Straddlers::stop)}}));
+    }
     all.push_back(with(structured(config, Structure::bvh), {{"splits", 1}}));
     return all;
 }
@@ -131,14 +132,11 @@ Job finished(const std::string& name, FrameSize size, const Config& config) {
 }   // namespace
 
 TEST_CASE("the RTL of the structures builds", "[.build]") {
-    std::vector<RtlJob> jobs{
-        {"rc_chip", "default, kd", kd("default")},
-        {"rc_chip", "default, spheres", deep("default", Structure::spheres)},
-        {"rc_chip", "default, bsp", deep("default", Structure::bsp)},
-        {"rc_chip", "bsp of all units", shaded(quick_config("small"), Structure::bsp)},
-        {"rc_chip", "spheres of all units", shaded(quick_config("small"), Structure::spheres)},
-        {"rc_chip", "small, none", structured(quick_config("small"), Structure::none)},
-        {"rc_chip", "kd of all units", shaded(quick_config("small"), Structure::kd)}};
+    std::vector<RtlJob> jobs{{"rc_chip", "small, none", structured(quick_config("small"), Structure::none)}};
+    for (const Structure s : engines()) {
+        jobs.push_back({"rc_chip", "default, " + name_of(s), deep("default", s)});
+        jobs.push_back({"rc_chip", name_of(s) + " of all units", shaded(quick_config("small"), s)});
+    }
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
@@ -178,7 +176,7 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
         CAPTURE(i);
         CHECK(same(traces[i], traces[0]));
         // No plane may cut anything: there may be none.
-        const bool stops = all[i].has_slants() && all[i].straddlers == Straddlers::stop;
+        const bool stops = all[i].is_walked(Structure::bsp) && all[i].straddlers == Straddlers::stop;
         CHECK(traces[i].triangle_tests < traces[0].triangle_tests + stops);
     }
 }
@@ -199,10 +197,11 @@ TEST_CASE("finished pictures do not depend on the structure", "[structures]") {
     }
 }
 
-TEST_CASE("model and RTL agree on a kd-tree", "[structures]") {
+TEST_CASE("model and RTL agree on every engine", "[structures]") {
+    const Structure structure = GENERATE(from_range(engines()));
     const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
-    INFO(scene);
-    check_lockstep(make_shot(scene, {48, 36}, kd("default")).job);
+    INFO(scene << " in " << name_of(structure));
+    check_lockstep(make_shot(scene, {48, 36}, deep("default", structure)).job);
 }
 
 // The chip is the one for boxes.
@@ -210,18 +209,6 @@ TEST_CASE("model and RTL agree on boxes with spatial splits", "[structures]") {
     const std::string scene = GENERATE("rings:1", "tree:4");
     INFO(scene);
     check_lockstep(make_shot(scene, {48, 36}, with(deep("default", Structure::bvh), {{"splits", 1}})).job);
-}
-
-TEST_CASE("model and RTL agree on globes", "[structures]") {
-    const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
-    INFO(scene);
-    check_lockstep(make_shot(scene, {48, 36}, deep("default", Structure::spheres)).job);
-}
-
-TEST_CASE("model and RTL agree on planes in any direction", "[structures]") {
-    const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
-    INFO(scene);
-    check_lockstep(make_shot(scene, {48, 36}, deep("default", Structure::bsp)).job);
 }
 
 // The chip is the one for a kd-tree.
@@ -233,22 +220,11 @@ TEST_CASE("model and RTL agree on an octree", "[structures]") {
     check_lockstep(make_shot(scene, {24, 18}, config).job);
 }
 
-TEST_CASE("model and RTL agree on finished pictures of a kd-tree", "[structures]") {
+TEST_CASE("model and RTL agree on finished pictures of every engine", "[structures]") {
+    const Structure structure = GENERATE(from_range(engines()));
     const std::string scene = GENERATE("spheres", "balls:1", "mount:2", "plane");
-    INFO(scene);
-    check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), Structure::kd)));
-}
-
-TEST_CASE("model and RTL agree on finished pictures of globes", "[structures]") {
-    const std::string scene = GENERATE("spheres", "balls:1", "mount:2", "plane");
-    INFO(scene);
-    check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), Structure::spheres)));
-}
-
-TEST_CASE("model and RTL agree on finished pictures of planes in any direction", "[structures]") {
-    const std::string scene = GENERATE("spheres", "balls:1", "mount:2", "plane");
-    INFO(scene);
-    check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), Structure::bsp)));
+    INFO(scene << " in " << name_of(structure));
+    check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), structure)));
 }
 
 TEST_CASE("model and RTL agree on a list of all primitives", "[structures]") {
@@ -260,17 +236,14 @@ TEST_CASE("model and RTL agree on a list of all primitives", "[structures]") {
 TEST_CASE("model and RTL agree on every structure, other configurations", "[structures][slow]") {
     const std::string name = GENERATE("small", "narrow", "broad", "wide", "saarcor", "rpu", "ulx3s");
     INFO(name);
-    check_lockstep(make_shot("gears:2", {48, 36}, kd(name)).job);
-    check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::spheres)).job);
-    check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::octree)).job);
-    check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::bsp)).job);
+    for (const Structure structure : tree_structures())
+        check_lockstep(make_shot("gears:2", {48, 36}, deep(name, structure)).job);
     check_lockstep(make_shot("tetra:3", {20, 15}, structured(quick_config(name), Structure::none)).job);
 }
 
 TEST_CASE("model and RTL agree on finished pictures of every structure", "[structures][slow]") {
     const std::string scene = GENERATE("spheres", "mirrors", "teapot:3");
-    for (const Structure structure :
-         {Structure::spheres, Structure::kd, Structure::none, Structure::octree, Structure::bsp})
+    for (const Structure structure : tree_structures())
         check_lockstep(finished(scene, {16, 12}, shaded(quick_config("default"), structure)));
 }
 
@@ -292,7 +265,7 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
     config.primitive_test = PrimitiveTest::exact;
     config.levels = 2;
     CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("splits=on needs levels=1"));
-    config = kd("default");
+    config = deep("default", Structure::kd);
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
     config = structured(quick_config("default"), Structure::none);
@@ -301,8 +274,7 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
 }
 
 TEST_CASE("no plane separates primitives that are all the same", "[structures]") {
-    const Config config =
-        structured(lattice_of(18), GENERATE(Structure::kd, Structure::octree, Structure::spheres));
+    const Config config = structured(lattice_of(18), GENERATE(from_range(tree_structures())));
     for (const std::uint32_t n : {1u, 6u, 7u, 1000u}) {
         std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, 0, 0});
         for (std::uint32_t i = 0; i < n; ++i) prims[i].prim = i;

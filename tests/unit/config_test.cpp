@@ -1,7 +1,9 @@
 // config: legal values, the messages of refused ones, and the guarantee that every legal configuration fits.
 #include <catch2/catch.hpp>
 
+#include "model/engine/engines.hpp"
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "model/core/layout.hpp"
 #include "model/core/payloads.hpp"
 #include "model/core/parameters.hpp"

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "sim/run/gen/chip_page.hpp"
 #include "tests/support/world/traffic.hpp"
 

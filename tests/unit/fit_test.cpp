@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/judge/reference/reference.hpp"

@@ -1,8 +1,9 @@
 // Payloads as bits: nothing is lost, nothing overlaps, and the order is that of SystemVerilog.
 #include <tuple>
 
+#include "model/engine/engines.hpp"
 #include "model/unit/trav/children.hpp"
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;

@@ -1,6 +1,7 @@
 // The selectable ray-triangle tests: the choice of a test, and the baselines, which follow their papers and
 // have their known leaks. The sheared test is in sheared_test.cpp.
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "model/unit/isect/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/unit/raygen/raygen.hpp"
+#include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/judge/oracle/exact.hpp"
+#include "model/engine/check.hpp"
 #include "model/unit/xform/xform.hpp"
 #include "tests/support/cases/placement_cases.hpp"
 #include "tests/support/world/traffic.hpp"

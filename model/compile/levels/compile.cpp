@@ -4,8 +4,10 @@
 
 #include <glm/matrix.hpp>
 
+#include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/engine/check.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/levels/levels.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
@@ -103,7 +105,7 @@ private:
             check_lines(std::uint64_t(root) + lowers_[c].lines(), config_, name_);
             image_.words.insert(image_.words.end(), lowers_[c].words.begin(), lowers_[c].words.end());
             image_.report.nodes += lowers_[c].report.nodes;
-            with_node(config_.lower_engine(), [&]<class Line>(const Line&) { move_nodes<Line>(root); });
+            with_engine(config_.lower_engine(), [&]<class E>(E) { move_nodes<typename E::Node>(root); });
             make_room(c, root);
         }
     }

@@ -1,10 +1,11 @@
 // Writes the trees of a film's frames, and collects the differences.
+#include "model/engine/engines.hpp"
 #include "model/compile/levels/moving.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
 
@@ -40,7 +41,7 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
     const bool deforms = !shapes.empty();
-    if (deforms && (config.upper().has_planes() || !Refit::serves(config.lower()))) return nullptr;
+    if (deforms && (has_cells(config) || !Refit::serves(config.lower()))) return nullptr;
     const SharedMesh own = own_mesh(scene);
     std::optional<LevelMaps> maps = map_moving(parts_of(scene, own, shapes), times, eyes, config);
     if (!maps) return nullptr;
@@ -53,7 +54,7 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
 /// Returns the room for the scene's tree. A tree of boxes or globes has a bound. For planes, the trees of all
 /// frames are built, and the largest gives the room.
 std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::span<const Places> times) {
-    if (!config_.upper().has_planes()) return most_upper_lines(entries.size());
+    if (!has_cells(config_)) return most_upper_lines(entries.size());
     std::vector<InstanceMap>& maps = levels_.maps.instances;   // the entries refer to these
     const std::vector<InstanceMap> now = maps;
     std::uint32_t most = 0;

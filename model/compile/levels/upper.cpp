@@ -1,11 +1,13 @@
 // Writes the scene's tree of two levels.
+#include "model/engine/bvh/encode.hpp"
+#include "model/engine/engines.hpp"
 #include "model/compile/levels/upper.hpp"
 
 #include <algorithm>
 
 #include "model/engine/bvh/collapse.hpp"
-#include "model/engine/globe/around.hpp"
-#include "model/engine/globe/encode.hpp"
+#include "model/engine/spheres/around.hpp"
+#include "model/engine/spheres/encode.hpp"
 #include "model/compile/levels/upper_lines.hpp"
 
 namespace rayclock {
@@ -112,11 +114,11 @@ UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t li
     placed.clear();
     UpperLines lines(line, config, name, words);
     const auto written = [&] {
-        if (config.has_planes()) return write_upper_cells(entries, boxes, lines, line, placed);
+        if (has_cells(config)) return write_upper_cells(entries, boxes, lines, line, placed);
         BinaryTree tree = build_tree(boxes);
         if (thorough) optimise_tree(tree);
-        return config.has_globes() ? write_tree<Globes>(entries, tree, lines, line, placed)
-                                   : write_tree<Boxes>(entries, tree, lines, line, placed);
+        return config.engine() == Structure::spheres ? write_tree<Globes>(entries, tree, lines, line, placed)
+                                                     : write_tree<Boxes>(entries, tree, lines, line, placed);
     };
     UpperReport report = written();
     report.lines = lines.taken();

@@ -1,13 +1,11 @@
 // The scene's tree as cells of space.
-#include "model/engine/kd/build.hpp"
-#include "model/engine/kd/exits.hpp"
+#include "model/engine/engines.hpp"
 #include "model/compile/levels/upper_lines.hpp"
-#include "model/engine/octree/build.hpp"
 
 namespace rayclock {
 namespace {
 
-/// `Line` is the type of a node: a treelet or a slant.
+/// `Line` is the type of a node.
 template <class Line> class CellWriter {
 public:
     CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
@@ -47,12 +45,14 @@ UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std:
     Config config = lines.config();
     config.leaf_size = 1;   // for an octree
     const kd::Pieces pieces(boxes, config);
-    const kd::CellPtr cells =
-        config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, {}, config);
     UpperTotals totals{entries, placed};
-    const kd::Place all(cells.get());
-    totals.report.stack_need = config.has_slants() ? CellWriter<Slant>(lines, totals).write(all, root, 1)
-                                                   : CellWriter<Treelet>(lines, totals).write(all, root, 1);
+    with_engine(config.engine(), [&]<class E>(E) {
+        if constexpr (E::has_cells) {
+            const kd::CellPtr cells = E::build(pieces, {}, config);
+            CellWriter<typename E::Node> writer(lines, totals);
+            totals.report.stack_need = writer.write(kd::Place(cells.get()), root, 1);
+        }
+    });
     return totals.report;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The use of lines, shared by all writers of the scene's tree.
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/levels/upper.hpp"
 
 namespace rayclock {

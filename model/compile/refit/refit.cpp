@@ -6,9 +6,10 @@
 #include <tbb/parallel_for.h>
 
 #include "model/engine/bvh/collapse.hpp"
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 

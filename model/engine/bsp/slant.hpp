@@ -1,10 +1,11 @@
 #pragma once
 // The unit slant: nodes with planes in any direction.
+#include "model/engine/bsp/node.hpp"
 #include "model/engine/kd/treelet.hpp"
 
 namespace rayclock {
 
-/// A slant (a treelet whose planes lie in any direction, core/lines.hpp) unpacked for the model.
+/// A slant (a treelet whose planes lie in any direction, node.hpp) unpacked for the model.
 struct WideSlant : WideExits {
     using WideExits::WideExits;
     std::array<Vec3i, max_width - 1> normal{};
@@ -12,6 +13,11 @@ struct WideSlant : WideExits {
 };
 WideSlant widen(const Slant& slant, int node_width);
 
+/// A ray in the form of slants.
+struct SlantRay {
+    BoxRay box;
+    Vec3i along{};   ///< aligned()
+};
 /// Returns a ray's direction in the form that slants use. It is shifted up by ray_dir_bits - dir_bits, so
 /// that its scale does not depend on the ray's kind. A shadow ray's direction already has ray_dir_bits.
 Vec3i aligned(const Ray& ray, const Config& config);
@@ -28,7 +34,7 @@ PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std
                     const Config& config);
 
 /// Returns the exits of a slant that a ray meets, as treelet_exits() does for a treelet. Mirror of
-/// rtl/engine/bsp/rc_slant.sv, latency Config::slant_latency() + 1, one slant per cycle.
+/// rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
 /// Returns the unit's answer.

@@ -1,6 +1,7 @@
 #pragma once
 // The unit box: nodes with child boxes.
 #include "model/core/payloads.hpp"
+#include "model/engine/bvh/node.hpp"
 
 namespace rayclock {
 
@@ -47,7 +48,7 @@ template <class Moving> BoxRay box_ray(const Moving& ray) {   ///< a Ray or a Ch
 ///
 /// If the chip shades, M is ray_dir_bits() here, which is also the base of len. o may then lie between
 /// lattice points: D of near uses the point further along the ray, D of far the other one (docs/origins.md,
-/// Boxes). Mirror of rtl/engine/bvh/rc_box.sv, latency Config::box_latency() + 1, one node every
+/// Boxes). Mirror of rtl/engine/bvh/rc_box.sv, latency engine::Bvh::latency() + 1, one node every
 /// Config::box_interval() cycles.
 ///
 /// Returns the children met, one bit each, and writes t_near by child.

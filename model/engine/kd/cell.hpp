@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/engine/kd/node.hpp"
 #include "model/engine/kd/clip.hpp"
 
 namespace rayclock::kd {

@@ -1,6 +1,7 @@
 #pragma once
 // The planes and cells of a node, shared by all writers of cells as lines.
 #include "model/engine/kd/cell.hpp"
+#include "model/engine/kd/node.hpp"
 
 namespace rayclock::kd {
 
@@ -24,15 +25,10 @@ inline void put(const Cell& cell, std::size_t plane, Treelet& treelet) {
     treelet.axis[plane] = cell.axis;
     if (cell.axis != no_axis) treelet.at[plane] = cell.at;
 }
-inline void put(const Cell& cell, std::size_t plane, Slant& slant) {
-    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
-    slant.at[plane] = cell.at;
-}
 inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
-inline void put_none(std::size_t, Slant&) {}
 
 /// Computes the exits of a node over a place, with at most `most` primitives in each, and writes the node's
-/// planes and box. `Line` is a treelet or a slant.
+/// planes and box. `Line` is a node with planes; its engine defines put() and put_none() for it.
 template <class Line> class Exits {
 public:
     explicit Exits(std::size_t most) : most_(most) {}
@@ -48,7 +44,7 @@ public:
 private:
     /// Fills the part of the node under plane `plane`, whose exits start at `exit`.
     void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
-        if (exits == 1 || plane >= line.at.size()) {   // the second condition is for GCC 14's analysis
+        if (exits == 1 || plane + 1 >= max_width) {   // the second condition is for GCC 14's analysis
             exits_[exit] = place;
             return;
         }

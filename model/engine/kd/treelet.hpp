@@ -1,6 +1,7 @@
 #pragma once
 // The unit treelet: nodes of planes across the axes.
 #include "model/engine/bvh/box.hpp"
+#include "model/engine/kd/node.hpp"
 
 namespace rayclock {
 
@@ -55,7 +56,7 @@ std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSi
 /// r w_lo) at the earliest. It leaves the near side at f + floor(f / 2^(R-1)) + 2 + 2^(x+R) (w_hi - w_lo) at
 /// the latest. If w_hi <= 0, the ray is on the far side only, from the start. For a ray that does not move on
 /// the axis, only the side matters. An exit is met if the latest entry on its way is not beyond the earliest
-/// end. Mirror of rtl/engine/kd/rc_treelet.sv, latency Config::treelet_latency() + 1, one treelet per cycle.
+/// end. Mirror of rtl/engine/kd/rc_treelet.sv, latency engine::Kd::latency() + 1, one treelet per cycle.
 ///
 /// Returns the children of `exits` that are met, one bit each, and writes t_near by child.
 std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& config,

@@ -42,25 +42,16 @@ module rc_box (
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
   localparam int unsigned Met  = L - rc_pkg::RankStages - K;
 
-  // Admission: an answer has a place in the result queue.
-  logic admit, is_open;
-
-  assign req_ready_o = is_open && !rests_o;
-  assign admit       = req_valid_i && req_ready_o;
-
-  rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(is_open));
-
-  // valid[i]: stage i holds a node.
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
+  logic         admit;
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= '0;
-    else         valid_q <= valid[L-1:0];
-  end
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
+    .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // A stage accepts its input if the input is a node. In a fast chip it accepts unconditionally: an
   // enable of hundreds of registers is a long path, and invalid data is never used.

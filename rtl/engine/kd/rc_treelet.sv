@@ -28,22 +28,16 @@ module rc_treelet (
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
 
-  // Admission: an answer has a place in the result queue.
-  logic admit;
-  assign admit = req_valid_i && req_ready_o;
-  rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
-
-  // valid[i]: stage i holds a treelet.
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a treelet.
+  logic         admit;
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= '0;
-    else         valid_q <= valid[L-1:0];
-  end
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
+    .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // The treelet, unpacked.
   rc_pkg::treelet_req_t           in;

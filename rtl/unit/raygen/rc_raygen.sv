@@ -46,7 +46,7 @@ module rc_raygen (
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
 
   // s0: requests. A new pixel is a camera ray through its first sample.
-  logic                      req_valid, req_ready, is_open, admit;
+  logic                      req_valid, req_ready;
   logic [rc_pkg::SpawnW-1:0] req_flat;
   rc_pkg::spawn_t            req, new_pixel;
 
@@ -73,25 +73,18 @@ module rc_raygen (
     assign req_flat      = new_pixel;
   end
 
-  assign req       = req_flat;
-  assign req_ready = is_open && !rests_o;
-  assign admit     = req_valid && req_ready;
+  assign req = req_flat;
 
-  rc_credit_counter #(.Credits(rc_pkg::RaygenQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(is_open));
-
-  // valid[i]: stage i accepts a ray.
+  // Admission: an answer has a place in the result queue. valid[i]: stage i accepts a ray.
+  logic               admit;
   logic [Latency-1:0] valid_q;
   logic [Latency:0]   valid;
-  logic [I-1:0]       end_ray;
 
   assign valid = {valid_q, admit};
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= '0;
-    else         valid_q <= valid[Latency-1:0];
-  end
-
+  rc_credited_pipeline #(.Credits(rc_pkg::RaygenQueue), .Stages(Latency)) u_stages (
+    .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .rests_i(rests_o),
+    .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit), .valid_q_o(valid_q));
   if (Every > 1) begin : gen_rests
     logic rests_q;   // a register, because the sources that wait are far away
     assign rests_o = rests_q;
@@ -106,6 +99,8 @@ module rc_raygen (
   logic [Latency:0] moves;
 
   assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
+
+  logic [I-1:0] end_ray;
 
   rc_interval_delay #(.Width(I), .Stages(Latency), .Every(Every)) u_ray (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),

@@ -1,5 +1,4 @@
-// The unit that decides the nodes of a structure: box, treelet, globe or slant. A new structure
-// adds a branch here. Part of rc_tree.
+// The unit that decides the nodes of a structure. A new engine adds a line here. Part of rc_tree.
 //
 // Only box may accept a node every few cycles and rest in between. The answer comes Pad cycles
 // later than the unit's own, and must be accepted in that cycle.
@@ -27,25 +26,25 @@ module rc_node_test #(
   rc_pkg::box_rsp_t           own;
   logic [rc_pkg::BoxRspW-1:0] own_flat, rsp_flat;
 
-  if (Structure == rc_pkg::StructureKd) begin : gen_treelet
-    rc_treelet u_treelet (
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid),
-      .rsp_ready_i(1'b1), .rsp_o(own));
-  end else if (Structure == rc_pkg::StructureSpheres) begin : gen_globe
-    rc_globe u_globe (
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid),
-      .rsp_ready_i(1'b1), .rsp_o(own));
-  end else if (Structure == rc_pkg::StructureBsp) begin : gen_slant
-    rc_slant u_slant (
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid),
-      .rsp_ready_i(1'b1), .rsp_o(own));
-  end else begin : gen_box
+  // A unit that accepts a node in every cycle.
+`define RC_NODE_UNIT(STRUCTURE, UNIT) \
+  if (Structure == rc_pkg::STRUCTURE) begin : gen_``UNIT \
+    UNIT u_unit ( \
+      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid), \
+      .rsp_ready_i(1'b1), .rsp_o(own)); \
+  end
+
+  `RC_NODE_UNIT(StructureKd, rc_treelet)
+  `RC_NODE_UNIT(StructureSpheres, rc_globe)
+  `RC_NODE_UNIT(StructureBsp, rc_slant)
+  `RC_NODE_UNIT(StructureBih, rc_bih)
+`undef RC_NODE_UNIT
+
+  if (Structure == rc_pkg::StructureBvh) begin : gen_box
     rc_box u_box (
       .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rests_o(rests),
       .rsp_valid_o(valid), .rsp_ready_i(1'b1), .rsp_o(own));
-  end
-
-  if (Structure != rc_pkg::StructureBvh) begin : gen_never_rests
+  end else begin : gen_never_rests
     assign rests = 1'b0;
   end
 

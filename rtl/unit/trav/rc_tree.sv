@@ -14,7 +14,7 @@
 // before a cell; this follows from the exits' t_near.
 //
 // In traces, decide_req, decide_rsp, mesh_req and mesh_rsp have the names of the unit's links
-// (model/core/links.hpp). Model: model/engine/bvh, model/engine/kd, model/engine/globe,
+// (model/machine/links.hpp). Model: model/engine/bvh, model/engine/kd, model/engine/spheres,
 // model/engine/bsp.
 `default_nettype none
 module rc_tree (

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"

@@ -1,5 +1,6 @@
 // Simulates and synthesises the machines that a search asks about, with a cache for both.
 #include "sim/explore/balance/doors.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <bit>

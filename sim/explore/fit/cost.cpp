@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/engine/bvh/node.hpp"
 #include "model/unit/trav/children.hpp"
 #include "model/core/payloads.hpp"
 

@@ -3,7 +3,7 @@
 // triangle and the eye fix.
 #include <cstdlib>
 
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/explore/fit/ranges.hpp"
 

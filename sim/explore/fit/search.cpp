@@ -1,4 +1,5 @@
 #include "sim/explore/fit/search.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,6 @@
 // Runs batches of a stress plan on all cores and saves the state.
 #include "sim/explore/stress/run.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <ctime>

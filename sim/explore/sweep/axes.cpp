@@ -1,5 +1,6 @@
 // Parses axes and shards, and builds the grid of points.
 #include "sim/explore/sweep/axes.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <charconv>

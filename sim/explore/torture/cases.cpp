@@ -1,6 +1,8 @@
 #include "sim/explore/torture/cases.hpp"
+#include "model/engine/engines.hpp"
+#include "model/engine/check.hpp"
 
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/engine/none/page.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/image.hpp"
@@ -60,7 +62,7 @@ public:
         if (config_.supersampling) add_white();
         if (!config_.is_list() && !config_.has_instances() && config_.addr_bits <= 10) add_last_lines();
         if (config_.engine() == Structure::kd) add_octrees();
-        if (config_.engine() == Structure::bsp || config_.engine() == Structure::kd) add_cuts();
+        if (has_cells(config_)) add_cuts();
         return std::move(cases_);
     }
 
@@ -82,8 +84,8 @@ private:
     std::uint32_t inner_root(const MemoryImage& image) const {
         const std::uint32_t page = page_lines(config_.node_width);
         if (config_.is_list()) return 2 * page < image.listed ? page : 0;
-        return with_node(config_.engine(), [&]<class Line>(const Line&) {
-            const auto root = unpack<Line>(image.line(0), config_);
+        return with_engine(config_.engine(), [&]<class E>(E) {
+            const auto root = unpack<typename E::Node>(image.line(0), config_);
             if (root.kind[0] != 1) return 0u;
             const bool is_node =
                 !config_.has_instances() || line_kind(image.line(root.base)) == LineKind::scene_node;

@@ -2,9 +2,10 @@
 
 #include <cmath>
 
+#include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
 #include "model/base/axes.hpp"
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/core/payloads.hpp"
 #include "model/engine/none/page.hpp"
 #include "sim/explore/torture/frames.hpp"
@@ -230,18 +231,21 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
 
 namespace {
 
-void set_plane(Treelet& node, std::size_t plane, Dice& dice) {
-    const std::uint32_t axis = node.axis[plane] = std::uint32_t(dice.below(3));
-    node.at[plane] = dice.between(node.lo[axis], node.hi[axis]);
-}
-void set_plane(Slant& node, std::size_t plane, Dice& dice) {
-    const std::int32_t most = most_of(normal_step_bits);
-    const Vec3i normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
-    node.at[plane] = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        node.normal[3 * plane + k] = normal[k];
-        node.at[plane] += normal[k] * dice.between(node.lo[k], node.hi[k]);
+/// Draws a plane of a node, in any direction if the node's planes have one.
+template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) {
+    kd::Cell cell;
+    if constexpr (requires { node.normal; }) {
+        const std::int32_t most = most_of(normal_step_bits);
+        cell.normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
+        for (std::size_t k = 0; k < 3; ++k) cell.at += cell.normal[k] * dice.between(node.lo[k], node.hi[k]);
+    } else {
+        const std::uint32_t axis = cell.axis = std::uint32_t(dice.below(3));
+        cell.at = dice.between(node.lo[axis], node.hi[axis]);
+        cell.lower = std::make_unique<kd::Cell>(), cell.upper = std::make_unique<kd::Cell>();
+        cell.lower->bounds.hi[axis] = cell.at;   // of a pair of planes: a gap, or an overlap
+        cell.upper->bounds.lo[axis] = node.lo[axis] + node.hi[axis] - cell.at;
     }
+    put(cell, plane, node);
 }
 
 template <class Line> void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
@@ -270,15 +274,15 @@ template <class Line> void cut_anew(MemoryImage& image, const Config& config, Di
 }   // namespace
 
 void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
-    if (config.engine() == Structure::bsp)
-        cut_anew<Slant>(image, config, dice);
-    else
-        cut_anew<Treelet>(image, config, dice);
+    with_engine(config.engine(), [&]<class E>(E) {
+        if constexpr (E::has_cells) cut_anew<typename E::Node>(image, config, dice);
+    });
 }
 
 void move_nodes(std::vector<std::uint32_t>& words, std::uint32_t root, Structure engine,
                 const Config& config) {
-    with_node(engine, [&]<class Line>(const Line&) {
+    with_engine(engine, [&]<class E>(E) {
+        using Line = typename E::Node;
         std::vector<std::uint32_t> pending{root};
         Words scratch;
         while (!pending.empty()) {

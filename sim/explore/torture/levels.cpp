@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "model/compile/emit.hpp"
-#include "model/layout/encode.hpp"
+#include "model/layout/words.hpp"
 #include "model/compile/levels/upper.hpp"
 #include "model/base/axes.hpp"
 

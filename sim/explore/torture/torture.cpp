@@ -1,4 +1,5 @@
 #include "sim/explore/torture/torture.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,6 +21,7 @@ Config shading_chip() {
     c.prim_sets = 2, c.prim_ways = 4, c.prim_line = 64, c.prim_mshrs = 4;
     c.surf_sets = 2, c.surf_ways = 2, c.surf_line = 256, c.surf_mshrs = 2;
     c.l2_sets = 4, c.l2_ways = 4, c.l2_line = 128, c.l2_mshrs = 4;
+    c.structure = Structure::bih;
     c.shading = c.spheres = c.planes = c.smooth = c.refraction = c.horizon = c.supersampling = 1;
     c.panes = 2;
     c.lights = 5, c.bounces = 5, c.addr_bits = 9, c.prim_bits = 10, c.pixel_bits = 7;

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/engine/engines.hpp"
 #include "model/compile/surfaces.hpp"
 #include "sim/judge/paths/answer.hpp"
 
@@ -189,7 +190,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
 
 /// Every instance that the scene's tree leads to.
 void PlacedWorld::read_maps(const MemoryImage& image) {
-    const bool has_cells = config_.upper().has_planes();
+    const bool has_cells = rayclock::has_cells(config_);
     std::vector<std::uint32_t> lines{asked_.frame.root};
     for (std::size_t seen = 0; !lines.empty(); ++seen) {
         const std::uint32_t at = lines.back();
@@ -197,8 +198,8 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
         if (seen > image.lines()) return faults_.push_back("the scene's tree in memory does not end");
         const std::uint32_t* const words = image.line(at);
         if (line_kind(words) == LineKind::scene_node) {
-            with_node(config_.engine(), [&]<class Line>(const Line&) {
-                const Line node = unpack<Line>(words, config_);
+            with_engine(config_.engine(), [&]<class E>(E) {
+                const auto node = unpack<typename E::Node>(words, config_);
                 std::uint32_t next = node.base;
                 for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i)
                     if (node.kind[i] == 1) lines.push_back(next++);

@@ -5,7 +5,7 @@
 
 #include "model/layout/memory_image.hpp"
 #include "model/base/progress.hpp"
-#include "model/core/units.hpp"
+#include "model/machine/units.hpp"
 #include "model/mem/memory.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "model/scene/hit_shading.hpp"

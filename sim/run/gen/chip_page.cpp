@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/engine/engines.hpp"
 #include "model/core/parameters.hpp"
 #include "model/core/payloads.hpp"
 #include "sim/run/gen/description.hpp"
@@ -145,27 +146,25 @@ Config shaded() {
 
 std::map<std::string, std::string> tables() {
     const Config plain = named_config("default"), all = shaded();
-    return {{"configurations", configuration_tables()},
-            {"registers", control_table()},
-            {"parameters", parameter_table(plain)},
-            {"frame", frame_table(plain)},
-            {"frame that is shaded", frame_table(all)},
-            {"counters", counter_table()},
-            {"mem_req_t", layout<MemReq>(plain)},
-            {"mem_rsp_t", layout<MemRsp>(plain)},
-            {"hit_t", layout<HitOut>(plain)},
-            {"hit_t that is shaded", layout<HitOut>(all)},
-            {"node", layout<Node>(plain)},
-            {"treelet", layout<Treelet>(plain)},
-            {"globes", layout<GlobeNode>(plain)},
-            {"slant", layout<Slant>(plain)},
-            {"instance", layout<Placement>(plain)},
-            {"primitive", layout<PrimData>(plain)},
-            {"primitive of several kinds", layout<PrimData>(all)},
-            {"surface", layout<Surface>(all)},
-            {"units", units_table()},
-            {"links", links_table()},
-            {"diagram of links", links_diagram()}};
+    std::map<std::string, std::string> tables{{"configurations", configuration_tables()},
+                                              {"registers", control_table()},
+                                              {"parameters", parameter_table(plain)},
+                                              {"frame", frame_table(plain)},
+                                              {"frame that is shaded", frame_table(all)},
+                                              {"counters", counter_table()},
+                                              {"mem_req_t", layout<MemReq>(plain)},
+                                              {"mem_rsp_t", layout<MemRsp>(plain)},
+                                              {"hit_t", layout<HitOut>(plain)},
+                                              {"hit_t that is shaded", layout<HitOut>(all)},
+                                              {"instance", layout<Placement>(plain)},
+                                              {"primitive", layout<PrimData>(plain)},
+                                              {"primitive of several kinds", layout<PrimData>(all)},
+                                              {"surface", layout<Surface>(all)},
+                                              {"units", units_table()},
+                                              {"links", links_table()},
+                                              {"diagram of links", links_diagram()}};
+    for_each_engine([&]<class E>(E) { tables[E::node_name] = layout<typename E::Node>(plain); });
+    return tables;
 }
 
 }   // namespace

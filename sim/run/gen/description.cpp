@@ -3,24 +3,33 @@
 
 #include <fmt/format.h>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "sim/files/table.hpp"
 
 namespace rayclock {
 
 namespace {
 
-const char* when_text(When when) {
+/// Returns the structures that an engine walks: "`structure` is kd or octree".
+std::string walked_text(When when) {
+    std::string text;
+    for (const std::string& name : names_of<Structure>()) {
+        Config config;
+        config.structure = choice_named<Structure>(name);
+        if (!config.is_list() && is_there(when, config))
+            text += (text.empty() ? "`structure` is " : " or ") + name;
+    }
+    return text;
+}
+
+std::string when_text(When when) {
     switch (when) {
         case When::shading: return "`shading`";
         case When::shared_cache: return "`l2_sets` above 0";
         case When::nodes: return "`structure` is not none";
-        case When::boxes: return "`structure` is bvh";
-        case When::treelets: return "`structure` is kd or octree";
-        case When::globes: return "`structure` is spheres";
-        case When::slants: return "`structure` is bsp";
         case When::instances: return "`levels` is 2";
-        default: return "always";
+        case When::always: return "always";
+        default: return walked_text(when);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The units and links of the machine in Markdown, from model/core/units.hpp and links.hpp, for rtl/README.md.
+// The units and links of the machine in Markdown, from model/machine/units.hpp and links.hpp, for
+// rtl/README.md.
 #include <string>
 
 namespace rayclock {

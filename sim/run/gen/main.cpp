@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "sim/run/gen/chip_page.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "model/unit/trav/children.hpp"
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/core/stages.hpp"
 #include "model/mem/cache.hpp"
 #include "model/unit/shade/state.hpp"
-#include "model/engine/globe/tables.hpp"
+#include "model/engine/spheres/tables.hpp"
 #include "model/unit/shade/tables.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/run/gen/registers.hpp"
@@ -51,6 +51,17 @@ std::string list_text(const char* name, const std::vector<std::string>& entries,
     return text + "};\n";
 }
 
+/// Converts "node_miss" to the style of Verilog's constants: "NodeMiss".
+std::string camel(std::string_view name) {
+    std::string text;
+    bool upper = true;
+    for (const char c : name) {
+        if (c != '_') text += upper ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+        upper = c == '_';
+    }
+    return text;
+}
+
 /// Returns the constants of the host's registers: their addresses, the values that identify the chip, and the
 /// positions of a frame's words in frame_t.
 std::string host_constants(const Config& config) {
@@ -81,22 +92,12 @@ std::string host_constants(const Config& config) {
     for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
-    text += constant("XformUnit", std::uint32_t(index(Unit::xform)));
+    for (std::size_t u = 0; u < pipeline_units; ++u)   // the place of a unit's cause; node units follow
+        if (!decides_nodes(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
     text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
     text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
     return text + list("SharedUnitsThere", shared, 1);
-}
-
-/// Converts "node_miss" to the style of Verilog's constants: "NodeMiss".
-std::string camel(std::string_view name) {
-    std::string text;
-    bool upper = true;
-    for (const char c : name) {
-        if (c != '_') text += upper ? char(std::toupper(static_cast<unsigned char>(c))) : c;
-        upper = c == '_';
-    }
-    return text;
 }
 
 class Package {
@@ -280,14 +281,12 @@ void derived(Package& p, const Config& c) {
     p.constant("MapStages", stages.map);
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
-    p.constant("BoxLatency", c.box_latency());
     p.constant("BoxInterval", c.box_interval());
-    p.constant("TreeletLatency", c.treelet_latency());
-    p.constant("GlobeLatency", c.globe_latency());
-    p.constant("SlantLatency", c.slant_latency());
-    p.constant("NodePad", c.node_latency() - c.node_latency(c.engine()));   // pads the answers of the faster
-                                                                            // unit
-    p.constant("MeshPad", c.node_latency() - c.node_latency(c.lower_engine()));
+    for_each_engine(
+        [&]<class E>(E) { p.constant(camel(unit_name(E::structure)) + "Latency", E::latency(c)); });
+    // Pads the answers of the faster unit.
+    p.constant("NodePad", node_latency(c) - node_latency(c, c.engine()));
+    p.constant("MeshPad", node_latency(c) - node_latency(c, c.lower_engine()));
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeStages", stages.pass);
@@ -302,12 +301,9 @@ void derived(Package& p, const Config& c) {
 
 void enumerations(Package& p) {
     p.say("What holds the scene.");
-    p.enumeration<Structure>("structure_e", "Structure", 32,
-                             {{"Bvh", Structure::bvh},
-                              {"Kd", Structure::kd},
-                              {"None", Structure::none},
-                              {"Spheres", Structure::spheres},
-                              {"Bsp", Structure::bsp}});
+    std::vector<std::pair<std::string, Structure>> structures{{"None", Structure::none}};
+    for_each_engine([&]<class E>(E) { structures.emplace_back(camel(name_of(E::structure)), E::structure); });
+    p.enumeration("structure_e", "Structure", 32, structures);
     p.say("What a line of memory holds, if there are two levels.");
     p.enumeration<LineKind>("line_kind_e", "Line", line_kind_bits,
                             {{"SceneNode", LineKind::scene_node},
@@ -367,11 +363,11 @@ std::string rc_package(const Config& config) {
     p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
     p.table("Log", log_table(), log_value_bits, log_step_bits);
     p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);
-    p.say("Tables of the unit globe: model/engine/globe/tables.hpp.");
+    p.say("Tables of the unit globe: model/engine/spheres/tables.hpp.");
     p.table("NearInverse", near_inverse_table(), near_inverse_bits, near_inverse_step_bits);
     p.table("RootUp", root_up_table(), root_up_bits, 0);
     p.text(host_constants(config));
-    p.say("What the links carry: model/core/links.hpp.");
+    p.say("What the links carry: model/machine/links.hpp.");
     p.links();
     p.say("What passes between units without a link of its own, or is kept.");
     p.record<Frame>("frame");
@@ -384,11 +380,10 @@ std::string rc_package(const Config& config) {
     p.record<Pixel>("pixel");
     p.record<ShadeState>("shade_state");
     p.record<Waiting>("waiting");
-    p.say("What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.");
-    p.record<Node>("node");
-    p.record<Treelet>("treelet");
-    p.record<GlobeNode>("globe_node");
-    p.record<Slant>("slant");
+    p.say(
+        "What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, "
+        "docs/chip.md.");
+    for_each_engine([&]<class E>(E) { p.record<typename E::Node>(E::node_name); });
     p.record<Placement>("placement");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");

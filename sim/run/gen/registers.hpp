@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/core/units.hpp"
+#include "model/machine/units.hpp"
 #include "model/core/frame.hpp"
 
 namespace rayclock {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 
 namespace rayclock {
 

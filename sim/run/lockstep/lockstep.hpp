@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "sim/run/engine/engine.hpp"
 
 namespace rayclock {

@@ -1,5 +1,6 @@
 // Reading configuration files, and applying --set.
 #include "sim/run/request/config_file.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <filesystem>

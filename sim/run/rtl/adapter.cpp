@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 
 namespace rayclock {
 
@@ -131,8 +131,9 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return ports;
     }
     if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
-    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_slant" ||
-        module == "rc_tri")
+    if (module == "rc_tri" || std::ranges::any_of(node_units, [&](const NodeUnit& u) {
+            return module == std::string("rc_") + unit_infos[index(u.unit)].name;
+        }))
         return {{"req", in}, {"rsp", out}};
     if (module == "rc_list") {
         std::vector<PortSpec> ports{{"start", listen}, {"ray", listen},       {"leaves", listen},

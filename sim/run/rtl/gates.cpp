@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "model/base/error.hpp"
-#include "model/core/units.hpp"
+#include "model/machine/units.hpp"
 #include "sim/files/input.hpp"
 #include "sim/run/gen/ecp5.hpp"
 #include "sim/run/gen/rc_pkg.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/compile/upload.hpp"

@@ -1,9 +1,11 @@
 // The variants of a configuration, and the table of units.
 #include "sim/silicon/area/variants.hpp"
+#include "model/engine/check.hpp"
 
 #include <algorithm>
 
 #include "model/core/parameters.hpp"
+#include "model/machine/links.hpp"
 #include "model/core/settled.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 
@@ -19,10 +21,6 @@ bool shades(const Config& c) { return c.shading; }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
-bool has_boxes(const Config& c) { return c.has_boxes(); }
-bool has_treelets(const Config& c) { return c.has_treelets(); }
-bool has_globes(const Config& c) { return c.has_globes(); }
-bool has_slants(const Config& c) { return c.has_slants(); }
 bool has_instances(const Config& c) { return c.has_instances(); }
 
 }   // namespace
@@ -57,13 +55,23 @@ std::vector<Variant> variants_of(const Config& base) {
 }
 
 const std::vector<UnitRow>& unit_rows() {
-    static const std::vector<UnitRow> rows{
-        {"sched", true, always},         {"raygen", true, always},     {"trav", true, has_nodes},
-        {"node_cache", true, has_nodes}, {"box", true, has_boxes},     {"treelet", true, has_treelets},
-        {"globe", true, has_globes},     {"slant", true, has_slants},  {"none", true, lists},
-        {"xform", true, has_instances},  {"list", true, always},       {"prim_cache", true, always},
-        {"tri", true, always},           {"surf_cache", true, shades}, {"shade", true, shades},
-        {"dispatch", false, always},     {"arbiter", false, always},   {"l2", false, has_l2}};
+    static const std::vector<UnitRow> rows = [] {
+        std::vector<UnitRow> all{{"sched", true, always},
+                                 {"raygen", true, always},
+                                 {"trav", true, has_nodes},
+                                 {"node_cache", true, has_nodes}};
+        for_each_engine([&]<class E>(E) {
+            all.push_back({unit_infos[index(node_unit(E::structure).unit)].name, true,
+                           [](const Config& c) { return c.is_walked(E::structure); }});
+        });
+        const UnitRow rest[] = {{"none", true, lists},      {"xform", true, has_instances},
+                                {"list", true, always},     {"prim_cache", true, always},
+                                {"tri", true, always},      {"surf_cache", true, shades},
+                                {"shade", true, shades},    {"dispatch", false, always},
+                                {"arbiter", false, always}, {"l2", false, has_l2}};
+        all.insert(all.end(), std::begin(rest), std::end(rest));
+        return all;
+    }();
     return rows;
 }
 

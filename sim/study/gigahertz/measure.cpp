@@ -1,5 +1,6 @@
 // Simulates the machine at all clocks, memories and numbers of pipelines.
 #include "sim/study/gigahertz/measure.hpp"
+#include "model/engine/check.hpp"
 
 #include <mutex>
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/engine/engines.hpp"
 #include "model/base/error.hpp"
 #include "model/trace/hits.hpp"
 #include "sim/judge/reference/reference.hpp"
@@ -21,10 +22,10 @@ constexpr int depth = 4;
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-Kind kind_of(const char* name, Config config, Structure structure, Straddlers straddlers) {
+Kind kind_of(const std::string& name, Config config, Structure structure, Straddlers straddlers) {
     config.structure = structure;
     config.straddlers = straddlers;
-    while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for one node per cycle
+    while (config.box_queue <= node_latency(config)) config.box_queue *= 2;   // for one node per cycle
     return {name, config};
 }
 
@@ -112,14 +113,16 @@ bool Study::is_round(const std::string& scene) const {
 }
 
 std::vector<Kind> trees(const Config& base) {
-    Kind splits = kind_of("bvh, splits", base, Structure::bvh, Straddlers::leaves);
-    splits.config.splits = Splits::on;
-    return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
-            std::move(splits),
-            kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
-            kind_of("kd", base, Structure::kd, Straddlers::leaves),
-            kind_of("octree", base, Structure::octree, Straddlers::leaves),
-            kind_of("bsp", base, Structure::bsp, Straddlers::leaves)};
+    std::vector<Kind> all;
+    for (const std::string& name : names_of<MeshStructure>()) {   // all but a list
+        if (name == "same") continue;
+        all.push_back(kind_of(name, base, choice_named<Structure>(name), Straddlers::leaves));
+        if (!all.back().config.is_bvh()) continue;
+        all.push_back(all.back());
+        all.back().name = "bvh, splits";
+        all.back().config.splits = Splits::on;
+    }
+    return all;
 }
 Kind list(const Config& base) { return kind_of("none", base, Structure::none, Straddlers::leaves); }
 Kind inner_octree(const Config& base) {

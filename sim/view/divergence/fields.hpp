@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 
 namespace rayclock {
 

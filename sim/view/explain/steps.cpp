@@ -10,15 +10,11 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::raygen: return Step::Kind::raygen;
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::treelet:
-        case Unit::globe:
-        case Unit::slant:
-        case Unit::xform:
-        case Unit::box: return Step::Kind::visit;
+        case Unit::xform: return Step::Kind::visit;
         case Unit::list:
         case Unit::prim_cache:
         case Unit::tri: return Step::Kind::test;
-        default: return Step::Kind::shade;
+        default: return decides_nodes(Unit(stay.place)) ? Step::Kind::visit : Step::Kind::shade;
     }
 }
 

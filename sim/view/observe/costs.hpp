@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/scene/whitted.hpp"
 

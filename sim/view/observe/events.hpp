@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/cache.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/view/observe/costs.hpp"

@@ -1,7 +1,7 @@
 // The block diagram, and the order in which everything is shown.
 
 // Where a unit's box lies: column and row.
-const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], treelet: [4, 0], globe: [4, 0], slant: [4, 0], xform: [5, 0], node_cache: [5, 1],
+const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], ...forNodeUnits([4, 0]), xform: [5, 0], node_cache: [5, 1],
   list: [3, 2], prim_cache: [5, 2], tri: [4, 3], shade: [2, 3], surf_cache: [5, 4], memport: [6, 1.5], l2: [6, 3],
   memory: [7, 1.5] };
 
@@ -76,7 +76,7 @@ function raysSpec() {
     data.pipelines * data.contexts);
 }
 function activitySpec() {
-  const shown = ["trav", "box", "treelet", "globe", "slant", "xform", "tri", "shade", "memory"];
+  const shown = ["trav", ...nodeUnits, "xform", "tri", "shade", "memory"];
   return linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
     shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/machine/links.hpp"
 #include "sim/files/table.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/accounts.hpp"
@@ -120,6 +121,14 @@ nlohmann::ordered_json explanations_json(const PageInput& input) {
     return html::base64(html::deflated(texts.dump()));
 }
 
+/// Returns the units that decide nodes, for the scripts. They have one place and one colour.
+std::string node_units_script() {
+    std::string names;
+    for (const NodeUnit& u : node_units) names += fmt::format("\"{}\",", unit_infos[index(u.unit)].name);
+    return "const nodeUnits = [" + names +
+           "], forNodeUnits = value => Object.fromEntries(nodeUnits.map(unit => [unit, value]));\n";
+}
+
 }   // namespace
 
 std::string report_page(const PageInput& input) {
@@ -133,7 +142,8 @@ std::string report_page(const PageInput& input) {
          fmt::format("<p>{} x {} pixels, made by rayclock.</p>", input.costs.width, input.costs.height) +
              key_figures(input) + clock_choice(input),
          body(input), html::data_element("report", input.report) + html::data_element("data", data),
-         std::string(page_viewer) + page_charts + page_machine, false, html::far_sentence(input.report)});
+         std::string(page_viewer) + node_units_script() + page_charts + page_machine, false,
+         html::far_sentence(input.report)});
 }
 
 }   // namespace rayclock

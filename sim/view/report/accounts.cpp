@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/links.hpp"
+#include "model/machine/links.hpp"
 #include "model/core/dram_parts.hpp"
 #include "model/mem/frame_buffer.hpp"
 

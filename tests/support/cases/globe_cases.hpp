@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/engine/globe/globe.hpp"
+#include "model/engine/spheres/globe.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/ends.hpp"

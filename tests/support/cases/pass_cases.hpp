@@ -2,6 +2,7 @@
 // Configurations of shading chips, and random passes of the unit shade with every event and every kind of
 // surface.
 #include "model/unit/shade/bounce.hpp"
+#include "model/engine/check.hpp"
 #include "model/unit/shade/pass.hpp"
 #include "model/unit/shade/unit_vector.hpp"
 #include "tests/support/cases/placement_cases.hpp"

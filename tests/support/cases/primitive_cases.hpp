@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/unit/isect/primitive.hpp"
+#include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "sim/judge/oracle/overlap.hpp"
+#include "model/engine/check.hpp"
 #include "tests/support/cases/box_cases.hpp"
 
 namespace rayclock::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 #include "model/engine/bsp/slant.hpp"
 #include "model/core/layout.hpp"
 #include "model/unit/isect/vectors.hpp"

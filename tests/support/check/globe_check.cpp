@@ -1,4 +1,5 @@
 // Reads an image of globes from its root down.
+#include "model/engine/spheres/node.hpp"
 #include "tests/support/check/globe_check.hpp"
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 #include <functional>
 #include <set>
 
-#include "model/layout/decode.hpp"
-#include "model/engine/globe/enclose.hpp"
+#include "model/engine/bvh/decode.hpp"
+#include "model/engine/spheres/enclose.hpp"
 #include "model/core/layout.hpp"
 #include "model/unit/isect/vectors.hpp"
 

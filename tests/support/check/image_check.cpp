@@ -3,7 +3,8 @@
 
 #include <unordered_map>
 
-#include "model/layout/encode.hpp"
+#include "model/engine/bvh/encode.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 
 namespace rayclock {
 

@@ -1,6 +1,8 @@
 #pragma once
 // One interface for the model and the RTL of the caches, and the shapes in which they are tested.
+#include "model/engine/engines.hpp"
 #include "model/mem/cache.hpp"
+#include "model/engine/check.hpp"
 #include "model/mem/memport.hpp"
 #include "tests/support/dut/dut.hpp"
 
@@ -30,7 +32,9 @@ struct NodeCache {
     static Rsp answer(const Req& req, const Config& c) {
         NodeRsp rsp;
         rsp.ray = req.ray;
-        rsp.node = unpack<Node>(line_at(req.addr).data(), c);
+        with_engine(c.engine(), [&]<class E>(E) {
+            rsp.of<E>().node = unpack<typename E::Node>(line_at(req.addr).data(), c);
+        });
         return rsp;
     }
 };

@@ -6,12 +6,14 @@
 #include <optional>
 #include <utility>
 
+#include "model/engine/engines.hpp"
 #include "model/core/ring.hpp"
+#include "model/engine/check.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/engine/bvh/box.hpp"
 #include "model/engine/bsp/slant.hpp"
-#include "model/engine/globe/globe.hpp"
+#include "model/engine/spheres/globe.hpp"
 #include "model/engine/kd/treelet.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
 
@@ -76,7 +78,7 @@ struct BoxUnit {
     using Rsp = BoxRsp;
     static constexpr const char *name = "rc_box", *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return c.box_latency(); }
+    static int latency(const Config& c) { return engine::Bvh::latency(c); }
     static int interval(const Config& c) { return c.box_interval(); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
@@ -86,7 +88,7 @@ struct TreeletUnit {
     using Rsp = BoxRsp;
     static constexpr const char *name = "rc_treelet", *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return c.treelet_latency(); }
+    static int latency(const Config& c) { return engine::Kd::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
@@ -95,7 +97,7 @@ struct GlobeUnit {
     using Rsp = BoxRsp;
     static constexpr const char *name = "rc_globe", *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return c.globe_latency(); }
+    static int latency(const Config& c) { return engine::Globes::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
@@ -104,7 +106,7 @@ struct SlantUnit {
     using Rsp = BoxRsp;
     static constexpr const char *name = "rc_slant", *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return c.slant_latency(); }
+    static int latency(const Config& c) { return engine::Bsp::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };

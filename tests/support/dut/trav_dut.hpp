@@ -46,7 +46,8 @@ public:
         if (node_rsp.offer) {
             const Ray& r = contexts_[node_rsp.offer->ray].ray;
             const BoxRay from = box_ray(r);
-            box_req.offer = BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->node};
+            box_req.offer =
+                BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->of<engine::Bvh>().node};
         }
         box_rsp.ready = true;
         leaves.reset();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/scene/builtin.hpp"
+#include "model/engine/check.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/run/engine/engine.hpp"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "model/layout/decode.hpp"
+#include "model/engine/bvh/decode.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/trace/walk.hpp"
 #include "sim/explore/fit/interval.hpp"

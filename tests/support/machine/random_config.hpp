@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "model/core/ring.hpp"
-#include "model/core/units.hpp"
+#include "model/machine/units.hpp"
 
 namespace rayclock {
 

@@ -1,0 +1,53 @@
+#pragma once
+// The engine of structure=bsp, as the machine sees it.
+#include "model/core/stages.hpp"
+#include "model/engine/bsp/slant.hpp"
+#include "model/engine/kd/build.hpp"
+#include "model/engine/kd/exits.hpp"
+#include "model/engine/reader.hpp"
+
+namespace rayclock {
+
+inline void put(const kd::Cell& cell, std::size_t plane, Slant& slant) {
+    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
+    slant.at[plane] = cell.at;
+}
+inline void put_none(std::size_t, Slant&) {}
+
+}   // namespace rayclock
+
+namespace rayclock::engine {
+
+/// Members: model/engine/engines.hpp.
+struct Bsp {
+    static constexpr Structure structure = Structure::bsp;
+    using Node = rayclock::Slant;
+    using Request = SlantReq;
+    using RayForm = SlantRay;
+    using Wide = WideSlant;
+    using Reader = WidenedReader<Node>;
+    static constexpr bool has_cells = true;
+    static constexpr const char* node_name = "slant";
+
+    static int latency(const Config& config) {
+        const Stages stages(config);
+        return stages.cut + stages.crossing + stages.exits + stages.rank;
+    }
+    static RayForm form(const Ray& ray, const BoxRay& box, const Config& config) {
+        return {box, aligned(ray, config)};
+    }
+    static Request request(std::uint32_t ray, const RayForm& form, const Node& node) {
+        return {ray, form.box.o, form.box.recip, form.box.len, form.along, node};
+    }
+    static std::uint32_t decide(const RayForm& form, const Wide& node, const Config& config,
+                                std::uint32_t* t_near) {
+        return slant_exits(form.box, form.along, node, config, t_near);
+    }
+    static const WideNode& children(const Wide& node) { return node.exits; }
+    static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
+                             const Config& config) {
+        return kd::build(pieces, prims, config);
+    }
+};
+
+}   // namespace rayclock::engine

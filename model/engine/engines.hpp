@@ -1,0 +1,116 @@
+#pragma once
+// The engines that walk a ray through an acceleration structure: one row each. Everything above iterates over
+// these rows, or asks for the descriptor of a structure, and names no engine.
+//
+// A descriptor has
+// - structure: the value of the parameter that selects the engine;
+// - Node: its line in memory, and node_name, the line's name in rc_pkg.sv and in tables;
+// - Request: what trav sends to the unit that decides nodes. All these units answer with a BoxRsp;
+// - RayForm, form(): a ray in the form in which the unit takes it, from the ray and from its box form;
+// - Wide, Reader: a node in the model's own form, and the function that reads it from a line;
+// - latency(): of the unit in cycles, without its result queue;
+// - request(): the payload of a request;
+// - decide(): the children that a ray meets, one bit each, and t_near of each. Mirror of the unit's RTL;
+// - children(): the places of a node's children in memory;
+// - has_cells: true if its builder makes cells (kd/cell.hpp), which the compiler writes as lines; then
+// build()
+//   returns the cells of a scene, and `put` (kd/exits.hpp) writes a plane of a cell.
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "model/engine/bih/engine.hpp"
+#include "model/engine/bsp/engine.hpp"
+#include "model/engine/bvh/engine.hpp"
+#include "model/engine/spheres/engine.hpp"
+#include "model/engine/kd/engine.hpp"
+
+namespace rayclock {
+
+// Columns: the structure, the unit that decides its nodes, the descriptor. `with` is passed on.
+#define RAYCLOCK_ENGINES(ENGINE, with)           \
+    ENGINE(with, bvh, box, engine::Bvh)          \
+    ENGINE(with, kd, treelet, engine::Kd)        \
+    ENGINE(with, spheres, globe, engine::Globes) \
+    ENGINE(with, bih, bih, engine::Bih)          \
+    ENGINE(with, bsp, slant, engine::Bsp)
+
+#define RAYCLOCK_DESCRIPTOR(with, structure, unit, Engine) , std::tuple<Engine>()
+/// All descriptors, in the order of their rows.
+using Engines = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_ENGINES(RAYCLOCK_DESCRIPTOR, )));
+#undef RAYCLOCK_DESCRIPTOR
+
+/// Calls `work` with the descriptor of a structure's engine; that of bvh if it has none.
+template <class Work> decltype(auto) with_engine(Structure engine, Work&& work) {
+    switch (engine) {
+#define RAYCLOCK_CASE(with, structure, unit, Engine) \
+    case Structure::structure: return work(Engine{});
+        RAYCLOCK_ENGINES(RAYCLOCK_CASE, )
+#undef RAYCLOCK_CASE
+        default: return work(engine::Bvh{});
+    }
+}
+/// Calls `work` with every descriptor.
+template <class Work> void for_each_engine(Work&& work) {
+    std::apply([&](auto... engines) { (work(engines), ...); }, Engines{});
+}
+
+/// Holds one `Of<Engine>` for each engine.
+template <template <class> class Of, class List = Engines> struct PerEngine;
+template <template <class> class Of, class... Engine> struct PerEngine<Of, std::tuple<Engine...>>
+    : Of<Engine>... {
+    PerEngine() = default;
+    template <class First, class... More> explicit PerEngine(const First& first, const More&... more)
+        : Of<Engine>(first, more...)... {}
+    template <class E> Of<E>& of() { return *this; }
+    template <class E> const Of<E>& of() const { return *this; }
+};
+
+/// A ray in the form of one engine.
+template <class Engine> struct FormOf { typename Engine::RayForm form{}; };
+/// A ray in the forms of the engines that walk it.
+struct RayForms : PerEngine<FormOf> {
+    /// Computes the form of one engine.
+    void take(const Ray& ray, const BoxRay& box, Structure engine, const Config& config) {
+        with_engine(engine, [&]<class E>(E) { of<E>().form = E::form(ray, box, config); });
+    }
+};
+
+/// Returns the bits of a node in its line.
+inline int node_bits(const Config& config, Structure engine) {
+    return with_engine(engine, [&]<class E>(E) { return bits_of<typename E::Node>(config); });
+}
+/// Returns the latency of a node's decision: of one engine, or of the machine. With two engines it is that of
+/// the slower one, and the answers of the faster one wait.
+inline int node_latency(const Config& config, Structure engine) {
+    return with_engine(engine, [&]<class E>(E) { return E::latency(config); });
+}
+inline int node_latency(const Config& config) {
+    return std::max(node_latency(config, config.engine()), node_latency(config, config.lower_engine()));
+}
+/// True if the scene's tree consists of cells.
+inline bool has_cells(const Config& config) {
+    return !config.is_list() && with_engine(config.engine(), []<class E>(E) { return E::has_cells; });
+}
+
+/// Node memory -> trav or xform.
+template <class Engine> struct NodeOf { typename Engine::Node node{}; };
+struct NodeRsp : PerEngine<NodeOf> {
+    std::uint32_t ray = 0;
+    std::uint32_t what = 0;   ///< LineKind, if there are instances
+    /// Bit by bit: the bits of an instance, or of a mesh's node, beyond the width of a node of the scene's
+    /// tree. The node follows.
+    std::array<std::uint32_t, line_bits> beyond{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        if (c.has_instances()) {
+            v("what", what, line_kind_bits);
+            const int most = std::max(bits_of<Placement>(c), node_bits(c, c.lower_engine()));
+            const int more = most - node_bits(c, c.engine());
+            if (more > 0) v("beyond", beyond, 1, more);
+        }
+        with_engine(c.engine(), [&]<class E>(E) { of<E>().node.fields(v, c); });
+    }
+};
+
+}   // namespace rayclock

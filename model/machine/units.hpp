@@ -1,0 +1,139 @@
+#pragma once
+// The units of the machine, one row each, and the causes of their activity. In every cycle each unit has
+// exactly one cause, the same in model and RTL. These rows give the names of the codes in rc_pkg.sv, the
+// counters that lockstep compares, the reports, and the table in rtl/README.md.
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "model/engine/engines.hpp"
+
+namespace rayclock {
+
+enum class Kind : std::uint8_t { none, busy, starved, stalled };
+
+/// A cause: the unit was busy, starved (by the unit that did not deliver), or stalled (by the unit for which
+/// it waited).
+struct Cause {
+    Kind kind = Kind::none;
+    const char* name = "";
+};
+constexpr int cause_bits = 3;   ///< bits of the code that a unit drives in each cycle
+constexpr std::size_t cause_count = 1 << cause_bits;
+constexpr Cause busy(const char* what = "work") { return {Kind::busy, what}; }
+constexpr Cause starved(const char* by) { return {Kind::starved, by}; }
+constexpr Cause stalled(const char* by) { return {Kind::stalled, by}; }
+
+/// When a part of the machine exists.
+enum class When : std::uint8_t {
+    always,
+    shading,
+    shared_cache,
+    nodes,
+    instances,
+#define RAYCLOCK_NAME(with, structure, unit, Engine) structure,   // an engine that walks this structure
+    RAYCLOCK_ENGINES(RAYCLOCK_NAME, )
+#undef RAYCLOCK_NAME
+};
+constexpr bool is_there(When when, const Config& config) {
+    switch (when) {
+        case When::shading: return config.shading != 0;
+        case When::shared_cache: return config.l2_sets > 0;
+        case When::nodes: return !config.is_list();
+#define RAYCLOCK_CASE(with, structure, unit, Engine) \
+    case When::structure: return config.is_walked(Structure::structure);
+            RAYCLOCK_ENGINES(RAYCLOCK_CASE, )
+#undef RAYCLOCK_CASE
+        case When::instances: return config.has_instances();
+        default: return true;
+    }
+}
+
+/// The place of a unit: in a pipeline, within a pipeline's engine, shared by all pipelines, or outside the
+/// chip.
+enum class Place : std::uint8_t { pipeline, engine, shared, beside };
+
+// Columns: name, place, when it exists, then its causes by the code that the unit drives in each cycle. Units
+// of a pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
+#define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
+    busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
+        stalled("conflict"), stalled(reader)
+// The causes of every unit that decides nodes: all the same, since the same wiring drives them
+// (rtl/unit/trav/rc_tree.sv).
+#define RAYCLOCK_NODE_UNIT(UNIT, structure, unit, Engine) \
+    UNIT(unit, engine, structure, busy(), starved("memory"), starved("trav"), stalled("trav"))
+#define RAYCLOCK_UNITS(UNIT)                                                                           \
+    UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \
+    UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"))                          \
+    UNIT(trav, pipeline, always, busy(), starved("list"), stalled("recirculation"))                    \
+    UNIT(node_cache, pipeline, nodes, RAYCLOCK_CACHE_CAUSES("trav", "box"))                            \
+    RAYCLOCK_ENGINES(RAYCLOCK_NODE_UNIT, UNIT)                                                         \
+    UNIT(list, pipeline, always, busy(), starved("trav"))                                              \
+    UNIT(prim_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("list", "tri"))                           \
+    UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
+    UNIT(surf_cache, pipeline, shading, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                       \
+    UNIT(shade, pipeline, shading, busy(), starved("memory"), starved("list"), stalled("queue"))       \
+    UNIT(xform, engine, instances, busy(), starved("memory"), starved("trav"))                         \
+    UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
+    UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
+    UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \
+    UNIT(memory, beside, always, busy(), stalled("latency"), stalled("refresh"), starved("memport"))
+
+#define RAYCLOCK_NAME(name, ...) name,
+enum class Unit : std::uint8_t { RAYCLOCK_UNITS(RAYCLOCK_NAME) };
+#undef RAYCLOCK_NAME
+
+struct UnitInfo {
+    const char* name;
+    Place place;
+    When when;
+    std::array<Cause, cause_count> causes;
+};
+#define RAYCLOCK_INFO(name, place, when, ...) UnitInfo{#name, Place::place, When::when, {{__VA_ARGS__}}},
+constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
+#undef RAYCLOCK_INFO
+#undef RAYCLOCK_UNITS
+#undef RAYCLOCK_CACHE_CAUSES
+#undef RAYCLOCK_NODE_UNIT
+
+constexpr std::size_t unit_count = unit_infos.size();
+constexpr std::size_t pipeline_units = [] {
+    std::size_t n = 0;
+    for (const UnitInfo& unit : unit_infos) n += unit.place <= Place::engine;
+    return n;
+}();
+constexpr std::size_t index(Unit u) { return std::size_t(u); }
+
+/// True if a chip of this configuration has the unit.
+constexpr bool is_there(Unit u, const Config& config) { return is_there(unit_infos[index(u)].when, config); }
+
+/// Returns the place of the unit with this name; an unknown name counts as outside the chip.
+constexpr Place place_of(std::string_view unit) {
+    for (const UnitInfo& info : unit_infos)
+        if (info.name == unit) return info.place;
+    return Place::beside;
+}
+constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= Place::engine; }
+
+using CauseCounts = std::array<std::uint64_t, cause_count>;
+
+/// Cycles by cause and unit, summed over the pipelines: a unit of a pipeline has pipelines * cycles in all.
+struct Accounts {
+    std::array<CauseCounts, unit_count> units{};
+    Accounts& operator+=(const Accounts& other);
+    friend Accounts operator-(Accounts a, const Accounts& b);
+    friend bool operator==(const Accounts&, const Accounts&) = default;
+};
+inline Accounts& Accounts::operator+=(const Accounts& other) {
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::size_t c = 0; c < cause_count; ++c) units[u][c] += other.units[u][c];
+    return *this;
+}
+inline Accounts operator-(Accounts a, const Accounts& b) {
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::size_t c = 0; c < cause_count; ++c) a.units[u][c] -= b.units[u][c];
+    return a;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,124 @@
+// The exits of a node of a bounding interval hierarchy that a ray meets, conservative, and their
+// order.
+//
+// Latency rc_pkg::BihLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
+//
+// No exit is left out that holds a point of the ray, and an exit's t_near is never beyond such a
+// point. Model: model/engine/bih/bih.hpp, which has the formulas.
+`default_nettype none
+module rc_bih (
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  // From trav
+  input  logic                 req_valid_i,
+  output logic                 req_ready_o,
+  input  rc_pkg::bih_req_t     req_i,
+  // To trav
+  output logic                 rsp_valid_o,
+  input  logic                 rsp_ready_i,
+  output rc_pkg::bih_rsp_t     rsp_o
+);
+  localparam int unsigned W  = rc_pkg::NodeWidth;
+  localparam int unsigned Q  = rc_pkg::NodePlanes;
+  localparam int unsigned N  = rc_pkg::CoordBits;
+  localparam int unsigned T  = rc_pkg::TBits;
+  localparam int unsigned L  = rc_pkg::BihLatency;
+
+  // Stages in which a node has arrived, and its planes' times are ready.
+  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned Meet = In + rc_pkg::PlaneStages;
+
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
+  logic         admit;
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+
+  assign valid = {valid_q, admit};
+
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
+    .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
+
+  // The node, unpacked.
+  rc_pkg::bih_req_t           in;
+  logic [rc_pkg::BihReqW-1:0] in_flat;
+  logic [2*Q-1:0]                 in_axis;
+  logic [N*Q-1:0]                 in_lower_to, in_upper_from;
+
+  rc_path_register #(.Width(rc_pkg::BihReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+
+  assign in      = in_flat;
+  assign in_axis = in.axis;
+
+  assign in_lower_to   = in.lower_to;
+  assign in_upper_from = in.upper_from;
+
+  // The times at which the ray enters and leaves the box around the node's contents.
+  logic [T-1:0] box_enter, box_leave;
+  logic         box_met;
+
+  rc_bounds u_bounds (
+    .clk_i, .valid_i(valid[Meet+In:In]), .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip),
+    .s0_len_i(in.len), .s0_open_i(in.open), .s0_lo_i(in.lo), .s0_hi_i(in.hi),
+    .enter_o(box_enter), .leave_o(box_leave), .met_o(box_met));
+
+  // For each pair: the half that the ray meets first ends at one plane (near), the other half
+  // starts at the other plane (far). A ray of negative direction meets the upper half first.
+  logic [Q-1:0]   turned, near, far;
+  logic [Q*T-1:0] near_to, far_from;
+
+  for (genvar i = 0; i < Q; i++) begin : gen_pair
+    logic [1:0]          axis;
+    logic                neg;
+    logic signed [N-1:0] lower_to, upper_from, first_at, second_at;
+    logic                first_far, second_turned, second_near;
+    logic [T-1:0]        first_from, second_to;
+
+    assign axis       = in_axis[2*i +: 2];
+    assign neg        = |(in.neg & (3'd1 << axis));   // no axis 3: false
+    assign lower_to   = in_lower_to[N*i +: N];
+    assign upper_from = in_upper_from[N*i +: N];
+    assign first_at   = neg ? upper_from : lower_to;
+    assign second_at  = neg ? lower_to : upper_from;
+
+    rc_plane u_near (
+      .clk_i, .valid_i(valid[Meet-1:In]),
+      .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
+      .s0_axis_i(axis), .s0_at_i(first_at),
+      .turned_o(turned[i]), .near_o(near[i]), .far_o(first_far),
+      .near_to_o(near_to[i*T +: T]), .far_from_o(first_from));
+
+    rc_plane #(.HasTo(1'b0)) u_far (
+      .clk_i, .valid_i(valid[Meet-1:In]),
+      .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
+      .s0_axis_i(axis), .s0_at_i(second_at),
+      .turned_o(second_turned), .near_o(second_near), .far_o(far[i]),
+      .near_to_o(second_to), .far_from_o(far_from[i*T +: T]));
+
+    logic unused;
+    assign unused = ^{first_far, first_from, second_turned, second_near, second_to};
+  end
+
+  // The exits that are met.
+  logic [W-1:0]   met;
+  logic [W*T-1:0] near_t;
+
+  rc_exits u_exits (
+    .clk_i, .valid_i(valid[Meet+In]), .turned_i(turned), .near_i(near), .far_i(far),
+    .near_to_i(near_to), .far_from_i(far_from), .enter_i(box_enter), .leave_i(box_leave),
+    .met_i(box_met), .met_o(met), .near_o(near_t));
+
+  // Their order, and the result queue.
+  logic [rc_pkg::BihRspW-1:0] rsp;
+
+  rc_node_answer #(.Latency(L), .Exits(1'b1)) u_answer (
+    .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
+    .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+
+  assign rsp_o = rsp;
+
+  logic unused;
+  assign unused = valid[L];
+endmodule
+`default_nettype wire

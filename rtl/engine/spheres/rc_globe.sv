@@ -1,0 +1,97 @@
+// The globes (bounding spheres) of a node that a ray meets, conservative, and their order.
+//
+// Latency rc_pkg::GlobeLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
+//
+// No globe is left out that holds a point of the ray, and a globe's t_near is never beyond such a
+// point. Model: model/engine/spheres/globe.hpp, which has the formulas.
+`default_nettype none
+module rc_globe (
+  input  logic               clk_i,
+  input  logic               rst_ni,
+  // From trav
+  input  logic               req_valid_i,
+  output logic               req_ready_o,
+  input  rc_pkg::globe_req_t req_i,
+  // To trav
+  output logic               rsp_valid_o,
+  input  logic               rsp_ready_i,
+  output rc_pkg::globe_rsp_t rsp_o
+);
+  localparam int unsigned W   = rc_pkg::NodeWidth;
+  localparam int unsigned Q   = rc_pkg::GlobeBits;
+  localparam int unsigned T   = rc_pkg::TBits;
+  localparam int unsigned L   = rc_pkg::GlobeLatency;
+  localparam int unsigned Cut = rc_pkg::Cut;
+  localparam int unsigned In  = Cut;
+
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
+  logic         admit;
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+
+  assign valid = {valid_q, admit};
+
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
+    .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
+
+  // moves[i]: stage i + 1 accepts its input; unconditionally in a fast chip, as in rc_box.
+  logic [L:0] moves;
+  assign moves = valid | {(L+1){Cut != 0}};
+
+  // The node, unpacked.
+  rc_pkg::globe_req_t           in;
+  logic [rc_pkg::GlobeReqW-1:0] in_flat;
+
+  rc_path_register #(.Width(rc_pkg::GlobeReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+  assign in = in_flat;
+
+  // The part of the test that all globes of the node share.
+  localparam int unsigned N = rc_pkg::CoordBits;
+  localparam int unsigned G = rc_pkg::TowardBits;
+  localparam int unsigned S = rc_pkg::GlobeStages;
+
+  logic [3*(N+G+2)-1:0] moment;
+  logic [3*G-1:0]       toward;
+  logic [N+6:0]         way;
+  logic [N+3:0]         slack;
+  logic [G-1:0]         square;
+  logic [16:0]          inverse;
+  logic [5:0]           right;
+
+  rc_sight u_sight (
+    .clk_i, .moves_i(moves[In +: S]), .s0_o_i(in.o), .s0_org_i(in.org), .s0_exp_i(in.exp),
+    .s0_toward_i(in.toward), .s0_len_i(in.len), .toward_o(toward), .moment_o(moment), .way_o(way),
+    .slack_o(slack), .square_o(square), .inverse_o(inverse), .right_o(right));
+
+  // The part of each globe.
+  logic [3*W*Q-1:0] in_centre;
+  logic [W*Q-1:0]   in_radius;
+  logic [W-1:0]     met;
+  logic [W*T-1:0]   near;
+
+  assign in_centre = in.centre;
+  assign in_radius = in.radius;
+
+  for (genvar i = 0; i < W; i++) begin : gen_child
+    rc_chord u_chord (
+      .clk_i, .moves_i(moves[In +: S]), .s0_centre_i(in_centre[3*i*Q +: 3*Q]),
+      .s0_radius_i(in_radius[i*Q +: Q]), .toward_i(toward), .moment_i(moment), .way_i(way),
+      .slack_i(slack), .square_i(square), .inverse_i(inverse), .right_i(right),
+      .met_o(met[i]), .near_o(near[i*T +: T]));
+  end
+
+  // Their order, and the result queue.
+  logic [rc_pkg::GlobeRspW-1:0] rsp;
+
+  rc_node_answer #(.Latency(L)) u_answer (
+    .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
+    .met_i(met), .near_i(near), .end_valid_i(valid_q[L-1]),
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+
+  assign rsp_o = rsp;
+
+  logic unused;
+  assign unused = ^{valid[L], moves[L]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,220 @@
+// The part of the test of a ray that all globes of a node share. D is the way from the origin,
+// rounded down to the lattice, to the node's corner; e is the direction. Its results are:
+// - moment, (D x e) / 2^exp, rounded down, at stage 2 + MulStages + 2 Cut;
+// - way, D . e in units of 2^(exp + 13), rounded down, at stage 3 + MulStages + 3 Cut;
+// - slack, a bound on how much rounding enlarges the distances, in eighths of 2^exp steps, at stage
+//   1 + 4 Cut (the part that all nodes share is left out);
+// - square, |e|^2 / 2^18, rounded down, plus one, at stage 3 + MulStages + 4 Cut;
+// - inverse, K (rc_inverse), at stage 5 + 2 MulStages + 9 Cut;
+// - right, the right shift that turns 2^T K times a way into a time, at stage 6 + 3 MulStages + 9
+//   Cut;
+// - toward, the direction itself, at stage 1.
+//
+// Part of rc_globe; stages count from the node on. Model: sight_of() in
+// model/engine/spheres/globe.cpp.
+`default_nettype none
+module rc_sight #(
+  localparam int unsigned N  = rc_pkg::CoordBits,
+  localparam int unsigned OW = rc_pkg::OriginWidth,
+  localparam int unsigned E  = rc_pkg::ExpBits,
+  localparam int unsigned G  = rc_pkg::TowardBits,
+  localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned L  = rc_pkg::GlobeStages,
+  localparam int unsigned D  = N + 1,        // a way on an axis, signed
+  localparam int unsigned X  = D + G + 1,    // a component of a moment, signed
+  localparam int unsigned Y  = N + 7         // a way along the ray, signed
+) (
+  input  logic            clk_i,
+  input  logic [L-1:0]    moves_i,   // moves_i[i]: the register after stage i accepts its input
+  // Ray, and the node's corner and exponent
+  input  logic [3*OW-1:0] s0_o_i,
+  input  logic [3*N-1:0]  s0_org_i,
+  input  logic [E-1:0]    s0_exp_i,
+  input  logic [3*G-1:0]  s0_toward_i,
+  input  logic [E-1:0]    s0_len_i,
+  // Results
+  output logic [3*G-1:0]  toward_o,
+  output logic [3*X-1:0]  moment_o,
+  output logic [Y-1:0]    way_o,
+  output logic [N+3:0]    slack_o,
+  output logic [G-1:0]    square_o,
+  output logic [16:0]     inverse_o,
+  output logic [5:0]      right_o
+);
+  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned M    = rc_pkg::MulStages;
+  localparam int unsigned Sum  = N + 6;     // of three ways and Least, which is below 2^17
+  localparam int unsigned Drop = 13;        // bits from the unit of D . e up to an eighth of a step
+  localparam bit          Shades = rc_pkg::Shading != 0;   // origins may lie between lattice points
+
+  // D, the way from the origin to the node's corner.
+  logic [3*D-1:0] s0_way, way_q;
+  logic [E-1:0]   exp_q;
+
+  for (genvar k = 0; k < 3; k++) begin : gen_way
+    assign s0_way[k*D +: D] = D'($signed(s0_org_i[k*N +: N])) - D'($signed(s0_o_i[k*OW+OW-1 -: N]));
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (moves_i[0]) begin
+      way_q    <= s0_way;
+      toward_o <= s0_toward_i;
+      exp_q    <= s0_exp_i;
+    end
+  end
+
+  // The moment, shifted right by a multiple of eight, then by the remaining three bits.
+  logic [E-1:0] moment_exp;
+  logic [2:0]   fine;
+
+  rc_shift_register #(.Width(E), .Stages(1 + M)) u_exp (
+    .clk_i, .valid_i(moves_i[M+1:1]), .data_i(exp_q), .data_o(moment_exp));
+  rc_path_register #(.Width(3)) u_fine (.clk_i, .data_i(moment_exp[2:0]), .data_o(fine));
+
+  for (genvar k = 0; k < 3; k++) begin : gen_moment
+    localparam int unsigned A = (k + 1) % 3;
+    localparam int unsigned B = (k + 2) % 3;
+    logic signed [D+G-1:0] ab, ba;
+    logic signed [X-1:0]   moment_q, coarse, coarse_q, placed;
+
+    rc_mul #(.AW(D), .BW(G)) u_ab (
+      .clk_i, .a_i($signed(way_q[A*D +: D])), .b_i($signed(toward_o[B*G +: G])), .p_o(ab));
+    rc_mul #(.AW(D), .BW(G)) u_ba (
+      .clk_i, .a_i($signed(way_q[B*D +: D])), .b_i($signed(toward_o[A*G +: G])), .p_o(ba));
+
+    always_ff @(posedge clk_i) if (moves_i[M+1]) moment_q <= X'(ab) - X'(ba);
+
+    assign coarse = moment_q >>> {moment_exp[E-1:3], 3'd0};
+    rc_path_register #(.Width(X)) u_coarse (.clk_i, .data_i(coarse), .data_o(coarse_q));
+
+    assign placed = coarse_q >>> fine;
+    rc_path_register #(.Width(X)) u_moment (.clk_i, .data_i(placed), .data_o(moment_o[k*X +: X]));
+  end
+
+  // The way along the ray. An origin between lattice points was moved by up to 49 eighths of a
+  // step.
+  localparam int unsigned P = D + G + 2;
+  localparam logic signed [P-1:0] Moved = Shades ? P'(49 << Drop) : '0;
+
+  logic [3*(D+G)-1:0]  parts;
+  logic signed [P-1:0] two, two_q, third, third_q, along_q, along_coarse, along_fine;
+  logic signed [P-1:0] along_placed, along;
+  logic [E-1:0]        along_exp;
+  logic [2:0]          along_rest;
+
+  for (genvar k = 0; k < 3; k++) begin : gen_part
+    rc_mul #(.AW(D), .BW(G)) u_part (
+      .clk_i, .a_i($signed(way_q[k*D +: D])), .b_i($signed(toward_o[k*G +: G])),
+      .p_o(parts[k*(D+G) +: D+G]));
+  end
+
+  assign two   = P'($signed(parts[0 +: D+G])) + P'($signed(parts[D+G +: D+G]));
+  assign third = P'($signed(parts[2*(D+G) +: D+G])) - Moved;
+
+  rc_path_register #(.Width(P)) u_along_two (.clk_i, .data_i(two), .data_o(two_q));
+  rc_path_register #(.Width(P)) u_along_third (.clk_i, .data_i(third), .data_o(third_q));
+
+  always_ff @(posedge clk_i) if (moves_i[M+1+Cut]) along_q <= two_q + third_q;
+  rc_path_register #(.Width(E)) u_along_exp (.clk_i, .data_i(moment_exp), .data_o(along_exp));
+
+  assign along_coarse = along_q >>> {along_exp[E-1:3], 3'd0};
+  rc_path_register #(.Width(P)) u_along_coarse (
+    .clk_i, .data_i(along_coarse), .data_o(along_fine));
+  rc_path_register #(.Width(3)) u_along_rest (.clk_i, .data_i(along_exp[2:0]), .data_o(along_rest));
+
+  assign along_placed = along_fine >>> along_rest;
+  rc_path_register #(.Width(P)) u_along (.clk_i, .data_i(along_placed), .data_o(along));
+
+  always_ff @(posedge clk_i) if (moves_i[M+2+3*Cut]) way_o <= Y'(along >>> Drop);
+
+  // slack. The distance to the node is the sum over the axes. A direction is off by less than 2^-16
+  // of that distance. An origin between lattice points was moved by less than 14 eighths of a step.
+  localparam int unsigned Least = 2 + ((1 + (Shades ? 14 : 0)) << Drop);
+
+  logic [3*Sum-1:0] size, size_q;
+  logic [Sum-1:0]   first, rest, first_q, rest_q, away;
+  logic [N+3:0]     slack_steps, slack;
+  logic [E-1:0]     slack_exp;
+
+  for (genvar k = 0; k < 3; k++) begin : gen_size
+    logic signed [Sum-1:0] axis;
+    assign axis = Sum'($signed(way_q[k*D +: D]));
+    assign size[k*Sum +: Sum] = axis[Sum-1] ? -axis : axis;
+  end
+
+  rc_path_register #(.Width(3 * Sum)) u_size (.clk_i, .data_i(size), .data_o(size_q));
+
+  assign first = size_q[0 +: Sum] + size_q[Sum +: Sum];
+  assign rest  = size_q[2*Sum +: Sum] + Sum'(Least);
+
+  rc_path_register #(.Width(Sum)) u_first (.clk_i, .data_i(first), .data_o(first_q));
+  rc_path_register #(.Width(Sum)) u_rest (.clk_i, .data_i(rest), .data_o(rest_q));
+  rc_path_register #(.Width(Sum)) u_away (.clk_i, .data_i(first_q + rest_q), .data_o(away));
+
+  rc_path_register #(.Width(E), .Stages(3 * Cut)) u_slack_exp (
+    .clk_i, .data_i(exp_q), .data_o(slack_exp));
+
+  assign slack_steps = (N + 4)'(away >> Drop);
+  assign slack       = slack_steps >> slack_exp;
+  rc_path_register #(.Width(N + 4)) u_slack (.clk_i, .data_i(slack), .data_o(slack_o));
+
+  // The square of the direction, and its inverse.
+  logic [3*2*G-1:0] squares;
+  logic [2*G-1:0]   square_two, square_two_q, square_third_q, square_q;
+  logic [G-1:0]     up;
+  logic [1:0]       n;
+  logic [16:0]      inverse;
+
+  for (genvar k = 0; k < 3; k++) begin : gen_square
+    rc_mul #(.AW(G), .BW(G)) u_square (
+      .clk_i, .a_i($signed(s0_toward_i[k*G +: G])), .b_i($signed(s0_toward_i[k*G +: G])),
+      .p_o(squares[k*2*G +: 2*G]));
+  end
+
+  assign square_two = squares[0 +: 2*G] + squares[2*G +: 2*G];
+
+  rc_path_register #(.Width(2 * G)) u_square_two (
+    .clk_i, .data_i(square_two), .data_o(square_two_q));
+  rc_path_register #(.Width(2 * G)) u_square_third (
+    .clk_i, .data_i(squares[4*G +: 2*G]), .data_o(square_third_q));
+
+  always_ff @(posedge clk_i) if (moves_i[M+Cut]) square_q <= square_two_q + square_third_q;
+
+  assign up = square_q[2*G-1:G] + G'(1);
+  rc_shift_register #(.Width(G), .Stages(2 + 3 * Cut)) u_up (
+    .clk_i, .valid_i(moves_i[M+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
+
+  rc_inverse u_inverse (
+    .clk_i, .last_moves_i(moves_i[1+2*M+3*Cut]), .square_i(square_q), .n_o(n), .inverse_o(inverse));
+
+  rc_shift_register #(.Width(17), .Stages(3 + 6 * Cut)) u_late_inverse (
+    .clk_i, .valid_i(moves_i[2+2*M+3*Cut +: 3+6*Cut]), .data_i(inverse), .data_o(inverse_o));
+
+  // right. Left shifts by T or more saturate.
+  localparam int unsigned S = 8;   // shift, signed
+  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
+      - S'(20);
+
+  logic [E-1:0]        len_q, shift_exp;
+  logic signed [S-1:0] shift_q, move;
+  logic [5:0]          right_q;
+
+  rc_shift_register #(.Width(2 * E), .Stages(1 + M + Cut)) u_len (
+    .clk_i, .valid_i(moves_i[M+Cut:0]), .data_i({s0_len_i, s0_exp_i}), .data_o({len_q, shift_exp}));
+
+  always_ff @(posedge clk_i) begin
+    if (moves_i[1+M+Cut])
+      shift_q <= ShiftBase - $signed({{(S-E){1'b0}}, len_q}) + $signed({{(S-E){1'b0}}, shift_exp})
+          - $signed({{(S-2){1'b0}}, n});
+    if (moves_i[2+M+Cut]) right_q <= move[5:0];
+  end
+
+  assign move = shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - shift_q;
+
+  rc_shift_register #(.Width(6), .Stages(3 + 2 * M + 8 * Cut)) u_right (
+    .clk_i, .valid_i(moves_i[3+M+Cut +: 3+2*M+8*Cut]), .data_i(right_q), .data_o(right_o));
+
+  logic unused;
+  assign unused = ^{moves_i, square_q[G-1:0], s0_o_i, move[S-1:6], along};
+endmodule
+`default_nettype wire
