@@ -87,7 +87,7 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
 
 /// Renders the current frame.
 Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
-    FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
+    FrameResult run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
     drawn.picture =
         request.finished ? picture_of(job.size, run.colours) : shade(request.scene, run.hits, progress);

@@ -157,7 +157,7 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
     count_octrees(c, scene, corner_rays(given, between_corners), size, settings, threads, progress);
     const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")),
                              progress, settings);
-    const FrameTrace frame = record_frame(job, job.frame, threads, progress);
+    const RecordedFrame frame = record_frame(job, job.frame, threads, progress);
     c.model = kinds_of(frame.trace.counts);
     c.rays = frame.trace.counts.all();
     c.model_seconds = frame.trace.seconds;

@@ -36,15 +36,15 @@ struct Size {
 };
 constexpr Size sizes[] = {{{512, 384}, "512x384"}, {{1024, 768}, "1024x768"}};
 
-std::string hits_text(const FrameRun& run, Unit cache) {
+std::string hits_text(const FrameResult& run, Unit cache) {
     return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
 }
 
 /// Returns one frame of the job at this clock.
-FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) {
-    std::vector<FrameTrace> frames;
+FrameResult run_of(const Job& job, int khz, int threads, const Progress& progress) {
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, threads, progress));
-    const FrameRun run = frame_run(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
+    const FrameResult run = frame_result(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
     if (run.partial) throw Interrupted("interrupted: no page was written");
     return run;
 }
@@ -68,7 +68,7 @@ std::string machine_table(const Machine& machine, int threads, const Progress& p
         for (const Size& size : sizes) {
             const Scene scene = ready_scene(row.scene, size.pixels, progress);
             const Job job = make_job(scene, *scene.camera, size.pixels, config, progress);
-            const FrameRun run = run_of(job, khz, threads, progress);
+            const FrameResult run = run_of(job, khz, threads, progress);
             const Bound bound = bound_of(config, khz, run);
             const double fps = per_second(run, khz), rays = double(run.pixels),
                          rate = fps * double(bytes_read(run));
@@ -124,7 +124,7 @@ std::string finished_table(int threads, const Progress& progress) {
         const Request request = request_of(row.scene, choice, finish, 1, size, progress);
         const Job job =
             make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
-        const FrameRun run = run_of(job, 1000 * row.mhz, threads, progress);
+        const FrameResult run = run_of(job, 1000 * row.mhz, threads, progress);
         const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
         const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
         const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };

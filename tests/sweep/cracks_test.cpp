@@ -15,7 +15,7 @@ namespace {
 struct Traced {
     Scene scene;
     Job job;
-    FrameTrace frame;
+    RecordedFrame frame;
     std::uint64_t cracks(const std::vector<Closest>& hits) const {
         return sweep::count_cracks(scene, job, hits, 2);
     }

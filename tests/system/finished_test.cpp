@@ -105,7 +105,7 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     Config config = fitted_config(scene, settings, named_config("default"));
     config.stack_depth = 64;
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
     // A ray from a plane's point beyond the lattice that misses the lattice is not sent (docs/shading.md).
@@ -129,11 +129,11 @@ TEST_CASE(
     const Job job = finished_job(
         {"balls:1", {3}}, {40, 30},
         fitted_config(make_builtin("balls:1", Primitives::native), {3}, named_config("default")));
-    const FrameTrace one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
+    const RecordedFrame one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
     CHECK(one.trace.colours == many.trace.colours);
     CHECK(one.trace.counts == many.trace.counts);
     CHECK(one.trace.signatures == many.trace.signatures);
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
-    CHECK(frame_run(frames[0], replay(job.config, 66000, frames)[0]).pixels == 40 * 30);
+    CHECK(frame_result(frames[0], replay(job.config, 66000, frames)[0]).pixels == 40 * 30);
 }

@@ -30,7 +30,7 @@ struct Case {
     Scene scene;
     Whitted settings;
     Job job;
-    FrameTrace trace;
+    RecordedFrame trace;
 
     Case(PlacedScene of, bool is_finished, const Config& config, int depth = 3, int aa = 1)
         : placed(std::move(of)), scene(flattened(placed)) {

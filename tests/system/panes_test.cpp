@@ -113,7 +113,7 @@ TEST_CASE("planes that transmit or mirror are drawn up to the horizon as the ref
     config.levels = levels, config.stack_depth = 64;
     config = fitted_config(scene, asked, config);
     const Job job = make_job(scene, *scene.camera, size, config, {}, asked);
-    const FrameTrace made = record_frame(job, job.frame);
+    const RecordedFrame made = record_frame(job, job.frame);
     const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, asked, 1);
     const Picture picture = picture_of(size, made.trace.colours);
     const Judgement judged =

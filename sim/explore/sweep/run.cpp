@@ -243,7 +243,7 @@ private:
         config.dram = DramName::ideal;
         config.scan_out = config.pixel_writes = false;
         Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
-        std::vector<FrameTrace> frames;
+        std::vector<RecordedFrame> frames;
         while (frames.size() < film.frames()) {
             film.next();
             for (Result* r : group.results) check_memory(*r, film.job().image);
@@ -272,7 +272,7 @@ private:
         return reference_;
     }
 
-    PictureFigures compare_picture(Film& film, const FrameTrace& last) {
+    PictureFigures compare_picture(Film& film, const RecordedFrame& last) {
         const ReferencePicture& reference = expected(film);
         const Request& request = film.request();
         const HitFrame hits = hits_of(film.job(), last);
@@ -295,12 +295,12 @@ private:
         }
     }
 
-    void time(Result& r, const std::vector<FrameTrace>& frames) {
+    void time(Result& r, const std::vector<RecordedFrame>& frames) {
         if (stopped()) return;
         const std::vector<FrameTiming> timings = replay(r.point.config, r.point.khz, frames);
-        ClockRun run{r.point.khz, {}};
+        FramesAtClock run{r.point.khz, {}};
         for (std::size_t f = 0; f < timings.size(); ++f)
-            run.frames.push_back(frame_run(frames[f], timings[f]));
+            run.frames.push_back(frame_result(frames[f], timings[f]));
         if (run.partial()) {
             stopped();
             return;

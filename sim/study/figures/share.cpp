@@ -95,7 +95,7 @@ void machine_row(Page& page, const std::string& name, Engine engine,
                  std::vector<std::vector<std::string>>& rows) {
     Stage stage(page.studio(), name, {.depth = depth});
     const Shot shot = stage.take(engine, {.depth = depth});
-    const FrameRun& run = *shot.run;
+    const FrameResult& run = *shot.run;
     const std::uint64_t rays = shot.rays.all(), primitives = primitive_count(stage.scene());
     double tri = 0, box = 0, shade = 0;
     for (const UnitAccount& a : unit_accounts(stage.job().config, run)) {

@@ -36,10 +36,10 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
     if (engine == Engine::rtl) {
         shot.run = run_rtl(job_, {}, studio_.progress);
     } else {
-        std::vector<FrameTrace> frames;
+        std::vector<RecordedFrame> frames;
         const std::vector<FrameTiming> timings =
             record_and_replay(job_, job_.khz, frames, {}, studio_.threads, studio_.progress);
-        shot.run = frame_run(frames[0], timings[0]);
+        shot.run = frame_result(frames[0], timings[0]);
         shot.run->colours = std::move(frames[0].trace.colours);
     }
     stop_if_interrupted();

@@ -28,23 +28,23 @@ Kind kind_of(const char* name, Config config, Structure structure, Straddlers st
     return {name, config};
 }
 
-double busy_share(const Config& config, const FrameRun& run) {
+double busy_share(const Config& config, const FrameResult& run) {
     for (const UnitAccount& account : unit_accounts(config, run))
         if (account.unit == "tri") return double(account.busy) / double(run.cycles) / account.instances;
     return 0;
 }
 
-Frame frame_of(const Config& config, const std::vector<FrameTrace>& frames) {
+Frame frame_of(const Config& config, const std::vector<RecordedFrame>& frames) {
     Frame frame;
-    frame.run = frame_run(frames[0], replay(config, default_khz, frames)[0]);
+    frame.run = frame_result(frames[0], replay(config, default_khz, frames)[0]);
     if (frame.run.partial) throw Interrupted("interrupted: no page was written");
     frame.bound = bound_of(config, default_khz, frame.run);
     frame.tri_busy = busy_share(config, frame.run);
     return frame;
 }
 
-std::vector<FrameTrace> recorded(const Job& job, const Study& study) {
-    std::vector<FrameTrace> frames;
+std::vector<RecordedFrame> recorded(const Job& job, const Study& study) {
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, study.threads, stopping({})));
     return frames;
 }
@@ -66,7 +66,7 @@ Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, 
     return {std::move(hits), std::move(picture)};
 }
 
-FrameError error_of(const Scene& scene, const Job& job, const FrameTrace& made, const Drawn& reference) {
+FrameError error_of(const Scene& scene, const Job& job, const RecordedFrame& made, const Drawn& reference) {
     const HitFrame hits = hits_of(job, made);
     const Picture picture =
         job.config.shading ? picture_of(job.size, made.trace.colours) : shade(scene, hits);
@@ -80,7 +80,7 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
     const Job job = make_job(scene, *scene.camera, study.size, chip, stopping({}), settings);
     cell.build = processor_seconds() - begin;
     cell.report = job.image.report;
-    const std::vector<FrameTrace> frames = recorded(job, study);
+    const std::vector<RecordedFrame> frames = recorded(job, study);
     cell.camera = frame_of(job.config, frames);
     cell.camera.error = error_of(scene, job, frames[0], reference);
     for (const Surroundings& around : surroundings()) {
@@ -99,7 +99,7 @@ Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study, c
     const Job job =
         make_job(scene, *scene.camera, half_of(study.size),
                  fitted_config(scene, finished_settings, kind.config), stopping({}), finished_settings);
-    const std::vector<FrameTrace> frames = recorded(job, study);
+    const std::vector<RecordedFrame> frames = recorded(job, study);
     Frame frame = frame_of(job.config, frames);
     frame.error = error_of(scene, job, frames[0], reference);
     return frame;

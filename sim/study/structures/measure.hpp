@@ -34,7 +34,7 @@ Kind inner_octree(const Config& base);
 
 /// A frame and its bound.
 struct Frame {
-    FrameRun run;
+    FrameResult run;
     Bound bound;
     double tri_busy = 0;   ///< share of cycles in which tri starts a test
     FrameError error{};    ///< error of its picture against the reference

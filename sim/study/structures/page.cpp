@@ -18,7 +18,7 @@ namespace {
 std::string per_ray(std::uint64_t n, const Frame& frame) {
     return fmt::format("{:.2f}", double(n) / frame.rays());
 }
-std::string hits(const FrameRun& run, Unit cache) {
+std::string hits(const FrameResult& run, Unit cache) {
     const CacheAccount account = cache_account(run, cache);
     return account.accesses == 0 ? "-" : fmt::format("{:.1f} %", 100 * account.hit_rate());
 }
