@@ -29,7 +29,7 @@ struct Drawn {
 Drawn drawn(const Request& request, const Job& job, const RecordedFrame& trace) {
     HitFrame hits = hits_of(job, trace);
     Picture picture =
-        request.finished ? picture_of(job.size, trace.trace.colours) : shade(request.scene, hits);
+        request.finished ? picture_from_colours(job.size, trace.trace.colours) : shade(request.scene, hits);
     return {std::move(hits), std::move(picture)};
 }
 

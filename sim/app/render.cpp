@@ -89,8 +89,8 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
 Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
     FrameResult run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
-    drawn.picture =
-        request.finished ? picture_of(job.size, run.colours) : shade(request.scene, run.hits, progress);
+    drawn.picture = request.finished ? picture_from_colours(job.size, run.colours)
+                                     : shade(request.scene, run.hits, progress);
     drawn.hits = std::move(run.hits);
     drawn.json["config"] = config_json_object(request.config);
     drawn.json["cycles"] = run.cycles;

@@ -262,16 +262,16 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
 }
 
 /// Returns the last frame's picture, from the comparison if there is one.
-Picture picture_of(const Work& work, const Simulated& s) {
+Picture last_frame_picture(const Work& work, const Simulated& s) {
     if (s.compared) return s.compared->picture;
     return work.request().finished
-               ? picture_of(work.size, s.colours())
+               ? picture_from_colours(work.size, s.colours())
                : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
 /// Writes the pictures of the comparison. Returns the names of the files.
 std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
-    const Picture picture = picture_of(work, s);
+    const Picture picture = last_frame_picture(work, s);
     const HitFrame hits =
         s.compared ? s.compared->hits : scaled(work.job(), s.traces.back().frame, s.answers());
     std::vector<NamedPicture> all{{"picture.png", picture, hits}};
@@ -318,7 +318,7 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
                   const Texts& texts, const nlohmann::ordered_json& json, const Progress& progress) {
     if (progress) progress("writing the page", 0, 1);
     const Request& request = work.request();
-    const Picture picture = picture_of(work, s);
+    const Picture picture = last_frame_picture(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
     const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
     std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};

@@ -193,7 +193,7 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
 }
 
 Picture drawn(const Work& work, const FrameResult& made) {
-    return work.request().finished ? picture_of(work.size, made.colours)
+    return work.request().finished ? picture_from_colours(work.size, made.colours)
                                    : shade(work.request().scene, made.hits);
 }
 

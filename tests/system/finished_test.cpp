@@ -107,7 +107,9 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
     const RecordedFrame frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
+    CHECK(
+        compare(picture_from_colours(size, frame.trace.colours), picture_from_reference(reference)).psnr_db >=
+        least);
     // A ray from a plane's point beyond the lattice that misses the lattice is not sent (docs/shading.md).
     const double fewer = scene.planes.empty() ? 0.01 : 0.4;
     const auto near = [fewer](std::uint64_t mine, std::uint64_t theirs) {

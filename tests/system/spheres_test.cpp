@@ -143,8 +143,8 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
     for (const PictureFault& f : judged.faults)
         FAIL_CHECK("pixel (" << f.x << ", " << f.y << "), after ray " << f.ray << ": " << f.what);
     const FrameResult run = run_model(job);
-    const FrameError error =
-        frame_error(run.hits, picture_of(size, run.colours), right.hits, picture_of(right));
+    const FrameError error = frame_error(run.hits, picture_from_colours(size, run.colours), right.hits,
+                                         picture_from_reference(right));
     CAPTURE(error.pixels_other_primitive, error.psnr_db);
     // Only pixels at the outline of a ball may show the neighbouring primitive.
     CHECK(error.pixels_other_primitive <= error.pixels / 200);

@@ -130,7 +130,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     picture["cracks"] = json.at("cracks");
     picture["memory_bytes"] = json.at("memory_bytes");
     picture["rays"] = json.at("rays");
-    r.picture = picture_of(picture);
+    r.picture = picture_figures_from_json(picture);
     r.multipliers = count_or_none(json.at("multipliers"));
     r.flip_flops = count_or_none(json.at("flip_flops"));
     if (!json.at("chip").is_null()) r.area = synth::count_of(json.at("chip"));

@@ -26,7 +26,7 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
-PictureFigures picture_of(const ordered_json& json) {
+PictureFigures picture_figures_from_json(const ordered_json& json) {
     PictureFigures p;
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
     p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
@@ -157,7 +157,7 @@ private:
             }
         }
         for (auto& [format, group] : groups_)
-            if (const auto picture = cache_.find("picture", group.key, picture_of)) {
+            if (const auto picture = cache_.find("picture", group.key, picture_figures_from_json)) {
                 group.picture_known = true;
                 for (Result* r : group.results) r->picture = *picture;
             }
@@ -277,7 +277,7 @@ private:
         const Request& request = film.request();
         const HitFrame hits = hits_of(film.job(), last);
         PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
-        const Picture picture = request.finished ? rayclock::picture_of(plan_.size, last.trace.colours)
+        const Picture picture = request.finished ? picture_from_colours(plan_.size, last.trace.colours)
                                                  : shade(request.scene, hits);
         figures.error = frame_error(hits, picture, reference.hits(), reference.picture);
         if (request.finished) return figures;

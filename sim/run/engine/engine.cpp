@@ -284,7 +284,7 @@ HitFrame hits_of(const Job& job, const RecordedFrame& frame) {
     return scaled(job, frame.frame, frame.trace.hits);
 }
 
-Picture picture_of(FrameSize size, const Colours& colours) {
+Picture picture_from_colours(FrameSize size, const Colours& colours) {
     Picture picture{size, {}};
     picture.pixels.reserve(colours.size());
     constexpr float one = 1 << unit_bits;
@@ -293,7 +293,7 @@ Picture picture_of(FrameSize size, const Colours& colours) {
     return picture;
 }
 
-Picture picture_of(const WhittedFrame& reference) {
+Picture picture_from_reference(const WhittedFrame& reference) {
     Picture picture{reference.hits.size, {}};
     picture.pixels.assign(reference.pixels.begin(), reference.pixels.end());
     return picture;

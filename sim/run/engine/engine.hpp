@@ -130,10 +130,10 @@ FrameResult run_rtl(const Job& job, Traffic traffic = {}, const Progress& progre
 HitFrame hits_of(const Job& job, const RecordedFrame& frame);
 /// Hashes every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles.
 std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours = {});
-/// Converts a chip's colours to a picture.
-Picture picture_of(FrameSize size, const Colours& colours);
-/// Converts the reference's colours to a picture.
-Picture picture_of(const WhittedFrame& reference);
+/// Converts colours that a chip computed, or their recorded trace, to a picture.
+Picture picture_from_colours(FrameSize size, const Colours& colours);
+/// Converts the frame of the reference tracer to a picture.
+Picture picture_from_reference(const WhittedFrame& reference);
 
 /// Collects an RTL's hits as they arrive.
 class FrameCollector {

@@ -29,7 +29,7 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
     if (engine == Engine::reference) {
         const WhittedFrame frame =
             reference_.whitted(*scene_.camera, job_.size, settings, studio_.threads, studio_.progress);
-        return {picture_of(frame), frame.rays, {}};
+        return {picture_from_reference(frame), frame.rays, {}};
     }
     job_.frame.shade = make_shade_frame(scene_, settings, job_.image, job_.config);
     Shot shot;
@@ -43,7 +43,7 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
         shot.run->colours = std::move(frames[0].trace.colours);
     }
     stop_if_interrupted();
-    shot.picture = picture_of(job_.size, shot.run->colours);
+    shot.picture = picture_from_colours(job_.size, shot.run->colours);
     shot.rays = shot.run->rays;
     return shot;
 }

@@ -58,7 +58,7 @@ Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, 
     const Reference tracer(scene);
     if (shades) {
         WhittedFrame frame = tracer.whitted(*scene.camera, size, settings, threads, stopping({}));
-        Picture picture = picture_of(frame);
+        Picture picture = picture_from_reference(frame);
         return {std::move(frame.hits), std::move(picture)};
     }
     HitFrame hits = tracer.frame(*scene.camera, size, threads, stopping({}));
@@ -69,7 +69,7 @@ Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, 
 FrameError error_of(const Scene& scene, const Job& job, const RecordedFrame& made, const Drawn& reference) {
     const HitFrame hits = hits_of(job, made);
     const Picture picture =
-        job.config.shading ? picture_of(job.size, made.trace.colours) : shade(scene, hits);
+        job.config.shading ? picture_from_colours(job.size, made.trace.colours) : shade(scene, hits);
     return frame_error(hits, picture, reference.hits, reference.picture);
 }
 
