@@ -6,7 +6,7 @@
 namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
-    : shading_(config.shading != 0),
+    : shading_(config.shading),
       levels_(config.has_instances()),
       lists_(config.is_list()),
       upper_(node_unit(config.engine())),

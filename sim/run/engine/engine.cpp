@@ -165,7 +165,7 @@ FrameResult frame_result(const RecordedFrame& frame, const FrameTiming& timing) 
 
 FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& timing, const RayWork& work,
                          std::vector<Closest> answers, Colours colours) {
-    FrameResult run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading != 0};
+    FrameResult run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading};
     run.digest = digest_of(answers, timing.cycles, colours);
     run.answers = std::move(answers);
     run.colours = std::move(colours);
@@ -205,7 +205,7 @@ FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& fram
     const Stopwatch watch;
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
-    FrameCollector collector(frame, job.config.shading != 0);
+    FrameCollector collector(frame, job.config.shading);
     machine.start(frame);
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {

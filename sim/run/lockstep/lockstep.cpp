@@ -108,7 +108,7 @@ private:
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
-        FrameCollector hits(frame.frame, job_.config.shading != 0);
+        FrameCollector hits(frame.frame, job_.config.shading);
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_->start(frame.frame);
