@@ -169,8 +169,8 @@ mutant(judge_of_levels_believes_any_identity FILE sim/judge/paths/placed.cpp TES
   OLD [[if (is_there && config_.shading && (map.same != 0) != placed.is_same)]]
   NEW [[if (is_there && config_.shading && map.same == 2)]])
 mutant(judge_of_levels_takes_any_sphere FILE sim/judge/paths/answer.cpp TEST system "an answer of planes and true spheres*"
-  OLD [[const char* const wrong = met.kind == Solid::Kind::sphere]]
-  NEW [[const char* const wrong = met.kind == Solid::Kind::sphere ? nullptr : met.kind == Solid::Kind::sphere]])
+  OLD [[const char* const wrong = met.shape == Solid::Shape::sphere]]
+  NEW [[const char* const wrong = met.shape == Solid::Shape::sphere ? nullptr : met.shape == Solid::Shape::sphere]])
 
 # ---- The same in RTL.
 mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/unit/list/rc_list.sv TEST system "model and RTL draw instances alike"

@@ -511,7 +511,8 @@ bool Guide::is_total(const RefSurface&, double ratio, double cosine, bool own) {
 double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) const {
     const double n = normal_error(at), full = std::exp2(rules_.asked.config.dir_bits - 2);
     const double grain = 1.7320509 * (1.5 * unit_step + 1 / full);
-    if (bounce.kind == RefBounce::Kind::reflected) return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
+    if (bounce.interaction == RefBounce::Interaction::reflected)
+        return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
     const double error = n + vector_error + unit_step, index = 0.5 * std::exp2(-index_frac) + unit_step;
     const auto bent = [&](double r, double c) {
         return r * c - std::sqrt(std::max(0.0, 1 - r * r * (1 - c * c)));
@@ -529,7 +530,7 @@ double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) c
 }
 
 bool Guide::goes(RefBounce& bounce) {
-    const bool is_reflected = bounce.kind == RefBounce::Kind::reflected;
+    const bool is_reflected = bounce.interaction == RefBounce::Interaction::reflected;
     const double side = (is_reflected ? 1 : -1) * glm::dot(bounce.direction, bounce.surface.flat);
     const bool own = bounce.weighs_enough && side > 0;
     const MachineVisit* at = visit();
@@ -569,11 +570,11 @@ bool Guide::goes(RefBounce& bounce) {
     return true;
 }
 
-void Guide::enter(RefBounce::Kind kind) {
+void Guide::enter(RefBounce::Interaction interaction) {
     const MachineVisit* at = visit();
-    at_.push_back(!at                                  ? MachineVisit::none
-                  : kind == RefBounce::Kind::reflected ? at->reflected
-                                                       : at->refracted);
+    at_.push_back(!at                                                ? MachineVisit::none
+                  : interaction == RefBounce::Interaction::reflected ? at->reflected
+                                                                     : at->refracted);
     if (at_.back() != MachineVisit::none) ++visited_;
 }
 

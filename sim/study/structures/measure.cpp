@@ -21,7 +21,7 @@ constexpr int depth = 4;
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-Kind kind_of(const char* name, Config config, Structure structure, Straddlers straddlers) {
+NamedStructure named_structure(const char* name, Config config, Structure structure, Straddlers straddlers) {
     config.structure = structure;
     config.straddlers = straddlers;
     while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for one node per cycle
@@ -95,10 +95,11 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
 constexpr Whitted finished_settings{.depth = depth};
 FrameSize half_of(FrameSize size) { return {size.width / 2, size.height / 2}; }
 
-Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study, const Drawn& reference) {
+Frame finished_frame(const Scene& scene, const NamedStructure& structure, const Study& study,
+                     const Drawn& reference) {
     const Job job =
         make_job(scene, *scene.camera, half_of(study.size),
-                 fitted_config(scene, finished_settings, kind.config), stopping({}), finished_settings);
+                 fitted_config(scene, finished_settings, structure.config), stopping({}), finished_settings);
     const std::vector<RecordedFrame> frames = recorded(job, study);
     Frame frame = frame_of(job.config, frames);
     frame.error = error_of(scene, job, frames[0], reference);
@@ -111,19 +112,21 @@ bool Study::is_round(const std::string& scene) const {
     return std::find(round.begin(), round.end(), scene) != round.end();
 }
 
-std::vector<Kind> trees(const Config& base) {
-    Kind splits = kind_of("bvh, splits", base, Structure::bvh, Straddlers::leaves);
+std::vector<NamedStructure> trees(const Config& base) {
+    NamedStructure splits = named_structure("bvh, splits", base, Structure::bvh, Straddlers::leaves);
     splits.config.splits = Splits::on;
-    return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
+    return {named_structure("bvh", base, Structure::bvh, Straddlers::leaves),
             std::move(splits),
-            kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
-            kind_of("kd", base, Structure::kd, Straddlers::leaves),
-            kind_of("octree", base, Structure::octree, Straddlers::leaves),
-            kind_of("bsp", base, Structure::bsp, Straddlers::leaves)};
+            named_structure("spheres", base, Structure::spheres, Straddlers::leaves),
+            named_structure("kd", base, Structure::kd, Straddlers::leaves),
+            named_structure("octree", base, Structure::octree, Straddlers::leaves),
+            named_structure("bsp", base, Structure::bsp, Straddlers::leaves)};
 }
-Kind list(const Config& base) { return kind_of("none", base, Structure::none, Straddlers::leaves); }
-Kind inner_octree(const Config& base) {
-    return kind_of("octree, inner", base, Structure::octree, Straddlers::inner);
+NamedStructure list(const Config& base) {
+    return named_structure("none", base, Structure::none, Straddlers::leaves);
+}
+NamedStructure inner_octree(const Config& base) {
+    return named_structure("octree, inner", base, Structure::octree, Straddlers::inner);
 }
 
 const std::vector<Surroundings>& surroundings() {
@@ -132,8 +135,8 @@ const std::vector<Surroundings>& surroundings() {
     return all;
 }
 
-SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, const Study& study, bool finished,
-                   const Progress& progress) {
+SceneCells measure(const std::string& name, const std::vector<NamedStructure>& candidates, const Study& study,
+                   bool finished, const Progress& progress) {
     const bool is_round = study.is_round(name);
     Scene scene, native;
     if (finished || is_round) native = told_scene(name, stopping({}), Primitives::native);
@@ -153,14 +156,16 @@ SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, cons
             reference_of(native, half_of(study.size), finished_settings, true, study.threads);
     SceneCells result{
         name, is_round, scene.triangles.size() + scene.spheres.size() + scene.planes.size(), {}};
-    for (const Kind& kind : kinds) {
-        if (progress) progress(fmt::format("{}, {}", name, kind.name), result.cells.size(), kinds.size());
+    for (const NamedStructure& structure : candidates) {
+        if (progress)
+            progress(fmt::format("{}, {}", name, structure.name), result.cells.size(), candidates.size());
         Cell cell;
-        cell.structure = kind.name;
+        cell.structure = structure.name;
         try {
-            const Config chip = is_round ? fitted_config(scene, no_bounces, kind.config) : kind.config;
+            const Config chip =
+                is_round ? fitted_config(scene, no_bounces, structure.config) : structure.config;
             measure_camera(scene, chip, no_bounces, study, reference, cell);
-            if (finished) cell.finished = finished_frame(native, kind, study, finished_reference);
+            if (finished) cell.finished = finished_frame(native, structure, study, finished_reference);
         } catch (const UserError& error) {
             if (interrupted()) throw;
             cell.refused = error.what();
