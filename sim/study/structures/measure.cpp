@@ -49,7 +49,7 @@ std::vector<RecordedFrame> recorded(const Job& job, const Study& study) {
     return frames;
 }
 
-/// The reference's picture, which all structures of a scene are set beside.
+/// The reference's picture, with which all structures of a scene are compared.
 struct Drawn {
     HitFrame hits;
     Picture picture;
