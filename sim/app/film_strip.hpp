@@ -33,8 +33,8 @@ FilmStrip record_film(Film& film, const StripOptions& options, const Progress& p
 
 /// Throws UserError if the frames could not be written, so that a command can fail early.
 void check_film_folder(const std::string& folder, std::size_t frames);
-/// Returns the errors of all frames of a film, the last of which is `last`. Returns only `last` for a single
-/// frame.
+/// Returns the errors of all frames of a film; the last is `last`. Returns only `last` for a
+/// single frame.
 std::vector<FrameError> all_errors(const FilmStrip& strip, const FrameError& last);
 /// Joins the pictures, publishes all files, and prints a message unless `quiet`.
 void finish_film(const FilmStrip& strip, bool quiet);

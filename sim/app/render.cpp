@@ -58,7 +58,7 @@ void declare(Parser& parser, Options& o) {
             "-o,--output", o.output,
             "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
         .required();
-    parser.flag("--compare", o.compare, "set the picture of the model or the RTL beside the reference's");
+    parser.flag("--compare", o.compare, "compare the picture of the model or the RTL with the reference's");
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     json_option(parser, o.json);

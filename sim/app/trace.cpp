@@ -40,7 +40,7 @@ void declare(Parser& parser, Options& o) {
     parser
         .option("-o,--output", o.output,
                 "the file: .kanata for Konata, .pftrace for Perfetto, .fst for GTKWave, which opens the "
-                ".gtkw beside it")
+                ".gtkw next to it")
         .required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);

@@ -162,7 +162,7 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     Verified v;
     v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
     const Request& request = work.request();
-    // The lockstep has one thread: the reference works beside it, and Ctrl-C ends both.
+    // The lockstep has one thread: the reference works at the same time, and Ctrl-C ends both.
     auto reference = std::async(std::launch::async, [&] {
         return reference_picture(request, work.film.camera(), work.size, o.threads, stopping({}));
     });

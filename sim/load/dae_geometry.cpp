@@ -187,7 +187,7 @@ void DaeGeometries::say_left_out() const {
     const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
         if (count > 0) document_.loading().note(document_.file(), counted(count, what) + sentence);
     };
-    say(shapeless_, "shape", " that is no mesh, left out");
+    say(shapeless_, "shape", " that is not a mesh, left out");
     say(lines_, "primitive", " of lines left out");
     say(colours_, "primitive", " with vertex colours, which are not drawn");
     say(lost_normals_, "corner", " with a normal that is not finite, taken as flat");

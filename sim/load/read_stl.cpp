@@ -118,8 +118,7 @@ private:
         glm::vec3 corner(0);
         for (int i = 0; i < 3; ++i) corner[i] = static_cast<float>(finite_number(take_word(rest), at_));
         if (const std::string_view more = take_word(rest); !more.empty())
-            warnings_.count("line", "with more than three coordinates, of which the rest is skipped",
-                            at_.line, more);
+            warnings_.count("line", "with more than three coordinates; the rest is skipped", at_.line, more);
         corners_.push_back(corner);
     }
 

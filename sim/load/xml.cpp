@@ -114,7 +114,7 @@ XmlElement parse_xml(const std::string& file, std::string_view text, Loading& lo
         if (XML_Parse(parser.get(), part.data(), int(part.size()), is_last) == XML_STATUS_ERROR) {
             if (reading.complaint) SourcePosition{file, reading.line}.refuse(*reading.complaint);
             SourcePosition{file, line_of(parser.get())}.refuse(
-                fmt::format("this is no XML: {}", XML_ErrorString(XML_GetErrorCode(parser.get()))));
+                fmt::format("this is not XML: {}", XML_ErrorString(XML_GetErrorCode(parser.get()))));
         }
         if (is_last) break;
     }

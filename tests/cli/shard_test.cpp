@@ -102,7 +102,8 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     refused({three, one, one}, {one, "both part 1/3"});
     refused({one, two, p.folder.name("none.json")}, {"none.json", "no such file"});
     refused({one, two, p.folder.write("bad.json", "{\"scene\": ")}, {"bad.json"});
-    refused({one, two, p.folder.write("other.json", "{}")}, {"other.json", "no report of sweep", "'scene'"});
+    refused({one, two, p.folder.write("other.json", "{}")},
+            {"other.json", "not a report of sweep", "'scene'"});
     refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "goes on"});
     refused({two, three, p.changed(1, "/shard/of", 4)},
             {"changed.json", "not of one sweep", "how many parts"});

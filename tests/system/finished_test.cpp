@@ -85,7 +85,7 @@ TEST_CASE("finished pictures do not depend on memory and sinks") {
     check_lockstep(job, {40, 30, std::uint64_t(seed)}, seed);
 }
 
-TEST_CASE("a finished picture is the reference's but for what bits cost, and sends the rays that it sends") {
+TEST_CASE("a finished picture is the reference's except for the cost of bits, and sends the same rays") {
     const auto [name, settings, least] =
         GENERATE(table<std::string, Whitted, double>({{"spheres", {4}, 46},
                                                       {"plane", {0}, 33},

@@ -139,7 +139,7 @@ TEST_CASE("every ray of planes and true spheres beside instances is judged, in e
     }
 }
 
-TEST_CASE("an answer of planes and true spheres beside instances that is off in anything is wrong",
+TEST_CASE("an answer of planes and true spheres next to instances with any fault is wrong",
           "[judge][levels]") {
     const Case made(mixed_with_round(false), true, named_config("default"), 2);
     const Asked asked = made.asked();

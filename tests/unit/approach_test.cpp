@@ -14,7 +14,7 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Returns the least k > 0 for which the coordinate p + k step is no longer ahead of its slab; -1 if it
+/// Returns the least k > 0 for which the coordinate p + k step has left its slab behind; -1 if it
 /// always is.
 Wide steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
     if (step < 0) p = -p, step = -step;

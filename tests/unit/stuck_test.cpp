@@ -154,7 +154,8 @@ TEST_CASE("a run that stands still ends with where every ray is", "[machine][stu
     REQUIRE(rtl.find("with 0 of 192 pixels done") != std::string::npos);
 }
 
-TEST_CASE("a memory that takes tens of thousands of cycles to answer is no standstill", "[machine][stuck]") {
+TEST_CASE("a memory that takes tens of thousands of cycles to answer is not a standstill",
+          "[machine][stuck]") {
     const std::string memory = GENERATE("sdr", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
     Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
     set_parameter(job.config, "dram", memory, "test");

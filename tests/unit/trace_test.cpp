@@ -137,7 +137,7 @@ TEST_CASE("a machine may replay a trace that is still being recorded", "[trace]"
     }
 }
 
-TEST_CASE("a recording that is given up stops, and whoever waits for its rays is told", "[trace]") {
+TEST_CASE("an abandoned recording stops and notifies those who wait for its rays", "[trace]") {
     const Job job = small_job("gears:2", {100, 70}, format("small"));
     Trace trace;
     { const Recording abandoned(job.image, job.frame, job.config, 2, trace); }

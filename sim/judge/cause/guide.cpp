@@ -17,7 +17,7 @@ namespace rayclock {
 namespace {
 
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
-/// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
+/// steps (docs/motion.md, Boxes). Each of these steps is at most most_stretch of the scene's.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
@@ -82,7 +82,7 @@ void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
     path.direction = direction(at->ray.d);
 }
 
-/// The machine compares its own colours, each of which lies within sample_width_ of the reference's, and the
+/// The machine compares its own colours, which lie within sample_width_ of the reference's, and the
 /// register for the contrast is rounded up.
 bool Guide::ends(std::uint32_t samples, double difference, bool own) {
     const bool machine = path_.samples.size() <= samples;

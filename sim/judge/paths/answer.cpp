@@ -74,7 +74,8 @@ const char* judge_flat(const Nearest& nearest, const Solids& solids, const Solid
     return judge_values(hit, c, answer);
 }
 
-/// `first`: the answer's number of the first of `solids`; the closest triangle or plane is numbered likewise.
+/// `first`: the answer's number of the first of `solids`; the closest triangle or plane has the same
+/// numbering.
 const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint32_t first,
                          const SolidRay& ray, const Config& c, const Closest& answer) {
     const Solid& sphere = solids.all()[answer.prim - first];

@@ -56,7 +56,7 @@ void put_material(const Material& m, Surface& s) {
     s.leave = natural(index, index_frac, most);
 }
 
-/// The largest power of two, up to a limit, of which all components of the edges are multiples.
+/// The largest power of two, up to a limit, that divides all components of the edges.
 std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
     const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
     for (std::uint32_t bits = most; bits > 0; --bits) {
@@ -100,9 +100,9 @@ double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& la
     return half * (a + b + half) / glm::length(glm::cross(p, q));
 }
 
-/// Which planes stand between the eye and the light; the light is not clear if one does that is no pane, if a
-/// plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except for
-/// rounding, either is right. `light`: within the reach of the registers.
+/// Which planes stand between the eye and the light; the light is not clear if one of them is not a pane, if
+/// a plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except
+/// for rounding, either is right. `light`: within the reach of the registers.
 bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
                           std::uint32_t cell) {
     if (!asked.scene.camera) return !is_shut == stated && cell == 0;
