@@ -26,8 +26,8 @@ mutant(rule_the_second_of_two_spheres_stays FILE model/compile/surfaces.cpp TEST
   OLD [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;]]
   NEW [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second && seen.empty();]]
   FILE2 sim/judge/paths/world.cpp
-  OLD2 [[std::count(there.begin(), there.end(), ball.radius_squared) > 0;]]
-  NEW2 [[there.size() > 99;]])
+  OLD2 [[!seen.insert({ball.centre, ball.radius_squared}).second;]]
+  NEW2 [[!seen.insert({ball.centre, ball.radius_squared}).second && seen.empty();]])
 mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TEST simulate "spheres --depth 1"
   OLD [[const double radius = sphere.radius / lattice.pitch.x;]]
   NEW [[const double radius = 0.999 * sphere.radius / lattice.pitch.x;]]
