@@ -30,7 +30,8 @@ const Condition levels{"levels", [](const Config& c) { return c.has_instances();
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};
 }   // namespace condition
 
-enum class Place { rtl, host };
+/// Who uses a parameter: the RTL as a constant, or only the host and the model.
+enum class ParameterUser { rtl, host };
 enum class Group { format, structure, shading, timing, caches, memory };
 
 template <auto member> int get(const Config& config) { return int(config.*member); }
@@ -52,16 +53,16 @@ const std::vector<Parameter>& parameters() {
         };
 // clang-format off
 #define GROUP(name, text) group = Group::name, heading = text;
-#define ROW(kind, key, place, least, most, unit, effect, text, names, number)                                      \
-    add({#key, Type::kind, least, most, unit, "", false, Place::place == Place::rtl, &condition::effect, text,      \
-         names, number, get<&Config::key>, set<&Config::key>});
-#define NUMBER(key, place, usual, least, most, unit, effect, text)                                                  \
-    ROW(number, key, place, least, most, unit, effect, text, nullptr, &Config::key)
-#define POWER(key, place, usual, least, most, unit, effect, text)                                                   \
-    ROW(power, key, place, least, most, unit, effect, text, nullptr, &Config::key)
-#define FLAG(key, place, effect, text) ROW(flag, key, place, 0, 1, "", effect, text, nullptr, nullptr)
-#define CHOICE(key, place, Kind, usual, effect, text)                                                               \
-    ROW(choice, key, place, 0, int(names_of<Kind>().size()) - 1, "", effect, text, &names_of<Kind>(), nullptr)
+#define ROW(kind, key, user, least, most, unit, effect, text, names, number)                                       \
+    add({#key, Type::kind, least, most, unit, "", false, ParameterUser::user == ParameterUser::rtl,                \
+         &condition::effect, text, names, number, get<&Config::key>, set<&Config::key>});
+#define NUMBER(key, user, usual, least, most, unit, effect, text)                                                  \
+    ROW(number, key, user, least, most, unit, effect, text, nullptr, &Config::key)
+#define POWER(key, user, usual, least, most, unit, effect, text)                                                   \
+    ROW(power, key, user, least, most, unit, effect, text, nullptr, &Config::key)
+#define FLAG(key, user, effect, text) ROW(flag, key, user, 0, 1, "", effect, text, nullptr, nullptr)
+#define CHOICE(key, user, Enum, usual, effect, text)                                                               \
+    ROW(choice, key, user, 0, int(names_of<Enum>().size()) - 1, "", effect, text, &names_of<Enum>(), nullptr)
 // clang-format on
 #include "model/core/parameters.inl"
 #undef GROUP

@@ -3,12 +3,12 @@
 // the members of Config and their defaults, the keys of files and of --set with their checks of range, the notes on
 // settings without effect, and the tables of docs/configurations.md. config.hpp and parameters.cpp include this file.
 //
-//   NUMBER(key, place, default, least, most, unit, effect, "sentence")   int
-//   POWER(key, place, default, least, most, unit, effect, "sentence")    int, a power of two (0 if `least` is 0)
-//   FLAG(key, place, effect, "sentence")                                 bool, false by default; written 0 or 1
-//   CHOICE(key, place, Type, default, effect, "sentence")                enum class Type, with names in choices.hpp
+//   NUMBER(key, user, default, least, most, unit, effect, "sentence")    int
+//   POWER(key, user, default, least, most, unit, effect, "sentence")     int, a power of two (0 if `least` is 0)
+//   FLAG(key, user, effect, "sentence")                                  bool, false by default; written 0 or 1
+//   CHOICE(key, user, Type, default, effect, "sentence")                 enum class Type, with names in choices.hpp
 //
-// `place` is rtl for a constant of rc_pkg.sv, or host for what only the host, the compiler of scenes or the model
+// `user` is rtl for a constant of rc_pkg.sv, or host for what only the host, the compiler of scenes or the model
 // uses.
 // `effect` is the condition under which the parameter matters: a row of conditions() in parameters.cpp.
 // GROUP(name, "Heading") begins a group. Groups before `timing` decide what a ray does; those from it on decide only

@@ -6,7 +6,7 @@
 namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
-    : shading_(config.shading != 0),
+    : shading_(config.shading),
       levels_(config.has_instances()),
       lists_(config.is_list()),
       upper_(node_unit(config.engine())),
@@ -89,11 +89,11 @@ void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
 
 /// Returns the outcome of a ray's passes, as the trace holds it after the ray.
 Shade::Turn Pipeline::turn_of(std::uint32_t ray) {
-    Place& place = rays_[ray];
-    if (--place.head > 0) return Shade::Turn::again;
-    if (*place.at & Trace::pixel_flag) return Shade::Turn::pixel;
-    place.at += 2;
-    place.head = *place.at;
+    TraceCursor& cursor = rays_[ray];
+    if (--cursor.head > 0) return Shade::Turn::again;
+    if (*cursor.at & Trace::pixel_flag) return Shade::Turn::pixel;
+    cursor.at += 2;
+    cursor.head = *cursor.at;
     return Shade::Turn::spawn;
 }
 
@@ -101,10 +101,10 @@ template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t 
     Shade::Wants wants = Shade::Wants::nothing;
     const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
     const auto next = [this](std::uint32_t ray) -> std::uint32_t {
-        Place& place = rays_[ray];
-        ++place.at;
-        place.head = place.at[1];
-        return *place.at;
+        TraceCursor& cursor = rays_[ray];
+        ++cursor.at;
+        cursor.head = cursor.at[1];
+        return *cursor.at;
     };
     if (closest.fires) {   // past the last visit, or its last triangle
         const std::uint32_t word = next(closest.ray);

@@ -101,7 +101,7 @@ public:
 
 private:
     /// The position of a context's ray in the trace.
-    struct Place {
+    struct TraceCursor {
         /// Word of the visit, or of the triangle in flight; after a ray, the first word behind it.
         const std::uint32_t* at = nowhere;
         /// The visit's word, in which turns count down. After a ray: the passes left.
@@ -200,7 +200,7 @@ private:
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;
-    std::vector<Place> rays_;
+    std::vector<TraceCursor> rays_;
 
     Moves moves_{};   // of the settled cycle
     CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};

@@ -73,27 +73,27 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::account_unit
 }
 
 inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
-    Place& place = rays_[ray];
-    const bool again = place.head >> Trace::turns_shift, done = !again & bool(place.head & Trace::end_flag);
+    TraceCursor& cursor = rays_[ray];
+    const bool again = cursor.head >> Trace::turns_shift, done = !again & bool(cursor.head & Trace::end_flag);
     const bool visit = valid & !again & !done;
     const std::uint32_t turns = std::uint32_t(valid & again) << Trace::turns_shift;
-    place.at += visit;
-    const std::uint32_t next = *place.at;
-    place.head = select(visit, next, place.head - turns);
+    cursor.at += visit;
+    const std::uint32_t next = *cursor.at;
+    cursor.head = select(visit, next, cursor.head - turns);
     return {visit, bool(valid & again), bool(valid & done)};
 }
 
 /// Moves a changed ray to the visit of its mesh's root.
 inline void Pipeline::enter(const LinkInside& change) {
-    Place& place = rays_[change.ray];
-    place.at += change.fires;
-    if (change.fires) place.head = *place.at;
+    TraceCursor& cursor = rays_[change.ray];
+    cursor.at += change.fires;
+    if (change.fires) cursor.head = *cursor.at;
 }
 
 inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
-    Place& place = rays_[ray];
-    const bool more = !(*place.at & Trace::last_flag);
-    place.at += more & tested;
+    TraceCursor& cursor = rays_[ray];
+    const bool more = !(*cursor.at & Trace::last_flag);
+    cursor.at += more & tested;
     return more;
 }
 
@@ -102,9 +102,9 @@ template <bool shades>
     const bool slot = m[Link::slot].fires;
     if (slot) {
         const Slot given = sched_.slot();
-        Place& place = rays_[given.ray];
-        place.at = ray_at(*trace_, given.x, given.y);
-        place.head = *place.at;
+        TraceCursor& cursor = rays_[given.ray];
+        cursor.at = ray_at(*trace_, given.x, given.y);
+        cursor.head = *cursor.at;
     }
     if constexpr (shades) {
         const bool second = raygen_link_.second(shade_.spawn_valid());

@@ -182,10 +182,10 @@ void Dram::issue() {
         refresh_.until = std::uint64_t(choice_.clock) * tck_ + std::uint64_t(part_.trfc);
     }
     if (!entry) return;
-    if (entry->kind == Kind::none) {
+    if (entry->row_outcome == RowOutcome::none) {
         const bool opens = choice_.command == DramCommand::activate;
         const bool hits = choice_.command == column_command(*entry);
-        entry->kind = hits ? Kind::hit : opens ? Kind::miss : Kind::conflict;
+        entry->row_outcome = hits ? RowOutcome::hit : opens ? RowOutcome::miss : RowOutcome::conflict;
     }
     if (choice_.command == column_command(*entry)) transfer(*entry);
 }
@@ -205,9 +205,9 @@ void Dram::transfer(Entry& entry) {
         busy_ = true;   // all in the cycle that is ending
     if (--entry.left > 0) return;
     ++(entry.what.is_write ? statistics_.writes : statistics_.reads);
-    if (entry.kind == Kind::hit)
+    if (entry.row_outcome == RowOutcome::hit)
         ++statistics_.row_hits;
-    else if (entry.kind == Kind::miss)
+    else if (entry.row_outcome == RowOutcome::miss)
         ++statistics_.row_misses;
     else
         ++statistics_.row_conflicts;

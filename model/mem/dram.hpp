@@ -91,13 +91,13 @@ public:
 
 private:
     static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
-    enum class Kind { none, hit, miss, conflict };
+    enum class RowOutcome { none, hit, miss, conflict };
     struct Entry {
         Answer what;
         std::int64_t arrival = 0;   // first clock of the DRAM at which the controller sees it
         std::uint32_t row = 0;
-        int bank = 0, left = 0, overtaken = 0;   // left: reads not yet given
-        Kind kind = Kind::none;                  // of its first command
+        int bank = 0, left = 0, overtaken = 0;       // left: reads not yet given
+        RowOutcome row_outcome = RowOutcome::none;   // of its first command
     };
     struct Choice {
         std::int64_t clock = std::numeric_limits<std::int64_t>::max();

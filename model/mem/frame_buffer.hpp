@@ -28,7 +28,7 @@ public:
     static constexpr std::uint32_t most_pixel_words = 4;
 
     FrameBuffer(const Config& config, int khz)
-        : khz_(std::uint32_t(khz)), scans_(config.scan_out != 0), writes_(config.pixel_writes != 0) {
+        : khz_(std::uint32_t(khz)), scans_(config.scan_out), writes_(config.pixel_writes) {
         if (const DramPart* part = config.dram_part())
             base_ = std::uint32_t((capacity_bytes(*part) * config.dram_channels - bytes) / 64);
     }

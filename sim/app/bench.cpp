@@ -56,12 +56,12 @@ struct Seconds {
 Seconds measure(const Scene& scene, const Job& job, int threads) {
     Seconds s;
     s.compile = best_seconds([&] { make_job(scene, *scene.camera, job.size, job.config); });
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     traces.push_back(record_frame(job, job.frame, threads, stopping({})));
     s.record = best_seconds([&] { record_frame(job, job.frame, threads, stopping({})); });
     s.replay = best_seconds([&] { replay(job.config, job.khz, traces); });
     s.model = best_seconds([&] {
-        std::vector<FrameTrace> fresh;
+        std::vector<RecordedFrame> fresh;
         record_and_replay(job, job.khz, fresh, {}, threads);
     });
     s.rtl = best_seconds([&] { run_rtl(job); });
@@ -85,7 +85,8 @@ std::string text_of(const Seconds& s, double cycles, double rays) {
     return fmt::format("{}  scene compilation {:.2f} s\n", table.text(), s.compile);
 }
 
-nlohmann::ordered_json json_of(const Scene& scene, const Job& job, const FrameRun& frame, const Seconds& s) {
+nlohmann::ordered_json json_of(const Scene& scene, const Job& job, const FrameResult& frame,
+                               const Seconds& s) {
     const double cycles = double(frame.cycles), rays = double(frame.hits.hits.size());
     return {
         {"scene", scene_json(scene)},
@@ -111,7 +112,7 @@ int run(const Options& o) {
     const Scene scene = ready_scene(o.scene, size, progress, o.view);
     build_rtl(config);
     const Job job = make_job(scene, *scene.camera, size, config, progress);
-    const FrameRun frame = run_model(job);
+    const FrameResult frame = run_model(job);
     stop_if_interrupted();
     const Seconds seconds = measure(scene, job, o.threads);
     if (!o.json.is_alone()) {

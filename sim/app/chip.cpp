@@ -156,7 +156,7 @@ double frames_per_second(const Asked& asked, double mhz, const Progress& progres
     const Job job = make_job(request.scene, *request.scene.camera, asked.size, request.config, progress,
                              request.settings);
     const int khz = int(1000 * mhz);   // rounds down to a clock that routing has shown
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     const std::vector<FrameTiming> timings = record_and_replay(job, khz, traces, {}, 0, progress);
     if (interrupted())
         throw Interrupted("interrupted: the chip is kept, and the same command goes on after it");

@@ -13,7 +13,7 @@ Compared compare(const Request& request, const Job& job, const MachineFrame& mad
     c.hits = scaled(job, made.frame, made.answers);
     ReferencePicture reference = reference_picture(request, made.camera, job.size, threads, progress);
     c.reference = std::move(reference.picture);
-    c.picture = request.finished ? picture_of(job.size, made.colours) : shade(scene, c.hits);
+    c.picture = request.finished ? picture_from_colours(job.size, made.colours) : shade(scene, c.hits);
     c.error = frame_error(c.hits, c.picture, reference.hits(), c.reference);
     if (request.finished) {
         const Given given{made.answers, made.colours, made.signatures};

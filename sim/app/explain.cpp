@@ -82,7 +82,7 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
               o.frames, o.view.is_asked(), size, stopping(progress));
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     while (traces.size() < film.frames()) {
         film.next();
         traces.push_back(film.record(o.threads, stopping(progress)));

@@ -26,17 +26,17 @@ struct Drawn {
     HitFrame hits;
     Picture picture;
 };
-Drawn drawn(const Request& request, const Job& job, const FrameTrace& trace) {
+Drawn drawn(const Request& request, const Job& job, const RecordedFrame& trace) {
     HitFrame hits = hits_of(job, trace);
     Picture picture =
-        request.finished ? picture_of(job.size, trace.trace.colours) : shade(request.scene, hits);
+        request.finished ? picture_from_colours(job.size, trace.trace.colours) : shade(request.scene, hits);
     return {std::move(hits), std::move(picture)};
 }
 
 }   // namespace
 
 FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progress,
-                      std::vector<FrameTrace>& traces) {
+                      std::vector<RecordedFrame>& traces) {
     FilmStrip strip;
     strip.moves = film.moves();
     strip.fps = film.times().fps;
@@ -110,7 +110,7 @@ constexpr Figure figures[] = {
     {"host_seconds", "host ms", &FrameFigures::seconds, "{:.3f}"},
 };
 
-FrameFigures figures_of(const FrameRun& run, int khz, const Upload& upload) {
+FrameFigures figures_of(const FrameResult& run, int khz, const Upload& upload) {
     return {double(run.cycles),
             double(run.upload.cycles),
             double(run.upload.reset),
@@ -129,7 +129,7 @@ FrameFigures figures_of(const FrameRun& run, int khz, const Upload& upload) {
             upload.seconds};
 }
 
-std::vector<FrameFigures> all_figures(const ClockRun& run, const std::vector<FrameTrace>& traces) {
+std::vector<FrameFigures> all_figures(const FramesAtClock& run, const std::vector<RecordedFrame>& traces) {
     std::vector<FrameFigures> all;
     for (std::size_t f = 0; f < run.frames.size(); ++f)
         all.push_back(figures_of(run.frames[f], run.khz, traces[f].upload));
@@ -162,8 +162,8 @@ ordered_json number(double value) {
 
 }   // namespace
 
-std::string film_table(const Config&, const std::vector<ClockRun>& runs, const FilmStrip& strip,
-                       const std::vector<FrameTrace>& traces) {
+std::string film_table(const Config&, const std::vector<FramesAtClock>& runs, const FilmStrip& strip,
+                       const std::vector<RecordedFrame>& traces) {
     if (!strip.moves || runs.empty() || runs[0].frames.empty()) return {};
     const std::vector<FrameFigures> all = all_figures(runs[0], traces);
     std::vector<std::string> head{"frame", "time s"};
@@ -193,8 +193,8 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
         table.add(row);
     }
     const bool is_whole =
-        std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) { return t.upload.is_whole; });
-    const bool deforms = std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) {
+        std::any_of(traces.begin(), traces.end(), [](const RecordedFrame& t) { return t.upload.is_whole; });
+    const bool deforms = std::any_of(traces.begin(), traces.end(), [](const RecordedFrame& t) {
         return t.upload.refitted + t.upload.rebuilt > 0;
     });
     return fmt::format(
@@ -208,11 +208,11 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
         table.text());
 }
 
-ordered_json film_json(const Config&, const std::vector<ClockRun>& runs, const FilmStrip& strip,
-                       const std::vector<FrameTrace>& traces) {
+ordered_json film_json(const Config&, const std::vector<FramesAtClock>& runs, const FilmStrip& strip,
+                       const std::vector<RecordedFrame>& traces) {
     if (!strip.moves) return nullptr;
     ordered_json clocks = ordered_json::array();
-    for (const ClockRun& run : runs) {
+    for (const FramesAtClock& run : runs) {
         if (run.frames.empty()) continue;
         const std::vector<FrameFigures> all = all_figures(run, traces);
         ordered_json frames = ordered_json::array();

@@ -29,21 +29,21 @@ struct StripOptions {
 /// Records all frames. If the scene moves and has several frames, also writes their pictures, which
 /// finish_film() publishes, and compares them.
 FilmStrip record_film(Film& film, const StripOptions& options, const Progress& progress,
-                      std::vector<FrameTrace>& traces);
+                      std::vector<RecordedFrame>& traces);
 
 /// Throws UserError if the frames could not be written, so that a command can fail early.
 void check_film_folder(const std::string& folder, std::size_t frames);
-/// Returns the errors of all frames of a film, the last of which is `last`. Returns only `last` for a single
-/// frame.
+/// Returns the errors of all frames of a film; the last is `last`. Returns only `last` for a
+/// single frame.
 std::vector<FrameError> all_errors(const FilmStrip& strip, const FrameError& last);
 /// Joins the pictures, publishes all files, and prints a message unless `quiet`.
 void finish_film(const FilmStrip& strip, bool quiet);
 
 /// Returns a row for each frame, then least, mean and most, at the first clock. Empty if nothing moves.
-std::string film_table(const Config& config, const std::vector<ClockRun>& runs, const FilmStrip& strip,
-                       const std::vector<FrameTrace>& traces);
+std::string film_table(const Config& config, const std::vector<FramesAtClock>& runs, const FilmStrip& strip,
+                       const std::vector<RecordedFrame>& traces);
 /// Returns the same for each clock; null if nothing moves.
-nlohmann::ordered_json film_json(const Config& config, const std::vector<ClockRun>& runs,
-                                 const FilmStrip& strip, const std::vector<FrameTrace>& traces);
+nlohmann::ordered_json film_json(const Config& config, const std::vector<FramesAtClock>& runs,
+                                 const FilmStrip& strip, const std::vector<RecordedFrame>& traces);
 
 }   // namespace rayclock

@@ -154,7 +154,7 @@ int finish(int code) {
     return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
-/// The first word that looks like an option and is none of `app`; empty if there is no such word.
+/// The first word that looks like an option and is not one of `app`'s; empty if there is none.
 std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i], name = word.substr(0, word.find('='));
@@ -183,7 +183,7 @@ bool has_subcommand(const CLI::App& app, const std::string& word) {
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-/// What was typed behind a word, if it is no option.
+/// The text typed behind a word, if it is not an option.
 std::string word_after(std::string_view word, int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i)
         if (argv[i] == word && argv[i + 1][0] != '-') return argv[i + 1];

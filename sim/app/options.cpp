@@ -140,10 +140,10 @@ void frames_options(Parser& parser, FramesOptions& o) {
     parser.option("--time", o.time,
                   "the scene's time of the first frame, or two times, A:B, with a colon: seconds");
     parser
-        .option("--uploads", o.uploads,
-                "when the host writes what has moved: between the frames, or, double, beside the frame "
-                "before into "
-                "a second buffer")
+        .option(
+            "--uploads", o.uploads,
+            "when the host writes the moved parts: between the frames, or (double) during the previous frame "
+            "into a second buffer")
         .with_default();
     parser
         .option(

@@ -58,7 +58,7 @@ void declare(Parser& parser, Options& o) {
             "-o,--output", o.output,
             "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
         .required();
-    parser.flag("--compare", o.compare, "set the picture of the model or the RTL beside the reference's");
+    parser.flag("--compare", o.compare, "compare the picture of the model or the RTL with the reference's");
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     json_option(parser, o.json);
@@ -87,10 +87,10 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
 
 /// Renders the current frame.
 Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
-    FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
+    FrameResult run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
-    drawn.picture =
-        request.finished ? picture_of(job.size, run.colours) : shade(request.scene, run.hits, progress);
+    drawn.picture = request.finished ? picture_from_colours(job.size, run.colours)
+                                     : shade(request.scene, run.hits, progress);
     drawn.hits = std::move(run.hits);
     drawn.json["config"] = config_json_object(request.config);
     drawn.json["cycles"] = run.cycles;

@@ -68,10 +68,10 @@ void declare(Parser& parser, Options& o) {
 }
 
 /// Replays the same trace once per clock, in parallel.
-std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks,
-                                    const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
-                                    const Progress& progress) {
-    std::vector<ClockRun> runs(clocks.size());
+std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>& clocks,
+                                         const std::vector<RecordedFrame>& traces, Traffic traffic,
+                                         int threads, const Progress& progress) {
+    std::vector<FramesAtClock> runs(clocks.size());
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
@@ -87,15 +87,15 @@ std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& cloc
         runs[i].khz = clocks[i];
         const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
         for (std::size_t f = 0; f < timings.size(); ++f)
-            runs[i].frames.push_back(frame_run(traces[f], timings[f]));
+            runs[i].frames.push_back(frame_result(traces[f], timings[f]));
     });
     return runs;
 }
 
-std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
-                                     const std::vector<FrameTrace>& traces, Traffic traffic, int seed,
-                                     const Progress& progress) {
-    std::vector<ClockRun> runs;
+std::vector<FramesAtClock> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
+                                          const std::vector<RecordedFrame>& traces, Traffic traffic, int seed,
+                                          const Progress& progress) {
+    std::vector<FramesAtClock> runs;
     for (const int khz : clocks) {
         runs.push_back({khz, run_rtl(job, khz, traces, traffic, progress, seed)});
         if (runs.back().partial()) break;
@@ -118,8 +118,8 @@ struct Work {
 /// The results of a simulation.
 struct Simulated {
     bool is_model = true;
-    std::vector<FrameTrace> traces;
-    std::vector<ClockRun> runs;         ///< [clock]
+    std::vector<RecordedFrame> traces;
+    std::vector<FramesAtClock> runs;    ///< [clock]
     FilmStrip strip;                    ///< of the frames, if they were recorded one by one
     std::optional<Compared> compared;   ///< the last frame compared with the reference
     bool partial = false;
@@ -152,7 +152,7 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
         film.next();
         const std::vector<FrameTiming> timings =
             record_and_replay(work.job(), work.clocks[0], s.traces, traffic, o.threads, progress);
-        s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});
+        s.runs.push_back({work.clocks[0], {frame_result(s.traces[0], timings[0])}});
     } else {
         s.strip = record_film(film, {o.threads, o.output, !o.no_reference}, stopping(progress), s.traces);
         s.runs = s.is_model ? replay_clocks(work.job(), work.clocks, s.traces, traffic, o.threads, progress)
@@ -160,7 +160,7 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
                                              progress);
     }
     s.partial = s.runs.size() < work.clocks.size() ||
-                std::any_of(s.runs.begin(), s.runs.end(), [](const ClockRun& r) { return r.partial(); });
+                std::any_of(s.runs.begin(), s.runs.end(), [](const FramesAtClock& r) { return r.partial(); });
     return s;
 }
 
@@ -180,13 +180,13 @@ struct Totals {
 };
 Totals totals_of(const Simulated& s) {
     Totals t;
-    for (const ClockRun& run : s.runs)
-        for (const FrameRun& frame : run.frames) {
+    for (const FramesAtClock& run : s.runs)
+        for (const FrameResult& frame : run.frames) {
             t.cycles += frame.cycles;
             t.machine_seconds += frame.seconds;
             t.digest.add(frame.digest);
         }
-    for (const FrameTrace& trace : s.traces) t.record_seconds += trace.trace.seconds;
+    for (const RecordedFrame& trace : s.traces) t.record_seconds += trace.trace.seconds;
     // A single replay runs in parallel with the recording, so its time includes both.
     t.engine_seconds =
         t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
@@ -213,9 +213,9 @@ void print(const Work& work, const Simulated& s, const Limits& limits, const Tot
 nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Limits& limits,
                                const Totals& t) {
     const Config& config = work.request().config;
-    const FrameRun& frame = s.runs[0].last();
+    const FrameResult& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
-    for (const ClockRun& run : s.runs) {
+    for (const FramesAtClock& run : s.runs) {
         clocks.push_back(clock_json(config, run));
         mark_clock(clocks.back(), config, run.khz);
     }
@@ -252,7 +252,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
 FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, EventSink* sink,
                        const Progress& progress) {
     constexpr std::uint64_t windows = 100;
-    const ClockRun& run = s.runs[0];
+    const FramesAtClock& run = s.runs[0];
     const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
     FrameCosts costs = observe(work.request().config, run.khz, s.traces, traffic,
                                std::max<std::uint64_t>(1, window), sink, progress);
@@ -262,16 +262,16 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
 }
 
 /// Returns the last frame's picture, from the comparison if there is one.
-Picture picture_of(const Work& work, const Simulated& s) {
+Picture last_frame_picture(const Work& work, const Simulated& s) {
     if (s.compared) return s.compared->picture;
     return work.request().finished
-               ? picture_of(work.size, s.colours())
+               ? picture_from_colours(work.size, s.colours())
                : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
 /// Writes the pictures of the comparison. Returns the names of the files.
 std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
-    const Picture picture = picture_of(work, s);
+    const Picture picture = last_frame_picture(work, s);
     const HitFrame hits =
         s.compared ? s.compared->hits : scaled(work.job(), s.traces.back().frame, s.answers());
     std::vector<NamedPicture> all{{"picture.png", picture, hits}};
@@ -318,7 +318,7 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
                   const Texts& texts, const nlohmann::ordered_json& json, const Progress& progress) {
     if (progress) progress("writing the page", 0, 1);
     const Request& request = work.request();
-    const Picture picture = picture_of(work, s);
+    const Picture picture = last_frame_picture(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
     const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
     std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};

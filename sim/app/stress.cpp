@@ -35,7 +35,7 @@ void declare(Parser& parser, Options& o) {
         .by_commas();
     parser.option("--seed", o.seed, "seed of the rays").within(1, 1 << 30);
     parser.option("-o,--output", o.output,
-                  "page to write (Markdown), with a picture of each family in a folder beside it");
+                  "page to write (Markdown), with a picture of each family in a folder next to it");
     parser.option("--state", o.state,
                   "file that keeps what is done; if it is there, the run goes on from it");
     threads_option(parser, o.threads);

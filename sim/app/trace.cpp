@@ -40,7 +40,7 @@ void declare(Parser& parser, Options& o) {
     parser
         .option("-o,--output", o.output,
                 "the file: .kanata for Konata, .pftrace for Perfetto, .fst for GTKWave, which opens the "
-                ".gtkw beside it")
+                ".gtkw next to it")
         .required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -123,7 +123,7 @@ int run(const Options& o) {
     if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
         throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
     Film film(std::move(asked), o.frames, o.view.is_asked(), size, stopping(progress));
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     while (traces.size() < film.frames()) {
         film.next();
         traces.push_back(film.record(o.threads, stopping(progress)));

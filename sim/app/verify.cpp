@@ -106,7 +106,7 @@ struct Work {
 /// The results of a verification.
 struct Verified {
     Job job;   ///< job of the last frame
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     FilmStrip strip;
     LockstepResult result;
     Pictures pictures;
@@ -130,7 +130,7 @@ struct Verified {
     }
     bool partial() const { return result.model.partial; }
     /// If model and RTL agree, results of one hold for both.
-    const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
+    const FrameResult& judged() const { return result.agrees() ? result.model : result.rtl; }
     const FrameError& error() const { return result.agrees() ? model : rtl; }
     /// Returns the errors of all compared frames; those of earlier frames are the model's.
     std::vector<FrameError> errors() const { return all_errors(strip, error()); }
@@ -162,7 +162,7 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     Verified v;
     v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
     const Request& request = work.request();
-    // The lockstep has one thread: the reference works beside it, and Ctrl-C ends both.
+    // The lockstep has one thread: the reference works at the same time, and Ctrl-C ends both.
     auto reference = std::async(std::launch::async, [&] {
         return reference_picture(request, work.film.camera(), work.size, o.threads, stopping({}));
     });
@@ -192,8 +192,8 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
     }
 }
 
-Picture drawn(const Work& work, const FrameRun& made) {
-    return work.request().finished ? picture_of(work.size, made.colours)
+Picture drawn(const Work& work, const FrameResult& made) {
+    return work.request().finished ? picture_from_colours(work.size, made.colours)
                                    : shade(work.request().scene, made.hits);
 }
 
@@ -205,7 +205,7 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     const HitFrame& hits = p.reference.hits();
     v.model = frame_error(v.result.model.hits, p.model, hits, p.reference.picture);
     v.rtl = frame_error(v.result.rtl.hits, p.rtl, hits, p.reference.picture);
-    const FrameRun& judged = v.judged();
+    const FrameResult& judged = v.judged();
     const Asked asked{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
                       work.request().config};
     const bool judges = !v.partial() && !o.no_judge;
@@ -224,7 +224,7 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
 
 void print(const Options& o, const Work& work, const Verified& v, const std::string& wave_lines) {
     const Config& config = work.request().config;
-    const ClockRun run{work.khz, {v.result.model}};
+    const FramesAtClock run{work.khz, {v.result.model}};
     fmt::print("{}\n{}\n{}\n{}\n", heading(work.request().scene, work.size, v.job),
                clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
     fmt::print("{}", film_table(config, {{work.khz, v.result.runs}}, v.strip, v.traces));
@@ -249,7 +249,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verifie
                                double seconds) {
     const Config& config = work.request().config;
     const LockstepResult& result = v.result;
-    const FrameRun& frame = result.model;
+    const FrameResult& frame = result.model;
     nlohmann::ordered_json golden;
     if (v.golden.found) golden = {{"psnr_db", decibel(v.golden.psnr_db)}, {"within", v.golden.within}};
     return {{"scene", scene_json(work.request().scene)},

@@ -64,7 +64,7 @@ private:
                                      : fmt::format("{} ({} asks for it)", sentence, printable(asked_by_)));
     }
 
-    Place at_;
+    SourcePosition at_;
     const std::string& asked_by_;
     int file_ = -1;
 };

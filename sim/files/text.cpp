@@ -34,7 +34,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 
 }   // namespace
 
-void Place::refuse(const std::string& sentence) const {
+void SourcePosition::refuse(const std::string& sentence) const {
     const std::string name = printable(file);
     throw UserError(line != 0 ? fmt::format("{}: line {}: {}", name, line, sentence)
                               : fmt::format("{}: {}", name, sentence));
@@ -71,7 +71,7 @@ std::string_view take_line(std::string_view& rest) {
     return line;
 }
 
-double any_number(std::string_view word, const Place& at) {
+double any_number(std::string_view word, const SourcePosition& at) {
     if (word.empty()) at.refuse("a number is missing at the end");
     if (word.size() > longest_number)
         at.refuse(fmt::format("{} has {} characters, too many for a number", shown(word), word.size()));
@@ -86,7 +86,7 @@ std::optional<float> float_of(std::string_view word) {
     return static_cast<float>(*value);
 }
 
-double finite_number(std::string_view word, const Place& at) {
+double finite_number(std::string_view word, const SourcePosition& at) {
     const double value = any_number(word, at);
     if (std::abs(value) <= std::numeric_limits<float>::max()) return value;
     if (std::find_if(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) != word.end())
@@ -94,7 +94,7 @@ double finite_number(std::string_view word, const Place& at) {
     at.refuse(shown(word) + " is not a finite number");
 }
 
-std::int64_t whole_number(std::string_view word, const Place& at) {
+std::int64_t whole_number(std::string_view word, const SourcePosition& at) {
     if (word.empty()) at.refuse("a whole number is missing at the end");
     std::string_view digits = word;
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
@@ -117,7 +117,7 @@ std::string lower(std::string_view text) {
     return small;
 }
 
-void check_text(std::string_view line, const Place& at, std::string_view kind) {
+void check_text(std::string_view line, const SourcePosition& at, std::string_view kind) {
     for (const char c : line)
         if ((static_cast<unsigned char>(c) < 0x20 && !is_blank(c)) || c == 0x7f)
             at.refuse(fmt::format("this is not {}: {} is not text", kind, shown(line)));

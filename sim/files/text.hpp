@@ -14,7 +14,7 @@
 namespace rayclock {
 
 /// A position in a file, for error messages. Line 0 means that the file has no lines (a binary file).
-struct Place {
+struct SourcePosition {
     std::string file;
     std::uint64_t line = 0;
     /// Throws UserError "<file>: line <line>: <sentence>", with the file's name in printable characters.
@@ -32,16 +32,16 @@ std::string joined_words(std::string_view text);
 std::string_view take_line(std::string_view& rest);
 
 /// Reads a finite number that fits a 32-bit float. Throws UserError that names the word if it is none.
-double finite_number(std::string_view word, const Place& at);
+double finite_number(std::string_view word, const SourcePosition& at);
 
 /// Reads the same kind of number. Returns nothing if the word is none.
 std::optional<float> float_of(std::string_view word);
 
 /// Reads any number, including nan and inf. Throws UserError if the word is none.
-double any_number(std::string_view word, const Place& at);
+double any_number(std::string_view word, const SourcePosition& at);
 
 /// Reads a whole number. Throws UserError if the word is none or does not fit 64 bits.
-std::int64_t whole_number(std::string_view word, const Place& at);
+std::int64_t whole_number(std::string_view word, const SourcePosition& at);
 
 /// Returns the text without the byte order mark that some editors put in front of UTF-8.
 std::string_view without_mark(std::string_view text);
@@ -51,6 +51,6 @@ std::string lower(std::string_view text);
 
 /// Throws UserError if a line holds control characters: it is not text, whatever the file's extension
 /// promises.
-void check_text(std::string_view line, const Place& at, std::string_view kind);
+void check_text(std::string_view line, const SourcePosition& at, std::string_view kind);
 
 }   // namespace rayclock

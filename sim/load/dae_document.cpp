@@ -56,11 +56,11 @@ glm::dmat4 DaeDocument::into(const XmlElement& outer, const XmlElement& inner) c
 }
 
 void DaeDocument::refuse(const XmlElement& where, const std::string& sentence) const {
-    Place{file_, where.line}.refuse(sentence);
+    SourcePosition{file_, where.line}.refuse(sentence);
 }
 
 void DaeDocument::charge(std::uint64_t bytes) const {
-    if (!loading_.may_make(bytes)) Place{file_}.refuse(loading_.too_much());
+    if (!loading_.may_make(bytes)) SourcePosition{file_}.refuse(loading_.too_much());
 }
 
 const XmlElement* DaeDocument::with_id(const std::string& id) const {

@@ -89,7 +89,7 @@ DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, const I
                                                  const DaePose& pose) {
     document_.charge(list.text.size());   // a geometry may be cut again for many skins
     std::vector<std::uint64_t> indices;
-    const Place at{document_.file(), list.line};
+    const SourcePosition at{document_.file(), list.line};
     std::string_view rest = list.text;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
         const std::int64_t index = whole_number(word, at);
@@ -162,7 +162,7 @@ void DaeGeometries::face(const XmlElement& in, PartBuilder& builder, const Corne
                          fmt::format("a face with {} corners; the most is {}", corners.size(), max_corners));
     if (corners.size() < 3) return;   // a point or a line
     if ((triangles_ += corners.size() - 2) > max_triangles)
-        Place{document_.file()}.refuse(fmt::format("more than {} triangles", max_triangles));
+        SourcePosition{document_.file()}.refuse(fmt::format("more than {} triangles", max_triangles));
     assembly_.face(builder, corners);
 }
 
@@ -187,7 +187,7 @@ void DaeGeometries::say_left_out() const {
     const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
         if (count > 0) document_.loading().note(document_.file(), counted(count, what) + sentence);
     };
-    say(shapeless_, "shape", " that is no mesh, left out");
+    say(shapeless_, "shape", " that is not a mesh, left out");
     say(lines_, "primitive", " of lines left out");
     say(colours_, "primitive", " with vertex colours, which are not drawn");
     say(lost_normals_, "corner", " with a normal that is not finite, taken as flat");

@@ -174,7 +174,7 @@ void DaeMaterials::say_left_out() const {
     };
     say(odd_, "material", " with values out of range, taken as the nearest within");
     say(textured_, "material", " with textures, which are not drawn");
-    say(emitting_, "material", " with emission beside a diffuse colour, drawn without the emission");
+    say(emitting_, "material", " with emission and a diffuse colour, drawn without the emission");
     say(reflecting_, "material", " with a reflective colour, which is not drawn");
     say(zero_, "material", " with a transparency of 0 and no word on what it means, drawn opaque");
     say(without_effect_, "material", " without an effect of the common profile, drawn grey");

@@ -86,7 +86,7 @@ Component component_of(const JsonValue& type) {
 }   // namespace
 
 GltfContainer open_gltf(const std::string& file, std::string_view bytes) {
-    const Place at{file};
+    const SourcePosition at{file};
     if (!bytes.starts_with("glTF")) return {bytes, {}, false};
     if (bytes.size() < 20)
         at.refuse(fmt::format("the file is cut off: {} bytes are too few for a GLB", bytes.size()));

@@ -6,7 +6,7 @@
 
 namespace rayclock {
 
-void check_gltf_version(const JsonValue& document, const Place& at) {
+void check_gltf_version(const JsonValue& document, const SourcePosition& at) {
     const auto asset = document.find("asset");
     const bool has_version = asset && asset->find("version");
     if (!has_version && document.find("buffers") && document.at("buffers").raw().is_object())

@@ -65,7 +65,7 @@ private:
         if (numbers.size() != times.size() * each * targets)
             sampler.refuse(fmt::format("has {} values for {} times and {} morph targets", numbers.size(),
                                        times.size(), targets));
-        check_finite(numbers, 1, accessor, "which is no weight of a morph target");
+        check_finite(numbers, 1, accessor, "which is not a weight of a morph target");
         own.weights.assign(targets, {times, {}, between});
         for (std::size_t i = 0; i < numbers.size(); ++i)
             own.weights[i % targets].values.push_back(numbers[i]);
@@ -144,7 +144,7 @@ std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfB
     const auto list = document.find("animations");
     if (!list || list->array().size() == 0) return {};
     if (list->size() > 1)
-        loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
+        loading.note(file, counted(list->size() - 1, "animation") + " after the first left out");
     AnimationReader reader(document, (*list)[0], buffers);
     return reader.read();
 }

@@ -18,7 +18,7 @@ constexpr std::size_t piece = std::size_t{1} << 16;
 /// Owns zlib's state.
 class Stream {
 public:
-    explicit Stream(const Place& at) {
+    explicit Stream(const SourcePosition& at) {
         if (inflateInit2(&z, gzip_only) != Z_OK) at.refuse("cannot be decompressed: no memory is left");
     }
     ~Stream() { inflateEnd(&z); }
@@ -35,7 +35,7 @@ std::string mesh_extension(const std::filesystem::path& path) {
 }
 
 std::string gunzip(const std::filesystem::path& path, const std::string& bytes, Loading& loading) {
-    const Place at{path.string()};
+    const SourcePosition at{path.string()};
     Stream stream(at);
     z_stream& z = stream.z;
     std::string out;

@@ -19,13 +19,13 @@ std::string sentence_of(const IndexedMesh& mesh, const IndexedMesh::Fault& fault
                        "xyz"[axis], p[axis]);
 }
 
-void check_vertices(const IndexedMesh& mesh, const Place& at, Warnings& warnings) {
+void check_vertices(const IndexedMesh& mesh, const SourcePosition& at, Warnings& warnings) {
     if (mesh.faults.empty()) return;
     const auto by_vertex = [](const IndexedMesh::Fault& fault, std::uint32_t i) { return fault.vertex < i; };
     for (const std::uint32_t i : mesh.indices) {
         const auto fault = std::lower_bound(mesh.faults.begin(), mesh.faults.end(), i, by_vertex);
         if (fault != mesh.faults.end() && fault->vertex == i)
-            Place{at.file, fault->line}.refuse(sentence_of(mesh, *fault));
+            SourcePosition{at.file, fault->line}.refuse(sentence_of(mesh, *fault));
     }
     for (const IndexedMesh::Fault& fault : mesh.faults)
         warnings.count("unused vertex", "with coordinates that are not finite, left out", fault.line,
@@ -41,7 +41,7 @@ std::optional<glm::vec3> known(const std::vector<glm::vec3>& colours, std::size_
 
 }   // namespace
 
-Scene scene_of(const IndexedMesh& mesh, const Place& at, Loading& loading, Warnings warnings) {
+Scene scene_of(const IndexedMesh& mesh, const SourcePosition& at, Loading& loading, Warnings warnings) {
     if (mesh.ends.empty()) at.refuse("the file has no triangles: all its faces are points or lines");
     check_vertices(mesh, at, warnings);
     Assembly assembly(at.file, loading);

@@ -34,6 +34,6 @@ struct IndexedMesh {
 
 /// Returns a scene with one part in one place. Its material is the default one or has the colours of faces or
 /// vertices. Throws UserError if the mesh has no faces or a face uses a faulty vertex.
-Scene scene_of(const IndexedMesh& mesh, const Place& at, Loading& loading, Warnings warnings);
+Scene scene_of(const IndexedMesh& mesh, const SourcePosition& at, Loading& loading, Warnings warnings);
 
 }   // namespace rayclock

@@ -12,7 +12,7 @@ constexpr double most_degrees = 360'000;
 /// The latest time of a key, in seconds; the earliest is 0.
 constexpr double latest_time = 1e6;
 
-/// A place in the space of a node of a Motion, or of the scene if there is no node.
+/// A place in the space of a node of a Motion, or in the space of the scene.
 struct Where {
     glm::dmat4 place{1};
     std::optional<std::uint32_t> node{};

@@ -1,4 +1,4 @@
-// The small parts of a JSON scene, each of which needs only its own value. All readers throw UserError if the
+// The small parts of a JSON scene. Each needs only its own value. All readers throw UserError if the
 // value is wrong.
 #pragma once
 #include <glm/mat4x4.hpp>

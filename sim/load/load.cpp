@@ -29,9 +29,10 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
     if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
-        Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
+        SourcePosition{spec}.refuse(
+            "there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);   // reports a directory or an unreadable file
-    Place{spec}.refuse(
+    SourcePosition{spec}.refuse(
         "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, by Assimp .fbx "
         ".x3d "
         ".blend .lwo and others, these also with .gz behind, .json), nor a built-in scene");
@@ -71,9 +72,9 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
         if (!load.has_lights) add_missing_lights(scene);
         return scene;
     } catch (const std::bad_alloc&) {
-        Place{spec}.refuse("the scene does not fit in memory");
+        SourcePosition{spec}.refuse("the scene does not fit in memory");
     } catch (const std::filesystem::filesystem_error& error) {
-        Place{spec}.refuse("cannot be read (" + error.code().message() + ")");
+        SourcePosition{spec}.refuse("cannot be read (" + error.code().message() + ")");
     }
 }
 

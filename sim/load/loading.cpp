@@ -57,24 +57,24 @@ std::string counted(std::uint64_t count, std::string_view what) {
 
 void Warnings::count(std::string_view what, std::string_view became, std::uint64_t line,
                      std::string_view value) {
-    for (Kind& kind : kinds_)
-        if (kind.what == what && kind.became == became) {
-            ++kind.count;
+    for (WarningTally& tally : tallies_)
+        if (tally.what == what && tally.became == became) {
+            ++tally.count;
             return;
         }
     std::string first = line > 0 ? fmt::format("line {}", line) : std::string();
     if (!value.empty()) (first += first.empty() ? "" : ", ") += shown(value);
-    kinds_.push_back({std::string(what), std::string(became), std::move(first), 1});
+    tallies_.push_back({std::string(what), std::string(became), std::move(first), 1});
 }
 
-std::string Warnings::Kind::sentence() const {
+std::string Warnings::WarningTally::sentence() const {
     std::string all = counted(count, what) + " " + became;
     if (!first.empty()) all += (count == 1 ? " (" : " (the first: ") + first + ")";
     return all;
 }
 
 void Warnings::say(Loading& loading) const {
-    for (const Kind& kind : kinds_) loading.note(file_, kind.sentence());
+    for (const WarningTally& tally : tallies_) loading.note(file_, tally.sentence());
 }
 
 bool leaves_folder(const std::filesystem::path& name) {

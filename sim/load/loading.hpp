@@ -89,13 +89,13 @@ public:
     void say(Loading& loading) const;
 
 private:
-    struct Kind {
+    struct WarningTally {
         std::string sentence() const;
         std::string what, became, first;
         std::uint64_t count;
     };
     std::string file_;
-    std::vector<Kind> kinds_;   ///< a handful, in the order of their first occurrence
+    std::vector<WarningTally> tallies_;   ///< a handful, in the order of their first occurrence
 };
 
 /// Returns true for a name that leads out of its folder: an absolute name, or one that begins with "..".

@@ -56,7 +56,7 @@ void Assembly::face(PartBuilder& part, const std::vector<Corner>& corners, std::
 std::size_t Assembly::add(PartBuilder part) {
     dropped_ += part.dropped();
     parts_.push_back({part.take(), part.take_colours()});
-    if (!loading_.may_make(parts_.back().shape)) Place{file_}.refuse(loading_.too_much());
+    if (!loading_.may_make(parts_.back().shape)) SourcePosition{file_}.refuse(loading_.too_much());
     return parts_.size() - 1;
 }
 
@@ -80,7 +80,7 @@ void Assembly::put(Scene& into, std::size_t number, const glm::dmat4& place, std
                    const std::function<Material()>& make) {
     const Part& part = parts_[number];
     if (part.shape.triangles.empty()) return;
-    if (!loading_.may_make(part.shape)) Place{file_}.refuse(loading_.too_much());
+    if (!loading_.may_make(part.shape)) SourcePosition{file_}.refuse(loading_.too_much());
     if (part.colours.empty()) return append(into, part.shape, place, this->material(material, make), 0);
     Scene coloured = part.shape;
     for (Triangle& t : coloured.triangles)
@@ -96,7 +96,7 @@ std::uint32_t Assembly::material(std::uint64_t material, const std::function<Mat
     if (!is_new) return found->second;
     auto base = made_.find(material);
     if (base == made_.end()) base = made_.emplace(material, make()).first;
-    if (!loading_.may_make(sizeof(Material))) Place{file_}.refuse(loading_.too_much());
+    if (!loading_.may_make(sizeof(Material))) SourcePosition{file_}.refuse(loading_.too_much());
     scene_.materials.push_back(base->second);
     glm::dvec3& colour = scene_.materials.back().colour;
     colour = glm::clamp(colour * glm::dvec3(tint), 0.0, 1.0);
@@ -105,7 +105,7 @@ std::uint32_t Assembly::material(std::uint64_t material, const std::function<Mat
 
 Scene Assembly::take(bool may_be_empty) {
     if (scene_.triangles.empty() && !may_be_empty)
-        Place{file_}.refuse("the file has no triangles: all its faces are points or lines");
+        SourcePosition{file_}.refuse("the file has no triangles: all its faces are points or lines");
     if (dropped_ > 0)
         loading_.note(file_, counted(dropped_, "triangle") + " with two corners in one place left out");
     return std::move(scene_);

@@ -13,7 +13,7 @@
 namespace rayclock {
 namespace {
 
-PlyType type_of(std::string_view word, const Place& at) {
+PlyType type_of(std::string_view word, const SourcePosition& at) {
     static const std::map<std::string_view, PlyType> types{
         {"char", {1, 'i'}},  {"int8", {1, 'i'}},    {"uchar", {1, 'u'}},  {"uint8", {1, 'u'}},
         {"short", {2, 'i'}}, {"int16", {2, 'i'}},   {"ushort", {2, 'u'}}, {"uint16", {2, 'u'}},
@@ -24,7 +24,7 @@ PlyType type_of(std::string_view word, const Place& at) {
     return found->second;
 }
 
-PlyForm form_of(std::string_view rest, const Place& at) {
+PlyForm form_of(std::string_view rest, const SourcePosition& at) {
     const std::string_view word = take_word(rest);
     if (take_word(rest) != "1.0") at.refuse("only PLY version 1.0 is known");
     if (word == "ascii") return PlyForm::ascii;
@@ -33,7 +33,8 @@ PlyForm form_of(std::string_view rest, const Place& at) {
     at.refuse(shown(word) + " is not a PLY format");
 }
 
-PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& before, const Place& at) {
+PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& before,
+                      const SourcePosition& at) {
     const std::string name(take_word(rest));
     const std::string_view word = take_word(rest);
     const std::int64_t count = whole_number(word, at);
@@ -47,7 +48,7 @@ PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& befo
     return {name, static_cast<std::uint64_t>(count), {}};
 }
 
-PlyProperty property_of(std::string_view rest, const Place& at) {
+PlyProperty property_of(std::string_view rest, const SourcePosition& at) {
     PlyProperty property{};
     std::string_view word = take_word(rest);
     if (word == "list") {
@@ -62,7 +63,7 @@ PlyProperty property_of(std::string_view rest, const Place& at) {
 }
 
 /// Throws UserError unless the elements make a mesh.
-void check_mesh(const PlyHeader& header, const Place& at) {
+void check_mesh(const PlyHeader& header, const SourcePosition& at) {
     const auto named = [&](const std::string& name) {
         return [&name](const auto& e) { return e.name == name; };
     };
@@ -110,7 +111,7 @@ bool is_indices(const PlyProperty& property) {
 
 PlyHeader read_ply_header(const std::string& file, std::string_view bytes, Warnings& warnings) {
     PlyHeader header{};
-    Place at{file};
+    SourcePosition at{file};
     std::string_view rest = bytes;
     bool has_form = false;
     const std::size_t first_end = bytes.find_first_of("\r\n");
@@ -145,7 +146,7 @@ PlyHeader read_ply_header(const std::string& file, std::string_view bytes, Warni
     if (!has_form) at.refuse("the header names no format");
     header.bytes = bytes.size() - rest.size();
     header.lines = at.line;
-    check_mesh(header, Place{file});
+    check_mesh(header, SourcePosition{file});
     return header;
 }
 

@@ -45,7 +45,8 @@ enum Id : std::uint16_t {
 /// Reads the bytes of a chunk from the front. Throws UserError at their end.
 class Bytes {
 public:
-    Bytes(std::string_view bytes, const Place& at, const char* what) : rest_(bytes), at_(&at), what_(what) {}
+    Bytes(std::string_view bytes, const SourcePosition& at, const char* what)
+        : rest_(bytes), at_(&at), what_(what) {}
     bool empty() const { return rest_.empty(); }
     template <class T> T take() {
         T value;
@@ -76,7 +77,7 @@ public:
 
 private:
     std::string_view rest_;
-    const Place* at_;
+    const SourcePosition* at_;
     const char* what_;
 };
 
@@ -95,7 +96,7 @@ struct Found {
 
 class Reader {
 public:
-    Reader(std::string_view bytes, const Place& at, Loading& loading)
+    Reader(std::string_view bytes, const SourcePosition& at, Loading& loading)
         : bytes_(bytes), at_(at), loading_(loading) {}
 
     Scene read() {
@@ -263,7 +264,7 @@ private:
     }
 
     std::string_view bytes_;
-    Place at_;
+    SourcePosition at_;
     Loading& loading_;
     std::vector<Mesh> meshes_;
     std::map<std::string, std::uint32_t> numbers_;

@@ -30,7 +30,7 @@ public:
           geometries_(document_, assembly_) {}
 
     Scene read() {
-        const Place at{document_.file()};
+        const SourcePosition at{document_.file()};
         const XmlElement* const scene = top_.at("scene/instance_visual_scene");
         if (scene) {
             const XmlElement& root = document_.target(*scene, "url");
@@ -163,7 +163,7 @@ private:
 }   // namespace
 
 Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& loading) {
-    const Place at{path.string()};
+    const SourcePosition at{path.string()};
     const XmlElement document = parse_xml(at.file, without_mark(bytes), loading);
     if (document.name != "COLLADA") at.refuse("this is not COLLADA: its element is " + shown(document.name));
     return DaeReader(document, at.file, loading).read();

@@ -507,7 +507,7 @@ private:
     std::uint64_t count_of(std::string_view key) const { return list(key).size(); }
 
     JsonValue in_;
-    Place at_;
+    SourcePosition at_;
     Loading& loading_;
     Warnings warnings_;
     GltfBuffers buffers_;
@@ -548,10 +548,10 @@ PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string byte
     const std::string_view text = without_mark(container.text);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == text.npos || text[first] != '{')
-        Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
+        SourcePosition{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
     const Json parsed = parse_json(file, text);
     const JsonValue document(parsed, file);
-    check_gltf_version(document, Place{file});
+    check_gltf_version(document, SourcePosition{file});
     return GltfReader(document, path, container, loading).read();
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Reads "Kd r g b" or "Kd r". The spectral and CIE forms name a curve, which rayclock does not support; they
 /// change nothing.
-void colour(std::string_view key, std::string_view rest, const Place& at, glm::vec3& out) {
+void colour(std::string_view key, std::string_view rest, const SourcePosition& at, glm::vec3& out) {
     std::array<double, 3> rgb{};
     int count = 0;
     for (std::string_view word = take_word(rest); !word.empty() && count < 3;
@@ -26,13 +26,13 @@ void colour(std::string_view key, std::string_view rest, const Place& at, glm::v
     out = glm::vec3(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
 }
 
-double single(std::string_view rest, const Place& at) {
+double single(std::string_view rest, const SourcePosition& at) {
     std::string_view word = take_word(rest);
     if (word == "-halo") word = take_word(rest);
     return finite_number(word, at);
 }
 
-void statement(std::string_view key, std::string_view rest, const Place& at, MtlBlock& block) {
+void statement(std::string_view key, std::string_view rest, const SourcePosition& at, MtlBlock& block) {
     MtlSurface& surface = block.surface;
     if (key == "Kd")
         colour(key, rest, at, surface.diffuse);
@@ -60,7 +60,7 @@ void statement(std::string_view key, std::string_view rest, const Place& at, Mtl
 
 std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text, Loading& loading) {
     std::vector<MtlBlock> blocks;
-    Place at{path.string()};
+    SourcePosition at{path.string()};
     Warnings warnings(at.file);
     for (std::string_view rest = without_mark(text); !rest.empty();) {
         const std::string_view whole = take_line(rest);

@@ -34,12 +34,12 @@ constexpr std::string_view unknown_statement = "skipped: OBJ has no such stateme
 class Counted {
 public:
     explicit Counted(std::string_view what) : what_(what) {}
-    void add(const Place& at) {
+    void add(const SourcePosition& at) {
         if (++count_ > std::numeric_limits<std::uint32_t>::max())
             at.refuse(fmt::format("more than 2^32 - 1 {} lines", what_));
     }
     std::uint64_t count() const { return count_; }
-    std::uint64_t absolute(std::string_view word, const Place& at) {
+    std::uint64_t absolute(std::string_view word, const SourcePosition& at) {
         const std::int64_t index = whole_number(word, at);
         if (index == 0) at.refuse(fmt::format("{} index 0: indices start at 1", what_));
         if (index < 0 && static_cast<std::uint64_t>(-(index + 1)) >= count_)
@@ -53,7 +53,7 @@ public:
     }
     /// Resolves an index that may refer to nothing. Such an index becomes 0 or a number above the final
     /// count.
-    std::uint32_t absolute_or_none(std::string_view word, const Place& at) const {
+    std::uint32_t absolute_or_none(std::string_view word, const SourcePosition& at) const {
         const std::int64_t index = whole_number(word, at);
         if (index < 0 && static_cast<std::uint64_t>(-(index + 1)) >= count_) return 0;
         if (index < 0) return static_cast<std::uint32_t>(count_ - static_cast<std::uint64_t>(-(index + 1)));
@@ -63,7 +63,7 @@ public:
     void finish(const std::string& file) const {
         for (const auto& [index, line] : maxima_)
             if (index > count_)
-                Place{file, line}.refuse(
+                SourcePosition{file, line}.refuse(
                     fmt::format("{} index {} is out of range: the file has {}", what_, index, count_));
     }
 
@@ -88,7 +88,7 @@ std::optional<glm::vec3> triple(std::string_view& rest) {
 }
 
 /// Throws UserError that explains why triple() rejected a line.
-[[noreturn]] void refuse_triple(std::string_view key, std::string_view rest, const Place& at) {
+[[noreturn]] void refuse_triple(std::string_view key, std::string_view rest, const SourcePosition& at) {
     int count = 0;
     for (std::string_view word = take_word(rest); !word.empty() && count < 3; word = take_word(rest), ++count)
         finite_number(word, at);
@@ -192,7 +192,7 @@ private:
         for (const Index& corner : corners_) {
             const auto fault = std::lower_bound(faults_.begin(), faults_.end(), corner.position, by_index);
             if (fault != faults_.end() && fault->index == corner.position)
-                refuse_triple("v", fault->rest, Place{at_.file, fault->line});
+                refuse_triple("v", fault->rest, SourcePosition{at_.file, fault->line});
         }
         for (const Fault& fault : faults_)
             warnings_.count("unused vertex", "with coordinates that are not finite, left out", fault.line,
@@ -396,8 +396,8 @@ private:
     [[noreturn]] void refuse_unknown() const {
         std::vector<std::string> known(silent.begin(), silent.end());
         known.insert(known.begin(), {"v", "vn", "f", "usemtl", "mtllib"});
-        Place{at_.file, unknown_.line}.refuse(shown(unknown_.name) + " is not an OBJ statement" +
-                                              did_you_mean(unknown_.name, known));
+        SourcePosition{at_.file, unknown_.line}.refuse(shown(unknown_.name) + " is not an OBJ statement" +
+                                                       did_you_mean(unknown_.name, known));
     }
 
     struct Library {
@@ -406,7 +406,7 @@ private:
     };
 
     std::filesystem::path path_;
-    Place at_;
+    SourcePosition at_;
     Loading& loading_;
     Warnings warnings_;
     Counted vertices_{"vertex"}, normals_{"normal"};

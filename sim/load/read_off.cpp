@@ -11,7 +11,7 @@ namespace {
 
 class OffReader {
 public:
-    OffReader(std::string_view text, const Place& at, Loading& loading)
+    OffReader(std::string_view text, const SourcePosition& at, Loading& loading)
         : rest_(without_mark(text)), bytes_(text.size()), at_(at), loading_(loading) {}
 
     Scene read() {
@@ -116,7 +116,7 @@ private:
 
     std::string_view rest_;
     std::size_t bytes_;
-    Place at_;
+    SourcePosition at_;
     Loading& loading_;
     std::uint64_t vertices_ = 0, faces_ = 0, triangles_ = 0;
     bool colours_ = false;

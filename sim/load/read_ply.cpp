@@ -55,7 +55,7 @@ public:
 
 private:
     std::string_view rest_, line_;
-    Place at_;
+    SourcePosition at_;
 };
 
 /// Reads the binary form.
@@ -107,7 +107,7 @@ private:
 
     std::string_view rest_;
     bool swap_;
-    Place at_;
+    SourcePosition at_;
     const PlyElement* element_ = nullptr;
     std::uint64_t index_ = 0;
 };
@@ -156,7 +156,7 @@ public:
             }
     }
 
-    Scene read(const Place& at) {
+    Scene read(const SourcePosition& at) {
         for (const PlyElement& element : header_.elements) elements(element);
         return scene_of(mesh_, at, loading_, std::move(warnings_));
     }
@@ -291,7 +291,7 @@ private:
 }   // namespace
 
 Scene read_ply(const std::filesystem::path& path, std::string bytes, Loading& loading) {
-    const Place at{path.string()};
+    const SourcePosition at{path.string()};
     Warnings warnings(at.file);
     const PlyHeader header = read_ply_header(at.file, bytes, warnings);
     const std::string_view rest = std::string_view(bytes).substr(header.bytes);

@@ -27,7 +27,7 @@ std::uint32_t binary_count(const std::string& bytes) {
 
 using Corners = std::vector<glm::vec3>;
 
-Corners binary_corners(const std::string& bytes, const Place& at, const Loading& loading) {
+Corners binary_corners(const std::string& bytes, const SourcePosition& at, const Loading& loading) {
     if (bytes.size() < header_bytes)
         at.refuse(fmt::format("this is not STL: {} bytes are too few", bytes.size()));
     const std::uint32_t count = binary_count(bytes);
@@ -55,7 +55,7 @@ Corners binary_corners(const std::string& bytes, const Place& at, const Loading&
 /// Reads the text form in one pass: facet (normal) / outer loop / three of vertex / endloop / endfacet.
 class TextStl {
 public:
-    TextStl(std::string_view text, const Place& at) : text_(text), at_(at), warnings_(at.file) {}
+    TextStl(std::string_view text, const SourcePosition& at) : text_(text), at_(at), warnings_(at.file) {}
 
     Corners read(Loading& loading) {
         for (std::string_view rest = text_; !rest.empty();) {
@@ -118,8 +118,7 @@ private:
         glm::vec3 corner(0);
         for (int i = 0; i < 3; ++i) corner[i] = static_cast<float>(finite_number(take_word(rest), at_));
         if (const std::string_view more = take_word(rest); !more.empty())
-            warnings_.count("line", "with more than three coordinates, of which the rest is skipped",
-                            at_.line, more);
+            warnings_.count("line", "with more than three coordinates; the rest is skipped", at_.line, more);
         corners_.push_back(corner);
     }
 
@@ -135,7 +134,7 @@ private:
     }
 
     std::string_view text_;
-    Place at_;
+    SourcePosition at_;
     State state_ = State::outside;
     std::size_t first_ = 0;   ///< first corner of the current facet
     std::uint32_t facets_ = 0;
@@ -158,7 +157,7 @@ bool is_binary(const std::string& bytes) {
 }   // namespace
 
 Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading) {
-    const Place at{path.string()};
+    const SourcePosition at{path.string()};
     const Corners corners =
         is_binary(bytes) ? binary_corners(bytes, at, loading) : TextStl(bytes, at).read(loading);
     Assembly assembly(at.file, loading);

@@ -98,7 +98,7 @@ std::string XmlElement::attribute(const std::string& key) const {
 XmlElement parse_xml(const std::string& file, std::string_view text, Loading& loading) {
     const std::unique_ptr<std::remove_pointer_t<XML_Parser>, void (*)(XML_Parser)> parser(
         XML_ParserCreate(nullptr), XML_ParserFree);
-    const Place at{file};
+    const SourcePosition at{file};
     if (!parser) at.refuse("cannot be read: no memory is left");
     Reading reading{parser.get(), &loading, {}, {}, {}, 0};
     reading.open = {&reading.top};
@@ -112,9 +112,9 @@ XmlElement parse_xml(const std::string& file, std::string_view text, Loading& lo
         const std::string_view part = text.substr(std::min(from, text.size()), piece);
         const bool is_last = from + piece >= text.size();
         if (XML_Parse(parser.get(), part.data(), int(part.size()), is_last) == XML_STATUS_ERROR) {
-            if (reading.complaint) Place{file, reading.line}.refuse(*reading.complaint);
-            Place{file, line_of(parser.get())}.refuse(
-                fmt::format("this is no XML: {}", XML_ErrorString(XML_GetErrorCode(parser.get()))));
+            if (reading.complaint) SourcePosition{file, reading.line}.refuse(*reading.complaint);
+            SourcePosition{file, line_of(parser.get())}.refuse(
+                fmt::format("this is not XML: {}", XML_ErrorString(XML_GetErrorCode(parser.get()))));
         }
         if (is_last) break;
     }

@@ -9,6 +9,7 @@
 #include "model/scene/builtin.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/silicon/chip/device.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 
 namespace rayclock::area {
@@ -121,7 +122,7 @@ std::string summary(const Areas& areas) {
 
 std::string speed_table(const std::vector<Speed>& speeds) {
     Table table({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s",
-                 "RTL, k cycles/s", "model / RTL", "RTL's time beside the first", "compiled RTL, kB"});
+                 "RTL, k cycles/s", "model / RTL", "RTL's time, first is 1", "compiled RTL, kB"});
     for (const Speed& s : speeds) {
         const double cycles = double(s.cycles), first = speeds[0].rtl_seconds / double(speeds[0].cycles);
         table.add({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)),
@@ -138,23 +139,23 @@ std::string how_counted() {
     return fmt::format(R"(
 ## How it is counted
 
-For each unit by itself: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check
+Yosys synthesises each unit alone: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check
 -top rc_UNIT` (for the arbiter with the sources and the width that rc_top gives it), `setattr -mod -set
-keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -nowidelut` (all but its
-last step, which names cells and checks; resets of fewer than 16 flip-flops become logic first) and `stat -json`. {}. Units whose netlist is
-the same before synthesis are synthesised once.
+keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -nowidelut` and `stat -json`. The
+last step of `synth_ecp5`, which names cells and checks, is left out, and resets of fewer than 16 flip-flops
+become logic first. {}. Units whose netlists are equal before synthesis are synthesised once.
 
-- **LUTs** are places of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a
+- **LUTs** are sites of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a
   TRELLIS_DPR16X4 (16 words of 4 bits of distributed memory take three slices of two LUT4 each, one of
   them for writing).
 - **FF** are TRELLIS_FF, **MULT18X18D** 18 x 18 multipliers, **DP16KD** block memories of 18 Kbit. Delay
-  lines are flip-flops, unless they are long (`rc_delay_ram`) and become distributed memory.
-- A row includes the rows beneath it that are indented further. A cell is optimised by itself; across
-  its border nothing is shared or propagated, so a unit counts slightly more than if it were flattened
-  whole. The same holds for the borders between units.
-- Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies
-  that count what each unit does (`rc_counters`), the host's registers (`rc_host`) and the wires of
-  rc_pipeline, rc_top and rc_chip; the memory's controller; placement and routing. No clock rate is claimed.
+  lines are flip-flops, but long ones (`rc_delay_ram`) are distributed memory.
+- A row includes the rows below it that are indented further. A cell is optimised alone: nothing is shared or
+  propagated across its border, so a unit counts slightly more than if it were flattened. The same holds for
+  the borders between units.
+- Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no site; the activity counters
+  (`rc_counters`), the host's registers (`rc_host`) and the wires of rc_pipeline, rc_top and rc_chip; the
+  memory's controller; placement and routing. This page claims no clock rate.
 )",
                        synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
 }
@@ -206,25 +207,23 @@ std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress) {
 
 std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base,
                  const std::string& command) {
+    const chip::Device& largest = chip::devices().back();
     std::string text = fmt::format(
-        "# Area\n\nWhat each unit takes of an ECP5, and what the units cost that are there only if a scene "
-        "needs them.\n\nMade by `{}`; every figure is "
-        "counted or measured by that command, none is typed in.\nConditions: configuration `{}` except for "
-        "its "
-        "optional units; {}.\n\n"
-        "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines "
-        "make finished pictures: `shading` has no further "
-        "unit,\nthe next five have one more each, the last has all. \"More\" is beside `hits` for `shading`, "
-        "and beside `shading` for the others.\n"
-        "An LFE5U-85, the largest ECP5, has 83,640 LUTs and as many flip-flops, 156 multipliers and 208 "
-        "block memories.\n\n",
-        command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
+        "# Area\n\nThe resources of each unit on an ECP5, and the cost of the units that only some scenes "
+        "need.\n\nMade by `{}`, which counts or measures every figure.\nConditions: configuration `{}` "
+        "except for its optional units; {}.\n\n## With and without\n\n`hits` finds the hits of camera rays "
+        "and computes no colours. The other machines make finished pictures: `shading` has no further "
+        "unit,\nthe next five have one more each, and the last has all. \"More\" compares `shading` with "
+        "`hits`, and the others with `shading`.\nThe largest ECP5, {}, has {} LUTs and as many flip-flops, "
+        "{} multipliers and {} block memories.\n\n",
+        command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")), largest.name,
+        grouped(largest.has.lut), largest.has.dsp, largest.has.bram);
     text += summary(areas);
     for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
         text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);
         text += count_table("unit", unit_rows_of(areas, v, "&emsp;")).markdown();
     }
-    text += "\n## Units that change\n\nBeside `shading`; all others stay as they are.\n";
+    text += "\n## Units that change\n\nCompared with `shading`; all other units are the same.\n";
     for (std::size_t v = 2; v < areas.variants.size(); ++v) {
         text += fmt::format("\n### {}\n\n", areas.variants[v].name) +
                 count_table("unit", changes(areas, v, 1)).markdown();
@@ -232,9 +231,8 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
     if (!speeds.empty()) {
         text += fmt::format(
             "\n## Speed of simulation\n\n{} as triangles, {}x{}, depth {}; one thread, the best of several "
-            "runs that take turns on one host. `hits` draws camera rays only, so "
-            "compare\nits cycles per second, not its seconds. Model and RTL take the same cycles, which is "
-            "checked.\n\n",
+            "runs that take turns on one host. `hits` traces only camera rays, so compare\nits cycles per "
+            "second, not its seconds. The command checks that model and RTL take the same cycles.\n\n",
             speed_scene, speed_size.width, speed_size.height, speed_depth);
         text += speed_table(speeds);
     }

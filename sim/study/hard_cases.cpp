@@ -20,37 +20,36 @@ namespace fs = std::filesystem;
 
 constexpr const char* beginning = R"(# Hard cases
 
-{} rays in families that are made to break ray-triangle tests, on lattices of {} bits a coordinate, each
-family at several scales, each ray judged by the exact oracle. Made by
+{} rays in families made to break ray-triangle tests, on lattices of {} bits a coordinate, each family at
+several scales. The exact oracle judges each ray. Made by
 
     {}
 
-which gives the same figures every time. `rayclock stress --rays 1e9 --state run.json` is a long run
-that can be stopped and started again.
+which gives the same figures every time. `rayclock stress --rays 1e9 --state run.json` is a long run that can
+be stopped and continued.
 
 ## What is counted
 
-Every triangle that a ray may meet is put to the test and to the oracle (`sim/judge/oracle`: signed volumes
-in 128 bits, a search of its own that provably skips none; 256-bit integers and fractions judge it in
-turn).
+Both the test and the oracle judge every triangle that a ray may meet. The oracle (`sim/judge/oracle`)
+computes signed volumes in 128 bits, and its own search provably skips no triangle. 256-bit integers and
+fractions judge the oracle in turn.
 
-- **leak**: a crossing of a closed surface without a hit on the triangle or one that shares a corner
-  with it, in the same sense;
-- **double hit**: a hit that stands for no crossing. (Two of opposite sense that share a corner cancel:
-  the ray grazes.)
-- Independently of the oracle's decisions, crossings inwards less crossings outwards must be minus the
-  number of bodies around the origin. `sheared` moves corners by up to a lattice step, so it is judged
-  by this sum alone, with origins clear of the surface.
-- **oracle mismatch**: any decision about a triangle that is not the exact one, or (every 16th ray)
+- **leak**: a ray crosses a closed surface, and the test finds no hit in the same sense on the crossed
+  triangle or on one that shares a corner with it.
+- **double hit**: a hit without a crossing. Two of opposite sense that share a corner cancel: the ray grazes.
+- **Sum of crossings**, independent of the oracle's decisions: inward minus outward crossings must be minus
+  the number of bodies around the origin. `sheared` moves corners by up to a lattice step, so only this sum
+  judges it, with origins clear of the surface.
+- **oracle mismatch**: a decision about a triangle that differs from the exact one, or (every 16th ray)
   another closest hit at the end of the machine's own walk through the tree.
-- **false shadow, light leak**: secondary rays from the surface by the machine's scheme of origins,
-  blocked though truly free or the other way round; one for every 64 rays. [origins.md](origins.md) has
-  the scheme and its proof.
-- **extra boxes**: child boxes that a walk looks into although the ray does not meet them, over those
-  that it meets; of rays whose direction fills its bits. None that it meets may be left out.
+- **false shadow, light leak**: a secondary ray from the surface, by the machine's scheme of origins, that is
+  blocked although its way is free, or the reverse. There is one for every 64 rays. [origins.md](origins.md)
+  has the scheme and its proof.
+- **extra boxes**: child boxes that a walk visits although the ray misses them, divided by those that the ray
+  meets; for rays whose direction fills its bits. A walk must not leave out a box that the ray meets.
   [boxes.md](boxes.md) has the proof and the cost on real scenes.
 
-Zero components of a direction have no sign in whole numbers, so -0 is the same ray as 0.
+In integers a zero component of a direction has no sign, so -0 gives the same ray as 0.
 
 )";
 
@@ -91,16 +90,15 @@ std::string tests_table(const Plan& plan, const Outcome& outcome) {
         table.add(row);
     }
     std::string out =
-        "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. "
-        "Baselines and controls "
-        "get a tenth of the rays of exact and sheared; the controls have a fault each and must be "
-        "noticed.\n\n" +
+        "## The tests\n\nLeaks / double hits per million rays, and decisions that differ from the exact "
+        "ones. Baselines and controls get a tenth of the rays of exact and sheared. Each control has a fault "
+        "that must be noticed.\n\n" +
         table.markdown() + "\n";
     for (const std::string& name : plan.tests)
         out += fmt::format("- `{}`: {}\n", name, named_test(name).what);
     return out +
-           "\n`t_junction`, a surface with seams that do not fit, is left out above: it must leak under "
-           "every test.\n\n";
+           "\n`t_junction`, a surface with seams that do not fit, is left out of this table: it must leak "
+           "under every test.\n\n";
 }
 
 std::string bits_table(const Plan& plan, const Outcome& outcome, const std::string& test) {
@@ -130,15 +128,16 @@ std::string family_part(const Family& which, const Outcome& outcome, const std::
         sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == which.name; });
     std::string what = which.what;
     what[0] = char(std::toupper(what[0]));
-    return fmt::format(
-        "### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {} leaks, {} double hits, {} oracle mismatches{}{}.\n\n",
-        which.name, what, which.name, picture, grouped(c.rays),
-        which.closed ? grouped(c.leaks) : "(open surface, not counted)",
-        which.closed ? grouped(c.double_hits) : "(likewise)", grouped(c.oracle_mismatches),
-        c.shadow_rays > 0 ? fmt::format("; {} of {} secondary rays wrong", c.false_shadows + c.light_leaks,
-                                        grouped(c.shadow_rays))
-                          : "",
-        c.boxes > 0 ? fmt::format("; {} extra boxes", extra_boxes(c)) : "");
+    const std::string crossings =
+        which.closed ? fmt::format("{} leaks, {} double hits", grouped(c.leaks), grouped(c.double_hits))
+                     : "an open surface, whose leaks and double hits are not counted";
+    return fmt::format("### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {}, {} oracle mismatches{}{}.\n\n", which.name,
+                       what, which.name, picture, grouped(c.rays), crossings, grouped(c.oracle_mismatches),
+                       c.shadow_rays > 0
+                           ? fmt::format("; {} of {} secondary rays wrong", c.false_shadows + c.light_leaks,
+                                         grouped(c.shadow_rays))
+                           : "",
+                       c.boxes > 0 ? fmt::format("; {} extra boxes", extra_boxes(c)) : "");
 }
 
 std::string command_of(const Plan& plan) {
@@ -165,9 +164,9 @@ void write_page(const std::string& path, const Plan& plan, const Outcome& outcom
     const std::string& first = plan.tests.front();
     out += bits_table(plan, outcome, first);
     out += fmt::format(
-        "## The families\n\nLeft the surface with some of the family's rays, right the place where one of "
-        "them hits, both drawn by the generators at N = 16. "
-        "Dots are crossings, filled where the ray enters. Figures are of the {} test.\n\n",
+        "## The families\n\nLeft: the surface with some of the family's rays. Right: the point where one of "
+        "them hits. The generators drew both at N = 16. Dots are crossings, filled where the ray enters. The "
+        "figures are those of the {} test.\n\n",
         first);
     for (const std::string& name : plan.families) {
         write_file((folder / (name + ".svg")).string(), sketch(family(name)));

@@ -92,18 +92,22 @@ Table table_of(const std::vector<Counted>& all) {
 
 constexpr const char* intro = R"(# Rays of the Standard Procedural Databases
 
-Made by `{}`. Rays that reference and model trace in Haines' scenes, beside his counts ("A Proposal for
-Standard Graphics Environments", IEEE CG&A 7(11), 1987, and his package, version 3.14), as a check that
-a whole ray tracer follows its rays as others do. He states that a ray tracer should stay within about
-10 % of each count.
+Made by `{}`. This page compares the rays that the reference and the model trace in Haines' scenes with his
+counts ("A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and his package, version
+3.14). It checks that a whole ray tracer follows its rays as others do. He expects a ray tracer to stay
+within about 10 % of each count.
 
-Rules: {}x{} eye rays, for 513x513 one through each corner of 512x512 pixels; no anti-aliasing and no
-threshold; the eye ray has depth 1, and a hit at depth 5 sends shadow rays but is neither reflected nor
-refracted (`--depth 4` here). Spheres are native, cones and cylinders are cut into sides with smooth
-normals (the last number of a scene's name; twice as many change no count of the reference by more than
-0.15 %), all other primitives are polygons as given. A reflected ray is sent from what mirrors or
-transmits, a total reflection counts as a refracted ray too, and a shadow ray is counted for each light
-on the side from which the surface is seen.
+Rules:
+
+- {}x{} eye rays. 513x513 means one ray through each corner of 512x512 pixels. No anti-aliasing, no
+  threshold.
+- The eye ray has depth 1. A hit at depth 5 sends shadow rays but is neither reflected nor refracted
+  (`--depth 4` here).
+- Spheres are native. Cones and cylinders are cut into sides with smooth normals. The last number of their
+  scenes' names is the number of sides; doubling it hardly changes the reference's counts. All other
+  primitives are polygons as given.
+- A surface that mirrors or transmits sends a reflected ray. A total reflection also counts as a refracted
+  ray. A shadow ray is counted for each light on the side from which the surface is seen.
 
 )";
 
@@ -157,7 +161,7 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
     count_octrees(c, scene, corner_rays(given, between_corners), size, settings, threads, progress);
     const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")),
                              progress, settings);
-    const FrameTrace frame = record_frame(job, job.frame, threads, progress);
+    const RecordedFrame frame = record_frame(job, job.frame, threads, progress);
     c.model = kinds_of(frame.trace.counts);
     c.rays = frame.trace.counts.all();
     c.model_seconds = frame.trace.seconds;

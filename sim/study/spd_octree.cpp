@@ -1,5 +1,6 @@
 // Compares octrees of Haines' scenes, and rays in them, with Havran's published figures.
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -61,39 +62,37 @@ constexpr const char* intro = R"(
 
 ## Octrees by published rules
 
-V. Havran published what octrees over these scenes consist of, and what rays do in them ("Comparison of
-Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). The tables have trees that are built by
-his rules over the scene as given, in double precision (`sim/judge/reference/octree.hpp`), and what the
-reference's rays do in them: nothing of the machine is in it. Behind each figure is `=` if it is his, or
-how far it is from his in brackets. His scenes are spheres, cones and polygons. Cones and cylinders are cut
-into triangles here, so that rings and tree cannot be compared; he has no figures of tetra that are kept
-here.
+V. Havran published the composition of octrees over these scenes, and the work of rays in them ("Comparison
+of Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). This page builds trees by his rules over
+the scenes as given, in double precision (`sim/judge/reference/octree.hpp`), and sends the reference's rays
+through them. The machine takes no part. `=` behind a figure means that it equals his; otherwise its
+deviation follows in brackets. His scenes are spheres, cones and polygons. Here cones and cylinders are cut
+into triangles, so rings and tree cannot be compared. None of his figures for tetra are kept here.
 
-His text leaves rules out. They were found by his counts:
+His text leaves rules open. They were found from his counts:
 
 - **Boxes.** The box of a polygon is widened by 0.02 on both sides of an axis on which it is thinner than
-  0.02, and the root is 0.001 larger than the scene on all sides.
-- **Camera.** The scene's angle is that of 512 spacings between rays, and not of 511 as in Haines' counts.
-  The eye rays that hit are then his, or one more.
-- **Lights.** What transmits is lit from its outside only: the normal is not turned to the side that the
-  ray came from, as it is in Haines' counts and in our pictures.
-- **Shadow rays** end at the first test that finds something in their way, wherever that is in the leaf,
-  and **pass through what transmits**.
-- **Tests** are for each ray *that hits something*, blocked shadow rays among them.
+  0.02. The root is 0.001 larger than the scene on all sides.
+- **Camera.** The scene's angle spans 512 spacings between rays, not 511 as in Haines' counts. Then the eye
+  rays that hit agree.
+- **Lights.** A transmitting surface is lit from its outside only. Its normal is not turned to the side of
+  the incoming ray, as it is in Haines' counts and in our pictures.
+- **Shadow rays** end at the first test that finds a blocker, wherever it lies in the leaf. They **pass
+  through transmitting surfaces**.
+- **Tests** are divided by the rays *that hit something*, blocked shadow rays included.
 
-With them:
+With these rules, the largest deviations over all depths are:
 
-- **All counts of the trees of balls and gears are his, 32 of 32, and 14 of the 32 of mount and teapot.** The
-  rest is off by 0.13 % at most in mount, at depth 7 by 36 references of 324,918; how coordinates are
-  rounded (to single precision, to six digits) makes no difference to it, and it is not understood. In
-  teapot 0.93 % of the references are too many at depth 4. There the plane in the middle of the root goes
-  through the centres of lid and bottom, where 96 triangles meet in a point that is exactly on it here. If
-  they are moved off it by however little, references are 0.6 % too few instead: in his data rounding has
-  put them on one side or the other.
-- **Leaves a ray and tests a hit of balls, mount and teapot are his within 3 %** at all four depths: leaves
-  within 0.7 %, tests within 2.8 %.
-- Gears: leaves a ray are within 1.3 %. Tests a hit are 15 to 23 % too many, and his rays are 2 % fewer.
-  Neither is understood: whatever number of hits they are divided by, the four depths differ by 6 %.
+)";
+
+constexpr const char* deviations = R"(
+- **mount:** the cause of the differences is unknown. Rounding the coordinates to single precision or to six
+  digits does not change them.
+- **teapot:** the plane in the middle of the root passes through the centres of lid and bottom. Here many
+  triangles meet in a point that lies exactly on it, which makes too many references. With the point moved
+  off the plane by any distance there are too few: rounding has put his points on one side or the other.
+- **gears:** tests a hit and the number of rays differ, and the cause is unknown. No common number of hits
+  explains the tests of all depths.
 
 )";
 
@@ -107,7 +106,7 @@ bool transmits(const Scene& scene, std::uint32_t primitive) {
 }
 
 /// Appends the deviation from the published value to a count.
-std::string beside(const std::string& shown, double mine, double his) {
+std::string with_deviation(const std::string& shown, double mine, double his) {
     return shown + (mine == his ? " (=)" : fmt::format(" ({:+.2f} %)", 100 * (mine / his - 1)));
 }
 
@@ -124,6 +123,33 @@ Figures figures_of(const Octree& tree) {
     const double rays = at_least_one(w.rays), hits = at_least_one(w.hits);
     return {double(s.inner),        double(s.leaves),        double(s.empty),       double(s.references),
             double(w.tests) / hits, double(w.leaves) / rays, double(w.empty) / rays};
+}
+
+/// Returns for each published scene the equal counts of its trees, and the largest deviations from the
+/// published figures.
+Table deviation_table(const std::vector<Counted>& all) {
+    Table table({"scene", "equal counts of trees", "counts of trees", "tests a hit", "leaves a ray",
+                 "empty leaves a ray"});
+    for (const Counted& c : all) {
+        std::size_t equal = 0, compared = 0;
+        std::array<double, 4> largest{};   // of trees; then tests, leaves, empty leaves
+        for (const Octree& tree : c.octrees) {
+            const Figures* his = published(c.scene, tree.depth);
+            if (!his) continue;
+            const Figures mine = figures_of(tree);
+            for (std::size_t i = 0; i < mine.size(); ++i) {
+                const double off = mine[i] / (*his)[i] - 1;
+                double& most = largest[i < of_tree ? 0 : i - of_tree + 1];
+                if (std::abs(off) > std::abs(most)) most = off;
+                if (i < of_tree) ++compared, equal += mine[i] == (*his)[i];
+            }
+        }
+        if (compared == 0) continue;
+        std::vector<std::string> row{c.scene, fmt::format("{} of {}", equal, compared)};
+        for (const double off : largest) row.push_back(fmt::format("{:+.2f} %", 100 * off));
+        table.add(row);
+    }
+    return table;
 }
 
 }   // namespace
@@ -161,8 +187,8 @@ Table havran_table(const std::vector<Counted>& all) {
         std::vector<std::string> row{c.scene, grouped(c.havran.primary_hits), grouped(c.havran.all)};
         for (const PublishedRays& p : ray_table)
             if (c.published && c.scene == p.scene) {
-                row[1] = beside(row[1], double(c.havran.primary_hits), double(p.rays.primary_hits));
-                row[2] = beside(row[2], double(c.havran.all), double(p.rays.all));
+                row[1] = with_deviation(row[1], double(c.havran.primary_hits), double(p.rays.primary_hits));
+                row[2] = with_deviation(row[2], double(c.havran.all), double(p.rays.all));
             }
         table.add(row);
     }
@@ -170,7 +196,8 @@ Table havran_table(const std::vector<Counted>& all) {
 }
 
 std::string octree_page(const std::vector<Counted>& all) {
-    return intro + havran_table(all).markdown() + "\n" + octree_table(all).markdown();
+    return intro + deviation_table(all).markdown() + deviations + havran_table(all).markdown() + "\n" +
+           octree_table(all).markdown();
 }
 
 Table octree_table(const std::vector<Counted>& all) {
@@ -184,7 +211,7 @@ Table octree_table(const std::vector<Counted>& all) {
             for (std::size_t i = 0; i < mine.size(); ++i) {
                 std::string cell =
                     i < of_tree ? grouped(std::uint64_t(mine[i])) : fmt::format("{:.2f}", mine[i]);
-                row.push_back(his ? beside(cell, mine[i], (*his)[i]) : cell);
+                row.push_back(his ? with_deviation(cell, mine[i], (*his)[i]) : cell);
             }
             table.add(row);
         }

@@ -47,26 +47,27 @@ Study make_study(int khz) {
     const Config base = named_config("default");
     Config deep = base;
     deep.stack_depth = 64;
-    maker.add_series("coord_bits=12:20:2",
-                     "Bits of a lattice coordinate: where the corners of triangles may lie. A bit less "
-                     "doubles the lattice's pitch; a bit more widens every product of the triangle test.",
+    maker.add_series(
+        "coord_bits=12:20:2",
+        "Bits of a lattice coordinate: the possible positions of the corners of triangles. One bit less "
+        "doubles the lattice's pitch; one bit more widens every product of the triangle test.",
+        base);
+    maker.add_series("dir_bits=16:24:2", "Bits of a direction component: the possible directions of rays.",
                      base);
-    maker.add_series("dir_bits=16:24:2", "Bits of a direction component: where rays may point to.", base);
     maker.add_series("box_bits=4:8",
-                     "Bits of a child box plane relative to its node. Boxes are rounded outwards, so that "
-                     "fewer bits cost visits and never a pixel.",
+                     "Bits of a child box plane relative to its node. Boxes are rounded outwards, so fewer "
+                     "bits cost visits but never change a pixel.",
                      base);
-    maker.add_series("recip_bits=8:24:4",
-                     "Precision of the reciprocal directions that the box test multiplies with; rounded "
-                     "outwards likewise.",
-                     base);
+    maker.add_series(
+        "recip_bits=8:24:4",
+        "Precision of the reciprocal directions in the box test, which are also rounded outwards.", base);
     maker.add_series("node_width=2,4,8",
-                     "Children of a node, with a stack of 64 groups, which the narrow trees need. No width "
-                     "of a number, and so no error; for comparison.",
+                     "Children of a node, with a stack of 64 groups, which narrow trees need. This is not "
+                     "the width of a number and causes no error; it is here for comparison.",
                      deep);
     maker.add_series(fmt::format("primitive_test={}", fmt::join(names_of<PrimitiveTest>(), ",")),
-                     "The test of ray against triangle. All but exact and sheared are software only and have "
-                     "no multipliers and flip-flops.",
+                     "The ray-triangle test. Only exact and sheared exist in hardware; the others have no "
+                     "multipliers or flip-flops.",
                      base);
     maker.study.grid = {parse_axis("coord_bits=12:20:2"), parse_axis("dir_bits=16:24:2")};
     maker.study.grid_points = maker.add(maker.study.grid, base);

@@ -158,7 +158,7 @@ private:
             table.add(cells);
         }
         return table.markdown() +
-               "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
+               "\nPixels whose primitive differs from the reference's; cracks summed over all scenes.\n";
     }
 
     std::string other_table(const Series& series) const {
@@ -210,7 +210,7 @@ private:
                  grouped(before) + " to " + grouped(after),
                  fmt::format("{:+.2f} %", 100 * (cycles_after / cycles_before - 1))});
         }
-        return table.markdown() + "\nWhat the step costs and brings, of all scenes together.\n";
+        return table.markdown() + "\nCost and effect of the step, summed over all scenes.\n";
     }
 
     const Study& study_;
@@ -219,34 +219,34 @@ private:
 };
 
 constexpr const char* what_counts = R"(
-- **Pixels with another primitive**, **PSNR**, **depth error**: against the double-precision reference
-  on the scene as given, not snapped. A dagger (†) marks a picture beyond a limit
+- **Pixels with another primitive**, **PSNR**, **depth error**: compared with the double-precision reference
+  on the scene as given, not snapped to the lattice. A dagger (†) marks a picture beyond a limit
   ([report.md](report.md#limits)), and the sentence below the table names the farthest.
-- **Cracks**: pixels whose ray slips through a surface. The exact oracle, on the same snapped scene and
-  quantised ray, says which triangle is met first; a crack is an answer that is neither that triangle
-  nor one that shares a corner with it, and lies farther away or is nothing. With the exact test the
-  count must be 0. The sheared test moves corners by up to a lattice step, so an outline may move off a
-  ray that passes within a step of it; that counts here too, though no closed surface lets a ray through
-  ([hard-cases.md](hard-cases.md)).
+- **Cracks**: pixels whose ray slips through a surface. The exact oracle finds the first triangle of the same
+  snapped scene and quantised ray. A crack is a miss, or a hit farther away on a triangle that shares no
+  corner with it. With the exact test the count must be 0. The sheared test moves corners by up to a lattice
+  step, so a ray that passes within a step of an outline may miss it. This counts here too, although no
+  closed surface lets a ray through ([hard-cases.md](hard-cases.md)).
 - **Cycles** and frames per second: one frame with cold caches, one pipeline.
-- **Multipliers** and **flip-flops**: of `rc_pipeline` as Yosys maps it to an ECP5: 18x18 multipliers
-  (MULT18X18D), after products are cut into tiles and those that are never wanted in the same cycle
-  share one; and bits of registers. Queues, caches and stacks are memories and not counted, nor is what
-  lies outside the pipelines. A dash: there is no such hardware, or no Yosys.
-- **Front**: no other point of the grid is as good in pixels with another primitive, multipliers and
-  frames per second, and better in one (without Yosys: bytes of the memory image instead of
-  multipliers). **Knee**: of the front of error against cost alone, both divided by their range, the
-  point that lies farthest below the chord between the front's ends.
+- **Multipliers** and **flip-flops** of `rc_pipeline`, as Yosys maps it to an ECP5. Multipliers are 18x18
+  (MULT18X18D). Products are cut into tiles first, and products that never occur in the same cycle share a
+  multiplier. Queues, caches and stacks are memories and do not count; neither does anything outside the
+  pipelines. A dash means that there is no such hardware, or no Yosys.
+- **Front**: a point is on the front if no other point of the grid is at least as good in pixels with another
+  primitive, multipliers and frames per second, and better in one of them. Without Yosys, bytes of the memory
+  image replace the multipliers.
+- **Knee**: on the front of error against cost alone, with both divided by their range, the point farthest
+  below the chord between the front's ends.
 )";
 
 std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes, const Limits& limits,
                       const std::string& command) {
     const Page page(study, scenes, limits);
-    std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
+    std::string text =
+        "# Speed against error\n\nThe cost of each bit, and its effect on pictures and speed.\n\n";
     text += fmt::format(
-        "Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: "
-        "configuration `default` except for what is varied, "
-        "{:g} MHz, the first frame of each scene{}.\n",
+        "Made by `{}`, which measures every figure.\nConditions: configuration `default` except for the "
+        "varied parameters, {:g} MHz, the first frame of each scene{}.\n",
         command, khz / 1e3,
         page.has_netlists() ? "; " + synth::yosys_version().substr(0, synth::yosys_version().find(" ("))
                             : "");

@@ -36,15 +36,15 @@ struct Size {
 };
 constexpr Size sizes[] = {{{512, 384}, "512x384"}, {{1024, 768}, "1024x768"}};
 
-std::string hits_text(const FrameRun& run, Unit cache) {
+std::string hits_text(const FrameResult& run, Unit cache) {
     return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
 }
 
 /// Returns one frame of the job at this clock.
-FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) {
-    std::vector<FrameTrace> frames;
+FrameResult run_of(const Job& job, int khz, int threads, const Progress& progress) {
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, threads, progress));
-    const FrameRun run = frame_run(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
+    const FrameResult run = frame_result(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
     if (run.partial) throw Interrupted("interrupted: no page was written");
     return run;
 }
@@ -68,7 +68,7 @@ std::string machine_table(const Machine& machine, int threads, const Progress& p
         for (const Size& size : sizes) {
             const Scene scene = ready_scene(row.scene, size.pixels, progress);
             const Job job = make_job(scene, *scene.camera, size.pixels, config, progress);
-            const FrameRun run = run_of(job, khz, threads, progress);
+            const FrameResult run = run_of(job, khz, threads, progress);
             const Bound bound = bound_of(config, khz, run);
             const double fps = per_second(run, khz), rays = double(run.pixels),
                          rate = fps * double(bytes_read(run));
@@ -124,7 +124,7 @@ std::string finished_table(int threads, const Progress& progress) {
         const Request request = request_of(row.scene, choice, finish, 1, size, progress);
         const Job job =
             make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
-        const FrameRun run = run_of(job, 1000 * row.mhz, threads, progress);
+        const FrameResult run = run_of(job, 1000 * row.mhz, threads, progress);
         const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
         const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
         const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };
@@ -143,20 +143,22 @@ std::string finished_table(int threads, const Progress& progress) {
     return table.markdown();
 }
 
-constexpr const char* intro = R"(# Yardstick: beside SaarCOR and RPU
+constexpr const char* intro = R"(# Yardstick: comparison with SaarCOR and RPU
 
-Made by `rayclock study yardstick -o docs/yardstick.md`; every figure of ours is simulated, none is typed in.
+Made by `rayclock study yardstick -o docs/yardstick.md`. All figures of this machine are simulated.
 
-**The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
-the same number of triangles, from its own camera. The published figures include what the papers say
-beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
-chip**, except for the table of finished pictures. So this page says in which range such a machine lies,
-not which is faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
-rays; ours does in fixed point, ray by ray. What is alike is the class: a kd-tree of one plane a node
-(`structure=kd` with `node_width=2`; `references=5`, so that its image of gears:8 fits 64 MB), clock, rays
-in flight, one node and one triangle a cycle, size of the caches and speed of the memory
-([configurations](configurations.md)). A second table has the same machine with a tree of boxes, two
-children a node, since the program's `saarcor` and `rpu` walk these if nothing else is set.
+**The scenes differ.** The published scenes cannot be shipped. Each of ours is a procedural scene with about
+the same number of triangles, seen by its own camera. The published figures include the effects that the
+papers name (shadows, textures, several lights). Ours are of **primary rays with shading outside the chip**,
+except in the table of finished pictures. So this page shows the range of such a machine, not which machine
+is faster.
+
+**The machines differ.** Both chips computed in 24-bit floating point with packets of four rays. This machine
+computes in fixed point, ray by ray. The class is the same: a kd-tree with one plane a node (`structure=kd`
+with `node_width=2`, and `references=5`, so that the image of gears:8 fits 64 MB), the clock, the rays in
+flight, one node and one triangle a cycle, cache sizes and memory speed
+([configurations](configurations.md)). A second table has the same machine with a tree of boxes, two children
+a node, which the program's `saarcor` and `rpu` walk by default.
 )";
 
 constexpr const char* sources = R"(
@@ -164,17 +166,15 @@ constexpr const char* sources = R"(
 
 - SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes
   on an FPGA Chip*, Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its
-  scenes with textures, several lights and several levels of reflection (abstract, read). That they are
-  of 512x384 pixels is remembered from the press of the time.
+  scenes with textures, several lights and several levels of reflection. The abstract was read. The size of
+  the pictures, 512x384, is remembered from the press of the time.
 - RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray
   Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
-  shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2 (read in a
-  scholarly archive's copy).
+  shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2. A scholarly
+  archive's copy was read.
 - D-RPU prototype: Woop, Marmitt, Slusallek, *B-KD Trees for Hardware Accelerated Ray Tracing of Dynamic
   Scenes*, Graphics Hardware 2006: up to 35 frames per second at 66 MHz on one FPGA, dynamic scenes
-  included (abstract, read).
-- A pipeline of the SaarCOR class at 20 to 60 frames per second spends 22.9 to 7.6 cycles on a pixel;
-  the RPU's 5.5 on Conference are 61 cycles a pixel (arithmetic).
+  included. The abstract was read.
 )";
 
 }   // namespace
@@ -182,14 +182,13 @@ constexpr const char* sources = R"(
 std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress) {
     std::string page = intro;
     if (board.khz > 0)
-        page +=
-            fmt::format(
-                "\n## `ulx3s` at {:.1f} MHz, a clock that was shown\n\nThe only clock of this page that was "
-                "routed ({}, [silicon.md](silicon.md)); the others are the "
-                "published chips', or assumed. Four children a node, a test every second cycle, its "
-                "SDRAM; the published column is SaarCOR's.\n\n",
-                board.khz / 1e3, board.device) +
-            machine_table({"ulx3s", {}, board.khz}, threads, progress);
+        page += fmt::format(
+                    "\n## `ulx3s` at {:.1f} MHz, a routed clock\n\nThis is the only clock of this page that "
+                    "was routed ({}, [silicon.md](silicon.md)); the others are those of the published chips, "
+                    "or assumed. Four children a node, a test every second cycle, the board's SDRAM. The "
+                    "published column shows SaarCOR.\n\n",
+                    board.khz / 1e3, board.device) +
+                machine_table({"ulx3s", {}, board.khz}, threads, progress);
     for (const bool rpu : {false, true}) {
         const char* name = rpu ? "rpu" : "saarcor";
         const int khz = rpu ? 66000 : 90000;
@@ -198,26 +197,29 @@ std::string yardstick_page(const RoutedBoard& board, int threads, const Progress
                 machine_table({name, {}, khz, rpu}, threads, progress);
     }
     page +=
-        "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3; the "
-        "published column is SaarCOR's "
-        "at 90 MHz.\n\n";
+        "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3. The "
+        "published column shows SaarCOR at 90 MHz.\n\n";
     page += machine_table({"default", {}, 66000}, threads, progress);
     page +=
-        "\n## Finished pictures\n\nThe chip makes the colours: shadow rays to every light, reflection and "
-        "refraction as the scene's "
-        "materials have them, four bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are "
-        "spheres, other round things "
-        "triangles. `rpu` walks a kd-tree here as well.\n\n";
+        "\n## Finished pictures\n\nThe chip computes the colours: shadow rays to every light, reflection and "
+        "refraction by the scene's materials, four bounces (Haines' depth 5), one sample a pixel, 512x384. "
+        "Spheres are native; other round objects are triangles. `rpu` walks a kd-tree here too.\n\n";
     page += finished_table(threads, progress);
     page += fmt::format(
-        "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes above and below, camera rays, "
-        "512x384; means of {} frames after the first, {:g} in a second of the scene's time. The host makes "
-        "the scene's tree anew for every frame and writes it into the chip's memory; fps includes these "
-        "writes. SaarCOR's scenes were moved by the unit that moves a ray into an object's space, as ours "
-        "are; the D-RPU refitted trees of vertices that moved. Neither publishes a scene of ours.\n\n",
+        "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes in both, camera rays, 512x384; "
+        "means of {} frames after the first, {:g} in a second of the scene's time. For every frame the host "
+        "rebuilds the scene's tree and writes it into the chip's memory; fps includes these writes. In "
+        "SaarCOR a unit transforms each ray into an object's space, as in this machine; the D-RPU refitted "
+        "trees of moving vertices. No published figure is of one of these scenes.\n\n",
         moving_frames, usual_fps);
     page += moving_table(threads, progress);
-    return page + sources;
+    const auto cycles_per_pixel = [](double mhz, double fps) { return 1e6 * mhz / fps / (512 * 384); };
+    return page + sources +
+           fmt::format(
+               "- Computed from these: at 20 to 60 frames per second SaarCOR spends {:.1f} to {:.1f} cycles "
+               "on a "
+               "pixel; at 5.5 the RPU\n  spends {:.0f} on Conference.\n",
+               cycles_per_pixel(90, 20), cycles_per_pixel(90, 60), cycles_per_pixel(66, 5.5));
 }
 
 }   // namespace rayclock

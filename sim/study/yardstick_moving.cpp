@@ -37,7 +37,7 @@ constexpr MovingRow rows[] = {
 /// Means over all frames except the first, which writes the whole memory.
 struct Means {
     double fps = 0, least = 1e300, rays = 0, cycles = 0, read = 0, written = 0, instances = 0;
-    void add(const FrameRun& run, const Upload& upload, int khz, double share) {
+    void add(const FrameResult& run, const Upload& upload, int khz, double share) {
         const double here = per_second(run, khz);
         fps += here * share;
         least = std::min(least, here);
@@ -55,7 +55,7 @@ Means means_of(const MovingRow& row, FrameSize size, int threads, const Progress
     options.fps = usual_fps;
     const Request request = request_of(row.scene, {row.config, {"levels=2"}}, {}, 1, size, progress);
     Film film(request, options, false, size, progress);
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
         traces.push_back(film.record(threads, progress));
@@ -64,7 +64,7 @@ Means means_of(const MovingRow& row, FrameSize size, int threads, const Progress
     const std::vector<FrameTiming> timings = replay(film.job().config, khz, traces, {}, progress);
     Means means;
     for (std::size_t f = 1; f < traces.size(); ++f) {
-        const FrameRun run = frame_run(traces[f], timings[f]);
+        const FrameResult run = frame_result(traces[f], timings[f]);
         if (run.partial) throw Interrupted("interrupted: no page was written");
         means.add(run, traces[f].upload, khz, 1.0 / moving_frames);
     }

@@ -66,7 +66,7 @@ TEST_CASE("finished pictures of instances are the reference's", "[levels][second
     CHECK(two.trace.counts.refraction > 100);
 }
 
-TEST_CASE("a plane and true spheres beside instances are the reference's, in every structure",
+TEST_CASE("planes and true spheres next to instances match the reference, in every structure",
           "[levels][secondary]") {
     const bool is_smooth = GENERATE(false, true);
     const Scene scene = flattened(mixed_with_round(is_smooth));

@@ -179,7 +179,7 @@ void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int 
         if (!hit.found) continue;
         PassIn in;
         ShadeState state = world.surface_of(ray, hit, in);
-        oracle::Place point;
+        oracle::RationalPoint point;
         for (std::size_t k = 0; k < 3; ++k) point.num[k] = oracle::Int128(state.inner[k]);
         point.den = oracle::Int128(1) << config.origin_bits;
         const std::uint32_t own = hit.prim - in.placement.first;

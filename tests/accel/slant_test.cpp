@@ -36,7 +36,7 @@ PrimData triangle(const Vec3i& a, const Vec3i& b, const Vec3i& c, std::uint32_t 
     return {a, b, c, number, 0};
 }
 
-/// Returns triangles in all directions, many of which share corners, edges and planes.
+/// Returns triangles in all directions. Many share corners, edges and planes.
 std::vector<PrimData> tangle(unsigned seed, int count, int extent) {
     test::Draw draw{seed};
     std::vector<Vec3i> corners;

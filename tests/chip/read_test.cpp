@@ -51,7 +51,7 @@ TEST_CASE("cells are counted for their units") {
     const Use unit = route.units.at("dispatch"), harness = route.units.at(harness_unit);
     CHECK(unit.ff == 13);      // s0_q and s1_q
     CHECK(harness.ff == 13);   // in_q and out_q
-    CHECK(unit.lut == 10);     // two LUTs in each of five carry cells, two of which nextpnr added
+    CHECK(unit.lut == 10);     // two LUTs in each of five carry cells; nextpnr added two cells
     CHECK(unit.dsp + unit.bram + harness.dsp + harness.bram == 0);
     CHECK(total_of(route.units) == unit);
     Use tiles;

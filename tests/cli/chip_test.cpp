@@ -234,7 +234,7 @@ TEST_CASE("a chip that is stopped while it is placed once more goes on after the
     }
 }
 
-TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {
+TEST_CASE("an estimate is the sum of all units and the slowest clock, and is compared with the routed chip") {
     const FakeNextpnr fake;
     std::vector<std::string> environment = fake.environment();
     environment.push_back(fake_yosys(fake, 1));

@@ -89,14 +89,14 @@ TEST_CASE("compare finds what changed, says which way, and fails beyond a bound"
     CHECK(run_program({"compare", a, b, again, "--all"}).out.find("clocks.66.cycles") != std::string::npos);
 }
 
-TEST_CASE("compare refuses what is no report") {
+TEST_CASE("compare refuses a file that is not a report") {
     const Folder folder;
     const std::string a = report(folder, "a.json", {"--no-reference"}),
                       empty = folder.write("empty.json", "{}"), broken = folder.write("broken.json", "{"),
                       list = folder.write("list.json", "[1]");
     check_refused(run_program({"compare", a}), {"two reports"});
-    check_refused(run_program({"compare", a, empty}), {"empty.json", "no report", "'scene'"});
-    check_refused(run_program({"compare", a, list}), {"list.json", "no report"});
+    check_refused(run_program({"compare", a, empty}), {"empty.json", "not a report", "'scene'"});
+    check_refused(run_program({"compare", a, list}), {"list.json", "not a report"});
     check_refused(run_program({"compare", a, broken}), {"broken.json"});
     const auto changed = [&](const char* pointer, const json& value) {   // as another version might write it
         json other = json::parse(bytes_of(a));
@@ -106,7 +106,8 @@ TEST_CASE("compare refuses what is no report") {
     check_refused(run_program({"compare", a, changed("/clocks/0/mhz", "x")}), {"other.json", "'mhz'"});
     check_refused(run_program({"compare", a, changed("/clocks/0", json::object())}),
                   {"other.json", "'mhz' and 'cycles'"});
-    check_refused(run_program({"compare", a, changed("/frame", 3)}), {"other.json", "'frame' is no object"});
+    check_refused(run_program({"compare", a, changed("/frame", 3)}),
+                  {"other.json", "'frame' is not an object"});
     check_refused(run_program({"compare", a, folder.name("missing.json")}), {"missing.json"});
     check_refused(run_program({"compare", a, a, "--max-worse", "much"}), {"--max-worse", "much"});
     check_refused(run_program({"compare", a, a, "--figure", "x"}), {"--figure", "--max-worse"});

@@ -105,7 +105,7 @@ TEST_CASE("explain prints its steps for people") {
     }
 }
 
-TEST_CASE("explain refuses what is no pixel of the picture") {
+TEST_CASE("explain refuses a pixel outside the picture") {
     check_refused(run_program({"explain", "gears:2", "40,3", "--size", "40x30"}), {"40,3", "0,0 to 39,29"});
     check_refused(run_program({"explain", "gears:2", "-1,3", "--size", "40x30"}), {"-1,3"});
     check_refused(run_program({"explain", "gears:2", "3", "--size", "40x30"}), {"'3'", "255,190"});

@@ -34,7 +34,8 @@ Outcome bench(const std::string& folder, int seed = 0) {
                           std::to_string(seed + 1) + " +seed=" + std::to_string(seed));
 }
 
-/// Changes the last digit of the line that holds `mark`, counted from the first that is no comment if empty.
+/// Changes the last digit of the line that holds `mark`. If `mark` is empty, counts from the first line that
+/// is not a comment.
 void spoil(const std::string& file, std::size_t line) {
     std::string text = bytes_of(file);
     std::size_t at = 0;

@@ -27,7 +27,7 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
         ++pictures;
     }
     CHECK(pictures == 2 * 11 + 2 * 6 + 2 * 6 + 4 + 2);
-    CHECK(page.find("The RTL was not asked for.") != std::string::npos);
+    CHECK(page.find("The RTL was not requested.") != std::string::npos);
     for (const char* bad : {"nan", "inf ", "{}", "/tmp"}) CHECK(page.find(bad) == std::string::npos);
 
     const json numbers = json::parse(bytes_of(folder.name("numbers.json")));
@@ -139,7 +139,7 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
         CHECK(page.find(part) != std::string::npos);
     }
     for (const json& row : json::parse(bytes_of(folder.name("rows.json")))["rows"]) CHECK(row["far"] == true);
-    CHECK(page.find("is not there") == std::string::npos);
+    CHECK(page.find(" is missing: ") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"study", "structures"}), {"--output"});
     check_refused(

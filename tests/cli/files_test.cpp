@@ -83,7 +83,7 @@ TEST_CASE("scene files that make no sense") {
                  {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", {"every surface is invisible"}},
                  {"picture.gif", "GIF89a", {}}},
                 {scene_commands[0], scene_commands[1], scene_commands[3]});
-    // The reference needs no lattice, so a triangle without area is no reason to refuse.
+    // The reference needs no lattice, so it accepts a triangle without area.
     check_input({{"empty.obj", "", {"empty"}}, {"beyond.obj", corners + "f 1 2 9\n", {"9"}}},
                 {scene_commands[2]});
 }
@@ -97,7 +97,7 @@ TEST_CASE("a directory, a device or nothing in place of a scene") {
     check_refused(run_program({"verify", folder.name("none.glb")}), {"none.glb", "no such file"});
 }
 
-TEST_CASE("a file of which nothing is visible has a background, and no machine holds it") {
+TEST_CASE("a file without a visible surface has a background, and no machine holds it") {
     const Folder folder;
     // One triangle whose opacity is below the cutoff.
     const std::string file = folder.write("mask.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,

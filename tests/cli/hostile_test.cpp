@@ -35,7 +35,7 @@ std::vector<std::string> with_state(const std::string& file) {
 
 }   // namespace
 
-TEST_CASE("a configuration that is no file, or nested, or with a key twice") {
+TEST_CASE("a configuration that is not a file, or is nested, or has a key twice") {
     const Folder folder;
     fs::create_directory(folder.name("folder.json"));
     REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
@@ -134,7 +134,7 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
     check_refused(run_program(with_state("/dev/null")), {"/dev/null"});
 }
 
-TEST_CASE("an entry of the sweep's cache that is no file, or nested, is worked out again") {
+TEST_CASE("an entry of the sweep's cache that is not a file, or is nested, is computed again") {
     const Folder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::vector<std::string> sweep{"sweep",        "tetra:2",      "--size", "16x12", "--axis",

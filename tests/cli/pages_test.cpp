@@ -82,7 +82,7 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
     CHECK(mixed["differences"].empty());
     CHECK(mixed["pixels"].is_null());
 
-    check_refused(run_program({"compare", a, c}), {"c.html", "no report of simulate"});
+    check_refused(run_program({"compare", a, c}), {"c.html", "not a report of simulate"});
     std::string broken = bytes_of(a);
     const std::size_t at = broken.find("\"data\":\"", broken.find("\"key\":\"cycles\""));
     broken.replace(at + 20, 8, "AAAAAAAA");

@@ -126,8 +126,8 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
     tools.folder().write("half/rc_top.sv", "module rc_top; endmodule\n");
     fs::create_symlink(tools.path("loop"), tools.path("loop"));
     const std::vector<std::pair<std::string, std::string>> cases{
-        {"missing", " does not exist"},    {"file", " is no folder"},   {"empty", " has no file rc_top.sv"},
-        {"half", " has no file lint.vlt"}, {"loop", " cannot be read"}, {"file/deeper", " does not exist"}};
+        {"missing", " does not exist"},    {"file", " is not a folder"}, {"empty", " has no file rc_top.sv"},
+        {"half", " has no file lint.vlt"}, {"loop", " cannot be read"},  {"file/deeper", " does not exist"}};
     for (const auto& [name, words] : cases) {
         environment[2] = "RAYCLOCK_RTL=" + tools.path(name);
         check_refused(run_program({"rtl"}, environment), {environment[2] + words});

@@ -141,7 +141,7 @@ TEST_CASE(
     CHECK(refused.err.find("more") == std::string::npos);
 }
 
-TEST_CASE("whatever stands where the lock should be is no hindrance") {
+TEST_CASE("any file in place of the lock is tolerated") {
     const FakeTools tools;
     check_built(tools, true);
     const std::string entry = tools.entry(), lock = entry + ".lock";

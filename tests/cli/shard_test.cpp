@@ -28,7 +28,7 @@ const Words grid{"sweep",       "tetra:2",        "--size", "16x12",
                  "--no-netlist"};
 
 /// A working folder with a cache that all parts share.
-struct Place {
+struct SharedFolder {
     const Folder folder;
     const Words cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
 
@@ -52,7 +52,7 @@ struct Place {
 }   // namespace
 
 TEST_CASE("the parts of a sweep, merged in any order, are the sweep of one machine to the byte") {
-    const Place p;
+    const SharedFolder p;
     const auto written = [&](const std::string& name) {
         return Words{"-o",     p.folder.name(name + ".csv"), "--json", p.folder.name(name + ".json"),
                      "--plot", p.folder.name(name)};
@@ -92,7 +92,7 @@ TEST_CASE("the parts of a sweep, merged in any order, are the sweep of one machi
 }
 
 TEST_CASE("files that are not all parts of one sweep are refused by name") {
-    const Place p;
+    const SharedFolder p;
     for (const int k : {1, 2, 3}) p.work_out(k, 3);
     const std::string one = p.part(1), two = p.part(2), three = p.part(3);
     const auto refused = [&](const Words& files, const Words& words) {
@@ -102,7 +102,8 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     refused({three, one, one}, {one, "both part 1/3"});
     refused({one, two, p.folder.name("none.json")}, {"none.json", "no such file"});
     refused({one, two, p.folder.write("bad.json", "{\"scene\": ")}, {"bad.json"});
-    refused({one, two, p.folder.write("other.json", "{}")}, {"other.json", "no report of sweep", "'scene'"});
+    refused({one, two, p.folder.write("other.json", "{}")},
+            {"other.json", "not a report of sweep", "'scene'"});
     refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "goes on"});
     refused({two, three, p.changed(1, "/shard/of", 4)},
             {"changed.json", "not of one sweep", "how many parts"});
@@ -135,7 +136,7 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
 }
 
 TEST_CASE("a part that was interrupted goes on where it was, and until then nothing is merged") {
-    const Place p;
+    const SharedFolder p;
     const Words long_grid{"sweep",        "rings:1",   "--size", "128x96", "--axis", "coord_bits=12:20",
                           "--no-netlist", "--threads", "1"};
     const auto part = [&](int k) {
@@ -169,7 +170,7 @@ std::string grid_words() {
     return words;
 }
 /// Runs `script` with rayclock in its PATH, in the folder.
-void run_script(const Place& p, const std::string& script) {
+void run_script(const SharedFolder& p, const std::string& script) {
     const std::string program = program_under_test();
     const Outcome o =
         run_in_shell("cd '" + p.folder.name("") + "' && PATH='" + program.substr(0, program.rfind('/')) +
@@ -178,7 +179,7 @@ void run_script(const Place& p, const std::string& script) {
     INFO(o.out << o.err);
     REQUIRE(o.code == 0);
 }
-void check_merged(const Place& p, int parts) {
+void check_merged(const SharedFolder& p, int parts) {
     Words merge{"merge", "--json", p.folder.name("merged.json")};
     for (int k = 1; k <= parts; ++k) merge.push_back(p.part(k));
     const Outcome merged = p.run(merge);
@@ -192,7 +193,7 @@ const std::string sbatch_file = std::string(RAYCLOCK_SOURCE_DIR) + "/docs/sweep.
 }   // namespace
 
 TEST_CASE("the script of the Slurm array works out its part") {
-    const Place p;
+    const SharedFolder p;
     for (const char* task : {"1", "2", "3"})
         run_script(
             p, "SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash '" + sbatch_file + "' 3" + grid_words());
@@ -204,7 +205,7 @@ TEST_CASE("GNU parallel works out all parts") {
         WARN("GNU parallel is not installed");
         return;
     }
-    const Place p;
+    const SharedFolder p;
     run_script(p, "parallel --will-cite -j 2 rayclock sweep" + grid_words() +
                       " --shard {}/3 --json part-{}.json ::: 1 2 3 2>&1");
     check_merged(p, 3);
@@ -216,7 +217,7 @@ TEST_CASE("Slurm runs the array on a node of its own", "[slow]") {
             WARN(program << " is not installed");
             return;
         }
-    const Place p;
+    const SharedFolder p;
     run_script(p, "bash '" RAYCLOCK_SOURCE_DIR "/tests/setup/slurm.sh' sbatch --wait --array=1-3 '" +
                       sbatch_file + "' 3" + grid_words());
     check_merged(p, 3);

@@ -25,7 +25,7 @@ void check_near(const json& a, const json& b) {
 
 }   // namespace
 
-TEST_CASE("a view is the scene's own but for what was typed") {
+TEST_CASE("a view is the scene's own except for the given options") {
     const json own = simulated({});
     const json typed = simulated({"--eye", "3,-4,2.5", "--at=-1,0,1e-1", "--fov", "30"});
     check_near(typed["camera"]["eye"], json{3, -4, 2.5});

@@ -1,5 +1,5 @@
 // What rc_arbiter promises, if an offer that was not taken stays: one grant at most, only to a source that offers, whose
-// data goes out; an offer on show stays until it is taken; whoever offers is served after Sources - 1 others at most; and after
+// data goes out; an offer stays until it is taken; a source that offers is served after Sources - 1 others at most; and after
 // reset the turn begins behind source 0.
 //
 // One source is followed, any: `whom_i` never changes. Ties to the inside for the last claim: how far the turn is from the

@@ -1,8 +1,8 @@
-// What rc_mshr promises, if it is used as rc_cache uses it: whoever waits is answered once, in the order of asking among
+// What rc_mshr promises, if it is used as rc_cache uses it: each waiting requester is answered once, in the order of asking among
 // those of a line, with the place of its own line; an MSHR is free exactly after the last of its chain; nobody is answered
 // before all words of the line are there.
 //
-// Two MSHRs, four ids. Kept beside it: who waits, for which MSHR, and as which of the chain; which lines are on their way,
+// Two MSHRs, four ids. The proof tracks: who waits, for which MSHR, and as which of the chain; which lines are on their way,
 // where they go and how many of their words have come. Ties to the inside: the chains' heads, tails and links, and the queue
 // of filled lines, are what these say.
 module mshr #(
@@ -158,7 +158,7 @@ module mshr #(
     t_next:   assert (next_ok);
   end
 
-  // Chains: whoever waits has a line and a turn of its own; first, last and next are as the turns say.
+  // Chains: each waiting requester has a line and a turn of its own; first, last and next are as the turns say.
   logic line_ok, owner_ok, ends_ok, order_ok, next_ok;
   always @* begin
     {line_ok, owner_ok, ends_ok, order_ok, next_ok} = '1;

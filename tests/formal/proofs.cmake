@@ -243,7 +243,7 @@ prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
   OLD [[{{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q}]]
   NEW [[{{(R-From){1'b0}}, gen_stage[i-1].rem_q}]])
 
-# ---- Data beside a long pipeline.
+# ---- Data that accompanies a long pipeline.
 foreach(stages IN ITEMS 2 3 4)
   prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv WITH Stages=${stages} INDUCTION 8)
 endforeach()

@@ -2,7 +2,7 @@
 // taken is found, in its way, until that way is taken again, and nothing else is; no line has two ways; a way that waits is
 // not given away; and the way that was used last is not the next to go, unless others wait.
 //
-// Two sets of four ways. Kept beside it: every way's line, and which way of a set was used last.
+// Two sets of four ways. The proof tracks: every way's line, and which way of a set was used last.
 module tags #(
   parameter  int unsigned TagW = 2,
   localparam int unsigned Sets = 2,

@@ -134,7 +134,7 @@ TEST_CASE("gltf: a constant opacity below the cutoff is invisible") {
                               "(alphaMode MASK) ('meshes[0].primitives[0]')"});
 }
 
-TEST_CASE("gltf: a file of which nothing is visible is an empty picture") {
+TEST_CASE("gltf: a file without a visible surface gives an empty picture") {
     Animated file;
     file.json["materials"] = {
         {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 0.2}}}}}};

@@ -94,7 +94,7 @@ TEST_CASE("a key that stands twice in a file is refused") {
     check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"'mesh'", "twice"});
 }
 
-TEST_CASE("pipes, devices and folders are no files, whoever asks for them") {
+TEST_CASE("pipes, devices and folders are refused by every reader") {
     const Folder folder;
     const Octahedron o;
     const auto pipe = [&](const std::string& name) {
@@ -331,7 +331,7 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
     const std::string file = folder.name("all.glb") + ": ";
     CHECK(notes_of("all.glb", glb(json)) ==
-          Notes{file + "2 animations beside the first left out",
+          Notes{file + "2 animations after the first left out",
                 file + "6 vertices with a colour out of range, taken as the nearest within (the first: "
                        "'meshes[0].primitives[0].attributes.COLOR...')",
                 file + "1 primitive of points or lines left out ('meshes[0].primitives[1]')",

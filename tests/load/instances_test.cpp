@@ -100,7 +100,7 @@ TEST_CASE("json: a graph of instances becomes one level") {
     CHECK(flat.materials[flat.triangles[112].material].name == "green");
 }
 
-TEST_CASE("json: smooth meshes beside flat ones, with instances") {
+TEST_CASE("json: smooth meshes next to flat ones, with instances") {
     const Folder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 -1\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
     Json json = with_instances(three);

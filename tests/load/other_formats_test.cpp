@@ -37,7 +37,7 @@ constexpr const char* tetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 
 
 }   // namespace
 
-TEST_CASE("off: counts beside the keyword, comments, polygons, normals, colours") {
+TEST_CASE("off: counts on the keyword's line, comments, polygons, normals, colours") {
     const Folder folder;
     CHECK(folder.load("a.off", std::string("OFF 4 4 6 # so many\n\n# nothing\n") + tetrahedron)
               .triangles.size() == 4);
@@ -167,8 +167,8 @@ TEST_CASE("dae: nodes with transforms, copies of nodes, colours of materials, po
 TEST_CASE("dae: what makes no sense is refused with its line") {
     const std::string sound = Octahedron().dae("Y_UP");
     check_refused("a.dae", "<x/>", {"this is not COLLADA", "'x'"});
-    check_refused("a.dae", "Dear Sir", {"line 1", "no XML"});
-    check_refused("a.dae", sound.substr(0, sound.size() / 2), {"no XML"});
+    check_refused("a.dae", "Dear Sir", {"line 1", "not XML"});
+    check_refused("a.dae", sound.substr(0, sound.size() / 2), {"not XML"});
     check_refused("a.dae", replaced(sound, "<COLLADA", "<!DOCTYPE a [<!ENTITY b \"c\">]><COLLADA"),
                   {"document type"});
     check_refused("a.dae", replaced(sound, "0 2 4\n", "0 2 6\n"),

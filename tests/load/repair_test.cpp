@@ -89,7 +89,7 @@ TEST_CASE("obj: a vertex without a place is refused where a face uses it, and el
           folder.name("b.obj") + ": line 4: v needs 3 numbers and has 2");
 }
 
-TEST_CASE("obj: corners without their normal are flat, and those beside them stay smooth") {
+TEST_CASE("obj: corners without their normal are flat, and their neighbours stay smooth") {
     const Folder folder;
     check_triangle(read(folder, "a.obj", v3 + "f 1//1 2//1 3//1\n"),
                    {"3 corners with a normal that is not in the file, drawn flat (the first: '1')"});
@@ -304,7 +304,6 @@ TEST_CASE("stl: statements of other programs and words behind coordinates are sk
         folder, "a.stl",
         "solid x\ncolor 1 0 0\nfacet normal nan nan\ncolour 9\nouter loop\nvertex 0 0 0\nvertex 1 0 0 7\n"
         "vertex 0 1 0\nendloop\nendfacet\nendsolid x\n");
-    check_triangle(made,
-                   {"2 lines skipped: STL has no such statement (the first: line 2, 'color')",
-                    "1 line with more than three coordinates, of which the rest is skipped (line 7, '7')"});
+    check_triangle(made, {"2 lines skipped: STL has no such statement (the first: line 2, 'color')",
+                          "1 line with more than three coordinates; the rest is skipped (line 7, '7')"});
 }

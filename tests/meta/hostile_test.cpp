@@ -47,7 +47,7 @@ const Hostile hostile[] = {
     {11, "mem/rc_arbiter.sv", "<< source_o;", "<< (rc_mut::id == 11 ? ~source_o : source_o);", nullptr},
 };
 
-/// While it lives, the RTL is the copy with all of them, of which one can be called. It lies in the same
+/// While it lives, the RTL is the copy with all of them, and one can be called. It lies in the same
 /// place every time, since the place of the file that says which is part of the text, and of what the cache
 /// knows it by.
 class HostileRtl {

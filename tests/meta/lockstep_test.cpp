@@ -68,7 +68,7 @@ template <class P> std::uint32_t id_of(const P& payload) {
         return payload.id;
 }
 template <class Payload, class Wanted> Event first_event(const Job& job, Link link, Wanted wanted) {
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine(job.config, job.khz);
     Witness witness(job.image, job.config);
     machine.start(frame.frame, frame.trace);
@@ -200,7 +200,7 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
 TEST_CASE("a frame that ends too early is the first divergence") {
     const Job job = small_job();
     // The frame is over when three pixels are still to come.
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine(job.config, job.khz);
     machine.start(frame.frame, frame.trace);
     while (machine.hits() < frame.trace.rays.size() - 3) machine.step();
@@ -223,7 +223,7 @@ TEST_CASE("a frame that ends too early is the first divergence") {
 
 TEST_CASE("a done that is left from the frame before is the first divergence") {
     const Job job = small_job();
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));
     const Mutant mutant("host/rc_host.sv", "          done_q  <= 1'b0;\n", "");
     const LockstepResult result = run_lockstep(job, frames);

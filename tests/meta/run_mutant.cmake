@@ -16,7 +16,7 @@ else()
   set(ENV{RAYCLOCK_CACHE} ${CACHE})
 endif()
 if(SIMULATE)
-  # One scene after the other, until one is called a bug. A crash or a refusal is no answer.
+  # One scene after the other, until one is called a bug. A crash or a refusal is not an answer.
   string(REPLACE "|" ";" scenes "${FILTER}")
   foreach(scene ${scenes})
     separate_arguments(arguments UNIX_COMMAND "${scene}")

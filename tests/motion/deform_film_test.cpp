@@ -42,7 +42,7 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
     // Where their trees will be, frames may find any content: the last frame's, or nonsense.
     MemoryImage image = made.job.image;
     if (way.levels == 1) std::fill(image.words.begin(), image.words.end(), 0x5a5a5a5au);
-    for (const FrameTrace& trace : made.traces)
+    for (const RecordedFrame& trace : made.traces)
         for (const std::uint32_t line : trace.upload.lines)
             std::fill_n(&image.words[std::size_t(line) * 16], 16, 0x5a5a5a5au);
     for (std::size_t f = 0; f < made.traces.size(); ++f) {
@@ -102,7 +102,7 @@ TEST_CASE("a sheet that is a line at first is drawn when it has opened", "[motio
     std::ptrdiff_t first = 0;
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         const Scene& scene = film.request().scene;
         CHECK(compare(shade(scene, hits_of(film.job(), trace)),
                       shade(scene, Reference(scene).frame(film.camera(), size, 1)))
@@ -123,7 +123,7 @@ TEST_CASE("every frame of a mesh that deforms looks as the reference says that i
     Film film = film_of(sheet_film(folder, 12), config_of(way), size, options(way.uploads, 1.5, 4));
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         const Scene& scene = film.request().scene;
         CHECK(compare(shade(scene, hits_of(film.job(), trace)),
                       shade(scene, Reference(scene).frame(film.camera(), size, 1)))
@@ -146,7 +146,7 @@ TEST_CASE("a mesh that deforms has finished pictures: its surfaces follow it", "
     MemoryImage memory;   // of the chip: its initial content and the host's writes
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         if (f == 0) memory = film.job().image;
         apply(trace.upload, memory);
         CHECK(record_trace(memory, trace.frame, film.job().config, 1).colours == trace.trace.colours);
@@ -167,7 +167,7 @@ TEST_CASE("machines without a tree that can be refitted make all of it anew, and
     list.structure = Structure::kd;
     Film film = film_of(sheet_film(folder, 6), list, small, options("between", 1.5, 3));
     const Recorded made = recorded(film);
-    for (const FrameTrace& trace : made.traces) {
+    for (const RecordedFrame& trace : made.traces) {
         CHECK(trace.upload.is_whole);
         CHECK(trace.upload.rebuilt == 1);
         CHECK(trace.upload.refitted == 0);

@@ -87,7 +87,7 @@ TEST_CASE("keyed shapes: normals go from key to key, and facets have their own i
     }
 }
 
-TEST_CASE("a facet takes no corner from the smooth triangle beside it", "[motion][deform]") {
+TEST_CASE("a facet takes no corner from a smooth neighbour", "[motion][deform]") {
     Deforming deforming;
     deforming.rest = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 0}};
     deforming.normals.assign(4, glm::dvec3(0, 0, 1));

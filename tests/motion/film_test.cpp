@@ -44,7 +44,7 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
         // A memory with nonsense where the scene's trees will be.
         MemoryImage image = made.job.image;
         std::uint32_t most = 0;
-        for (const FrameTrace& trace : made.traces) most = std::max(most, trace.upload.lines.back());
+        for (const RecordedFrame& trace : made.traces) most = std::max(most, trace.upload.lines.back());
         std::fill_n(image.words.begin(), std::size_t(most + 1) * 16, 0x5a5a5a5au);
         const std::vector<std::uint32_t> lower(image.words.begin() + std::ptrdiff_t(most + 1) * 16,
                                                image.words.end());
@@ -161,7 +161,7 @@ TEST_CASE("every frame looks as the reference says that its scene looks", "[moti
             Picture before;
             for (std::size_t f = 0; f < film.frames(); ++f) {
                 film.next();
-                const FrameTrace trace = film.record(1, {});
+                const RecordedFrame trace = film.record(1, {});
                 const Scene& scene = film.request().scene;
                 const Picture own = shade(scene, hits_of(film.job(), trace)),
                               other = shade(scene, Reference(scene).frame(film.camera(), {96, 72}, 1));
@@ -185,7 +185,7 @@ TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "
     Film film = film_of(path, two("default", 2), {96, 72}, frames_of(3, 3));
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         CHECK_FALSE(trace.upload.is_whole);
         const Scene& scene = film.request().scene;
         CHECK(compare(shade(scene, hits_of(film.job(), trace)),
@@ -205,7 +205,7 @@ TEST_CASE("what is flattened too much to move as an instance is made anew, and s
     Film film = film_of(path, two("default", 2), {64, 48}, frames_of(3, 3));
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         CHECK(trace.upload.is_whole);
         const Scene& scene = film.request().scene;
         CHECK(compare(shade(scene, hits_of(film.job(), trace)),
@@ -226,7 +226,7 @@ TEST_CASE("model and RTL draw the same film with the writes of the host in betwe
         CHECK_FALSE(same(made.traces[0].trace.hits, made.traces[1].trace.hits));
         check_lockstep(made.job, made.traces);
         check_lockstep(made.job, made.traces, {9, 30, 77}, 77);
-        const std::vector<FrameRun> runs = run_rtl(made.job, made.job.khz, made.traces);
+        const std::vector<FrameResult> runs = run_rtl(made.job, made.job.khz, made.traces);
         const std::vector<FrameTiming> timings = replay(made.job.config, made.job.khz, made.traces);
         REQUIRE(runs.size() == 4);
         for (std::size_t f = 0; f < runs.size(); ++f) {
@@ -282,7 +282,7 @@ TEST_CASE("a film of two levels has finished pictures, and its light moves", "[m
     Film film(request, frames_of(3, 1.5), false, size);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace trace = film.record(1, {});
+        const RecordedFrame trace = film.record(1, {});
         CHECK_FALSE(trace.upload.is_whole);
         const WhittedFrame right =
             Reference(film.request().scene).whitted(film.camera(), size, request.settings, 1);

@@ -53,7 +53,7 @@ inline Film film_of(const std::string& spec, const Config& config, FrameSize siz
 }
 
 struct Recorded {
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
     Job job;
 };
 inline Recorded recorded(Film& film) {

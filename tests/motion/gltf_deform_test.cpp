@@ -54,7 +54,7 @@ TEST_CASE("glTF: normals of morph targets are added, and are unit vectors", "[mo
     }
 }
 
-TEST_CASE("glTF: a part without normals has facets beside a smooth one of the same mesh",
+TEST_CASE("glTF: a part without normals has facets next to a smooth one of the same mesh",
           "[motion][deform]") {
     Morphed file(true);
     Json flat = file.json["meshes"][0]["primitives"][0];

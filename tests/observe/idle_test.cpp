@@ -25,7 +25,7 @@ Config configured(const std::vector<std::pair<std::string, std::string>>& values
 /// A small frame's digest and cycles.
 std::pair<std::uint64_t, std::uint64_t> frame_of(const Config& config) {
     static const Scene scene = make_builtin("gears:1", Primitives::triangles);
-    const FrameRun run = run_model(make_job(scene, *scene.camera, {16, 12}, config));
+    const FrameResult run = run_model(make_job(scene, *scene.camera, {16, 12}, config));
     return {run.digest, run.cycles};
 }
 

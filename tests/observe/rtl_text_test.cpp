@@ -14,11 +14,11 @@ namespace {
 std::vector<std::string> drivers_of(const ModuleText& module) {
     std::vector<std::string> all;
     for (const SignalDriver& d : module.drivers)
-        all.push_back(d.kind == SignalDriver::Kind::instance
+        all.push_back(d.construct == SignalDriver::Construct::instance
                           ? fmt::format("{}: {}({}).{} -> {}", d.line, d.instance, d.module, d.port,
                                         fmt::join(d.targets, " "))
                           : fmt::format("{}: {} {} <- {}", d.line,
-                                        d.kind == SignalDriver::Kind::registered ? "ff" : "comb",
+                                        d.construct == SignalDriver::Construct::registered ? "ff" : "comb",
                                         fmt::join(d.targets, " "), fmt::join(d.sources, " ")));
     return all;
 }

@@ -18,7 +18,7 @@ struct Watched {
 
 struct Watching {
     Job job;
-    std::vector<FrameTrace> traces;
+    std::vector<RecordedFrame> traces;
 };
 
 inline Watching watching(const Watched& w, FrameSize size = {37, 29}) {

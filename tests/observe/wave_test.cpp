@@ -85,7 +85,7 @@ TEST_CASE("bits of a payload are digits from the top down") {
     CHECK(digits_of({0x80000000u, 0b10}, 31, 3) == "101");
 }
 
-TEST_CASE("what is no waveform is refused") {
+TEST_CASE("a file that is not a waveform is refused") {
     CHECK_THROWS_WITH(waves_of("no waveform at all"), Catch::Contains("is not a waveform"));
 }
 

@@ -100,7 +100,7 @@ void check(const std::string& spec, const Counts& counts) {
 
 }   // namespace
 
-TEST_CASE("Embree finds the same primitives, but for its rounding", "[reference][embree]") {
+TEST_CASE("Embree finds the same primitives, except for its rounding", "[reference][embree]") {
     const auto spec = GENERATE(as<std::string>{}, "tetra:6", "mount:6", "gears:2", "balls:2", "teapot:6",
                                "rings:2", "tree:4", "icosphere:4", "cornell");
     const Scene scene = make_builtin(spec);

@@ -145,7 +145,8 @@ TEST_CASE("tiny, huge and far spheres keep their outlines", "[reference][round]"
         }
 }
 
-TEST_CASE("a ray does not meet what it has left, but for the far side of a sphere", "[reference][round]") {
+TEST_CASE("a ray does not meet the surface that it left, except the far side of a sphere",
+          "[reference][round]") {
     Rng rng(5);
     Scene scene = empty_scene();
     scene.materials[0].transmit = 1;
@@ -188,7 +189,7 @@ TEST_CASE("only what lies before the light blocks it", "[reference][round]") {
     CHECK(geometry.is_blocked(left, 4.01 * scale));
 }
 
-TEST_CASE("Embree finds the same spheres, but for its rounding", "[reference][round][embree]") {
+TEST_CASE("Embree finds the same spheres, except for its rounding", "[reference][round][embree]") {
     Scene scene = make_builtin(GENERATE("balls:3", "rings:2", "tree:5", "spheres"), Primitives::native);
     scene.triangles.clear();
     scene.planes.clear();

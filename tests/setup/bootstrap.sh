@@ -93,5 +93,5 @@ sed -i 's/ [^ ]*$/ \/elsewhere/' "$tree/build/chip-tools/made"
 check "chip in a tree that was moved" 0 'To install from PyPI' ./bootstrap chip
 
 rm -rf "$tree/build" && touch "$tree/build"
-check "build is no folder" 2 'cannot make build/logs' ./bootstrap build
+check "build is not a folder" 2 'cannot make build/logs' ./bootstrap build
 echo "bootstrap says and does what it should"

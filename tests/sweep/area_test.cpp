@@ -86,8 +86,8 @@ TEST_CASE("machines with and without units, from any configuration that can shad
         INFO(name);
         const std::vector<Variant> all = variants_of(named_config(name));
         REQUIRE(all.size() == 8);
-        CHECK(all[0].config.shading == 0);
-        CHECK(all[1].config.shading == 1);
+        CHECK(!all[0].config.shading);
+        CHECK(all[1].config.shading);
         const auto further = [](const Config& c) {
             return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling;
         };

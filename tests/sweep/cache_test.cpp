@@ -87,7 +87,7 @@ TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
     CHECK(cache.find("frame", "key"));
 }
 
-TEST_CASE("a folder that cannot be made is no reason to stop") {
+TEST_CASE("a folder that cannot be made does not stop the sweep") {
     const CacheFolder folder;
     std::ofstream(folder.path() / "file") << "not a folder";
     jobs::Cache cache(folder.path() / "file" / "sweep", false);

@@ -15,7 +15,7 @@ namespace {
 struct Traced {
     Scene scene;
     Job job;
-    FrameTrace frame;
+    RecordedFrame frame;
     std::uint64_t cracks(const std::vector<Closest>& hits) const {
         return sweep::count_cracks(scene, job, hits, 2);
     }
@@ -41,7 +41,7 @@ TEST_CASE("the exact test lets no ray slip through") {
         }
 }
 
-TEST_CASE("a hit that is taken away or put behind is a crack, one beside or before it is none") {
+TEST_CASE("a missing or farther hit is a crack, a neighbouring or nearer one is not") {
     const Traced t = traced("icosphere:4", {64, 48});
     std::vector<Closest> hits = t.frame.trace.hits;
     const std::size_t at = hits.size() / 2 + 32;

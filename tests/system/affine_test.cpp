@@ -68,7 +68,7 @@ public:
             };
             const bool turned = glm::determinant(glm::dmat3(made.before)) < 0;
             const oracle::Corners c{corner(0), corner(turned ? 2 : 1), corner(turned ? 1 : 2)};
-            solids.push_back({oracle::Solid::Kind::triangle, c, {}, 0});
+            solids.push_back({oracle::Solid::Shape::triangle, c, {}, 0});
             corners_.push_back(c);
         }
         surface_.emplace(corners_);

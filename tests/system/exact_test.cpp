@@ -14,7 +14,7 @@ namespace {
 /// Compares every pixel of a frame with brute force.
 void check_exact(const Scene& scene, const Job& job) {
     const ExactScene exact(scene, job.image.lattice);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     const int time_bits = job.config.dir_bits - 1 + job.config.t_frac_bits;
     const Int beyond = (Int(1) << job.config.t_bits()) - 1;
     std::size_t hits = 0, wrong = 0, wrong_t = 0;

@@ -86,7 +86,7 @@ TEST_CASE("finished pictures do not depend on memory and sinks") {
     check_lockstep(job, {40, 30, std::uint64_t(seed)}, seed);
 }
 
-TEST_CASE("a finished picture is the reference's but for what bits cost, and sends the rays that it sends") {
+TEST_CASE("a finished picture is the reference's except for the cost of bits, and sends the same rays") {
     const auto [name, settings, least] =
         GENERATE(table<std::string, Whitted, double>({{"spheres", {4}, 46},
                                                       {"plane", {0}, 33},
@@ -106,9 +106,11 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     Config config = fitted_config(scene, settings, named_config("default"));
     config.stack_depth = 64;
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
+    CHECK(
+        compare(picture_from_colours(size, frame.trace.colours), picture_from_reference(reference)).psnr_db >=
+        least);
     // A ray from a plane's point beyond the lattice that misses the lattice is not sent (docs/shading.md).
     const double fewer = scene.planes.empty() ? 0.01 : 0.4;
     const auto near = [fewer](std::uint64_t mine, std::uint64_t theirs) {
@@ -130,11 +132,11 @@ TEST_CASE(
     const Job job = finished_job(
         {"balls:1", {3}}, {40, 30},
         fitted_config(make_builtin("balls:1", Primitives::native), {3}, named_config("default")));
-    const FrameTrace one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
+    const RecordedFrame one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
     CHECK(one.trace.colours == many.trace.colours);
     CHECK(one.trace.counts == many.trace.counts);
     CHECK(one.trace.signatures == many.trace.signatures);
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
-    CHECK(frame_run(frames[0], replay(job.config, 66000, frames)[0]).pixels == 40 * 30);
+    CHECK(frame_result(frames[0], replay(job.config, 66000, frames)[0]).pixels == 40 * 30);
 }

@@ -88,7 +88,7 @@ std::uint64_t totally_reflected(const Trace& trace) {
 
 /// Requires that every cycle of every unit has one cause, and that the units' work equals what the rays
 /// needed.
-void check_accounts(const FrameRun& run, const Config& config, const Trace& trace) {
+void check_accounts(const FrameResult& run, const Config& config, const Trace& trace) {
     const std::uint64_t pixels = trace.rays.size();
     const auto code = [&](Unit u, std::size_t c) { return run.accounts.units[index(u)][c]; };
     for (std::size_t u = 0; u < unit_count; ++u) {
@@ -140,12 +140,12 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
 }   // namespace
 
 LockstepResult check_lockstep(const Job& job, Traffic traffic, int seed) {
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
     return check_lockstep(job, frames, traffic, seed);
 }
 
-LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
+LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic,
                               int seed) {
     INFO("configuration " << job.config.name << ", jitter " << traffic.jitter << ", stall "
                           << traffic.stall_percent << ", seed " << traffic.seed << ", RTL seed " << seed);
@@ -166,7 +166,7 @@ LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& fra
     CHECK(result.model.hits.hits == result.rtl.hits.hits);
     CHECK(result.model.accounts == result.rtl.accounts);
     CHECK(result.model.memory == result.rtl.memory);
-    for (const FrameRun* run : {&result.model, &result.rtl}) {
+    for (const FrameResult* run : {&result.model, &result.rtl}) {
         CHECK(run->pixels == pixels);
         check_accounts(*run, job.config, frames.back().trace);
     }

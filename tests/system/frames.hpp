@@ -33,7 +33,7 @@ const std::vector<std::string>& quick_configs();
 /// Runs a frame in lockstep. Requires that the machines agree in every value, every cycle and every account.
 LockstepResult check_lockstep(const Job& job, Traffic traffic = {}, int seed = 1);
 /// Runs several frames on one machine and returns the last result.
-LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
+LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic = {},
                               int seed = 1);
 
 }   // namespace rayclock::test

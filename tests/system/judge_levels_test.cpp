@@ -30,7 +30,7 @@ struct Case {
     Scene scene;
     Whitted settings;
     Job job;
-    FrameTrace trace;
+    RecordedFrame trace;
 
     Case(PlacedScene of, bool is_finished, const Config& config, int depth = 3, int aa = 1)
         : placed(std::move(of)), scene(flattened(placed)) {
@@ -139,7 +139,7 @@ TEST_CASE("every ray of planes and true spheres beside instances is judged, in e
     }
 }
 
-TEST_CASE("an answer of planes and true spheres beside instances that is off in anything is wrong",
+TEST_CASE("an answer of planes and true spheres next to instances with any fault is wrong",
           "[judge][levels]") {
     const Case made(mixed_with_round(false), true, named_config("default"), 2);
     const Asked asked = made.asked();

@@ -16,7 +16,7 @@ struct Case {
     Scene scene;
     Whitted settings;
     Job job;
-    FrameTrace trace;
+    RecordedFrame trace;
 
     Case(const std::string& name, const Whitted& asked, const Config& config, FrameSize size = {48, 36})
         : scene(load_scene(name, {}, Primitives::native)), settings(asked) {

@@ -29,9 +29,9 @@ Seen seen(const Scene& scene, const Whitted& settings, const Config& wanted, Fra
     check_scene(scene, "the scene");
     const Config config = fitted_config(scene, settings, wanted);
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    const FrameTrace trace = record_frame(job, job.frame);
+    const RecordedFrame trace = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    const Picture picture = picture_of(size, trace.trace.colours);
+    const Picture picture = picture_from_colours(size, trace.trace.colours);
     const Given given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
     Judgement judgement =
         judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,

@@ -100,7 +100,7 @@ TEST_CASE("model and RTL send no refracted ray of instances that is too short", 
     CHECK(result.model.rays.refraction > 5);
 }
 
-TEST_CASE("model and RTL draw planes and true spheres beside instances alike", "[levels]") {
+TEST_CASE("model and RTL draw planes and true spheres next to instances alike", "[levels]") {
     const Config config = GENERATE(from_range(round_chips()));
     INFO(config.name << ", a pass every " << config.shade_interval);
     const Scene scene = flattened(mixed_with_round(false));

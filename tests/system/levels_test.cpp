@@ -114,7 +114,7 @@ TEST_CASE("a machine of two levels hits what its rays hit alone, whatever the me
     for (const Values& values : {Values{}, Values{{"dram", 0}, {"mem_latency", 60}, {"node_sets", 1}},
                                  Values{{"contexts", 1}, {"pipelines", 2}}}) {
         const Job job = make_shot("gearbox:2", size, with(config, values)).job;
-        const FrameRun run = run_model(job, {20, 30, 5});
+        const FrameResult run = run_model(job, {20, 30, 5});
         REQUIRE(run.answers.size() == alone.answers.size());
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < alone.answers.size(); ++i) {

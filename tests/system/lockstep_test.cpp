@@ -126,8 +126,8 @@ TEST_CASE("model and RTL agree while a screen is read from their memory and pixe
             check_lockstep(job, Traffic{25, 60, 3}, 3);
             Config quiet = config;
             quiet.scan_out = quiet.pixel_writes = 0;
-            const FrameRun with = run_model(job),
-                           without = run_model(make_shot("gears:1", {32, 24}, quiet).job);
+            const FrameResult with = run_model(job),
+                              without = run_model(make_shot("gears:1", {32, 24}, quiet).job);
             CHECK(with.memory.pixel_writes <= 32 * 24 / 16);
             CHECK(with.memory.pixel_writes + 4 >= 32 * 24 / 16);   // the last ones wait
             CHECK(with.memory.scanned > 0);
@@ -144,7 +144,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     INFO(job.config.name);
     Camera turned = *shot.scene.camera;
     turned.fov_degrees *= 0.8;
-    std::vector<FrameTrace> one, two, four;
+    std::vector<RecordedFrame> one, two, four;
     for (auto* frames : {&one, &two, &four}) frames->push_back(record_frame(job, job.frame));
     for (auto* frames : {&two, &four})
         frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image, job.config)));
@@ -153,23 +153,23 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
         four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image, job.config)));
     CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
     for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
-        std::vector<FrameTrace> cold;
+        std::vector<RecordedFrame> cold;
         cold.push_back(record_frame(job, two[1].frame));
-        const FrameRun first = check_lockstep(job, one, traffic).rtl,
-                       second = check_lockstep(job, two, traffic).rtl;
-        const FrameRun alone = check_lockstep(job, cold, traffic).rtl;
+        const FrameResult first = check_lockstep(job, one, traffic).rtl,
+                          second = check_lockstep(job, two, traffic).rtl;
+        const FrameResult alone = check_lockstep(job, cold, traffic).rtl;
         CHECK(first.hits.hits != second.hits.hits);   // another picture
         CHECK(second.hits.hits == alone.hits.hits);   // the content of the caches makes no difference
         if (job.config.node_sets <= 2) continue;
         CHECK(second.memory.reads <= alone.memory.reads);
         CHECK(second.memory.reads < first.memory.reads);
     }
-    std::vector<FrameTrace> same;
+    std::vector<RecordedFrame> same;
     for (int i = 0; i < 2; ++i) same.push_back(record_frame(job, job.frame));
     const LockstepResult again = check_lockstep(job, same);
     if (job.config.node_sets > 2) CHECK(again.rtl.memory.reads < run_model(job).memory.reads);
     // The RTL alone renders the model's frames.
-    const std::vector<FrameRun> runs = run_rtl(job, job.khz, four);
+    const std::vector<FrameResult> runs = run_rtl(job, job.khz, four);
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, four);
     check_lockstep(job, four, {3, 20, 7});
     REQUIRE(runs.size() == 4);

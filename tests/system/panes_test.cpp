@@ -113,9 +113,9 @@ TEST_CASE("planes that transmit or mirror are drawn up to the horizon as the ref
     config.levels = levels, config.stack_depth = 64;
     config = fitted_config(scene, asked, config);
     const Job job = make_job(scene, *scene.camera, size, config, {}, asked);
-    const FrameTrace made = record_frame(job, job.frame);
+    const RecordedFrame made = record_frame(job, job.frame);
     const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, asked, 1);
-    const Picture picture = picture_of(size, made.trace.colours);
+    const Picture picture = picture_from_colours(size, made.trace.colours);
     const Judgement judged =
         judge_finished({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, asked,
                        {right, picture, {made.trace.hits, made.trace.colours, made.trace.signatures}},
@@ -124,5 +124,5 @@ TEST_CASE("planes that transmit or mirror are drawn up to the horizon as the ref
         FAIL_CHECK("pixel (" << f.x << ", " << f.y << "): " << f.what);
     CHECK(judged.bugs() == 0);
     CHECK(judged.causes[std::size_t(PixelCause::horizon)] == 0);
-    CHECK(compare(picture, picture_of(right)).psnr_db >= 40);
+    CHECK(compare(picture, picture_from_reference(right)).psnr_db >= 40);
 }

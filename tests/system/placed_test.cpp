@@ -75,7 +75,7 @@ oracle::PlacedSolids solids_of(const World& w, const Format& f) {
     std::vector<oracle::Solids> meshes;
     for (const auto& mesh : w.meshes) {
         std::vector<oracle::Solid> solids;
-        for (const oracle::Corners& t : mesh) solids.push_back({oracle::Solid::Kind::triangle, t, {}, 0});
+        for (const oracle::Corners& t : mesh) solids.push_back({oracle::Solid::Shape::triangle, t, {}, 0});
         meshes.emplace_back(solids);
     }
     return {std::move(meshes), w.places, w.frac, f.coord_bits, f.dir_bits};

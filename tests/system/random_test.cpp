@@ -50,7 +50,7 @@ void check_random(const Config& config, std::uint64_t seed) {
     INFO(text_of(config));
     Rng rng(seed * 1000);
     const Shot shot = random_shot(seed, config);
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     for (int i = 0; i < 2; ++i) frames.push_back(record_frame(shot.job, shot.job.frame));
     check_lockstep(shot.job);
     for (int i = 0; i < 6; ++i) {

@@ -48,7 +48,7 @@ Config formats(int coord_bits, int dir_bits) {
 
 Judgement judged(const Scene& scene, const Config& config) {
     const Job job = make_job(scene, *scene.camera, size, config);
-    const FrameTrace trace = record_frame(job, job.frame);
+    const RecordedFrame trace = record_frame(job, job.frame);
     const HitFrame reference = Reference(scene).frame(*scene.camera, size);
     const Picture picture = shade(scene, scaled(job, job.frame, trace.trace.hits));
     return judge({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
@@ -58,9 +58,9 @@ Judgement judged(const Scene& scene, const Config& config) {
 Judgement judged_finished(const Scene& scene, Config config, const Whitted& settings) {
     config = fitted_config(scene, settings, config);
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    const FrameTrace trace = record_frame(job, job.frame);
+    const RecordedFrame trace = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    const Picture picture = picture_of(size, trace.trace.colours);
+    const Picture picture = picture_from_colours(size, trace.trace.colours);
     const Given given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
     return judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
                           settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));

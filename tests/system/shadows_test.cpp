@@ -9,7 +9,7 @@
 using namespace rayclock;
 using oracle::Corners;
 using oracle::Sight;
-using Kind = OriginScheme::Kind;
+using Method = OriginScheme::Method;
 
 namespace {
 
@@ -75,20 +75,21 @@ PrimData prim_of(const Corners& t) { return {t.a, t.b, t.c, 0}; }
 }   // namespace
 
 TEST_CASE("no false shadow and no light leak from points of the surface", "[shadows]") {
-    for (const int frac_bits : {2, 6, 16}) check_scheme(700, unsigned(frac_bits), {Kind::surface, frac_bits});
+    for (const int frac_bits : {2, 6, 16})
+        check_scheme(700, unsigned(frac_bits), {Method::surface, frac_bits});
 }
 
 TEST_CASE("no false shadow and no light leak in ten million rays", "[shadows][slow]") {
     for (const int frac_bits : {4, 6, 8, 12, 16})
-        check_scheme(40000, unsigned(100 + frac_bits), {Kind::surface, frac_bits});
+        check_scheme(40000, unsigned(100 + frac_bits), {Method::surface, frac_bits});
 }
 
 TEST_CASE("other origins of secondary rays do shadow themselves and leak", "[shadows]") {
-    for (const Kind kind : {Kind::excluded, Kind::pushed, Kind::epsilon}) {
+    for (const Method method : {Method::excluded, Method::pushed, Method::epsilon}) {
         ShadowCounts sum;
         for (const ShadowScene& scene : shadow_scenes())
-            sum += shadow_counts(scene.make(16), 16, 5, 300, {kind, 0});
-        CAPTURE(int(kind));
+            sum += shadow_counts(scene.make(16), 16, 5, 300, {method, 0});
+        CAPTURE(int(method));
         REQUIRE(sum.false_shadows > 0);
         REQUIRE(sum.light_leaks > 0);
     }

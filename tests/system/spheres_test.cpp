@@ -134,7 +134,7 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
     Config config = fitted_config(scene, asked, named_config(name));
     config.stack_depth = 64, config.levels = levels;
     const Job job = make_job(scene, *scene.camera, size, config, {}, asked);
-    const FrameTrace made = record_frame(job, job.frame);
+    const RecordedFrame made = record_frame(job, job.frame);
     const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, asked, 1);
 
     const PictureJudgement judged =
@@ -142,9 +142,9 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
                       {made.trace.hits, made.trace.colours, made.trace.signatures});
     for (const PictureFault& f : judged.faults)
         FAIL_CHECK("pixel (" << f.x << ", " << f.y << "), after ray " << f.ray << ": " << f.what);
-    const FrameRun run = run_model(job);
-    const FrameError error =
-        frame_error(run.hits, picture_of(size, run.colours), right.hits, picture_of(right));
+    const FrameResult run = run_model(job);
+    const FrameError error = frame_error(run.hits, picture_from_colours(size, run.colours), right.hits,
+                                         picture_from_reference(right));
     CAPTURE(error.pixels_other_primitive, error.psnr_db);
     // Only pixels at the outline of a ball may show the neighbouring primitive.
     CHECK(error.pixels_other_primitive <= error.pixels / 200);

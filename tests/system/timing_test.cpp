@@ -120,7 +120,7 @@ TEST_CASE("accounts close: work that enters a unit leaves it, and no frame is fa
     const Shot shot = make_shot(GENERATE("teapot:6", "gears:1", "cornell"), {48, 36},
                                 quick_config(GENERATE("default", "small", "narrow", "broad")));
     const Traffic traffic = GENERATE(Traffic{}, Traffic{5, 30, 3});
-    const FrameRun run = run_model(shot.job, traffic);
+    const FrameResult run = run_model(shot.job, traffic);
     INFO(shot.job.config.name);
     const Config& config = shot.job.config;
     for (const UnitAccount& a : unit_accounts(config, run)) {

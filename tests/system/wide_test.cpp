@@ -31,7 +31,7 @@ Scene loaded(const std::string& name) {
 
 /// Requires that every answer is the only correct one, and that none reaches the end of t's range or exceeds
 /// half of it.
-void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) {
+void check_answers(const Scene& scene, const Job& job, const RecordedFrame& frame) {
     const Truth truth(scene, job.image.lattice, job.config);
     std::size_t wrong = 0, other_direction = 0, beyond = 0, short_directions = 0;
     for (std::size_t i = 0; i < frame.trace.hits.size(); ++i) {
@@ -51,7 +51,7 @@ void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) 
 }
 
 /// Requires that boxes behind a hit are skipped, except for this share of the visits.
-void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
+void check_visits(const Job& job, const RecordedFrame& frame, double extra_part) {
     const ExtraVisits extra = extra_visits(job.image, job.frame, job.config);
     CHECK(extra.boxes_lost + extra.t_late + extra.other_hits == 0);
     CHECK(extra.machine.visits == frame.trace.visits);
@@ -60,9 +60,9 @@ void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
 
 /// With memory that never keeps a unit waiting for long, the machine does a visit or a test in nearly every
 /// cycle.
-void check_cycles(const Job& job, const FrameTrace& frame) {
+void check_cycles(const Job& job, const RecordedFrame& frame) {
     const Config ideal = with(job.config, {{"dram", 0}, {"mem_latency", 4}, {"mem_interval", 1}});
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
     const std::uint64_t cycles = replay(ideal, default_khz, frames)[0].cycles;
     const double work = double(
@@ -75,7 +75,7 @@ void check_cycles(const Job& job, const FrameTrace& frame) {
 void check_camera(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
                   double extra_part = most_extra) {
     const Job job = make_job(scene, camera, size, config);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     check_answers(scene, job, frame);
     check_visits(job, frame, extra_part);
     if (config.raygen_queue >= 16) check_cycles(job, frame);   // queues of two make every unit wait

@@ -59,13 +59,13 @@ TEST_CASE("the torture set has every engine, level, timing and interval") {
 TEST_CASE("every count in a report is that of the transfers in a trace") {
     for (const TortureCase& torture : torture_cases(GENERATE(from_range(torture_chips())))) {
         const Config& config = torture.job.config;
-        const std::vector<FrameTrace> frames = record_torture(torture);
+        const std::vector<RecordedFrame> frames = record_torture(torture);
         Machine machine(config, torture.job.khz, torture.traffic);
         bring(machine, 0, std::span(frames));
         std::array<std::uint64_t, link_count> moved{};
         machine.start(frames[0].frame, frames[0].trace);
         while (!machine.done()) machine.step([&](const Move& move) { ++moved[index(move.link)]; });
-        const FrameRun run = frame_run(
+        const FrameResult run = frame_result(
             frames[0],
             {machine.cycle(), machine.hits(), machine.accounts(), machine.memory().stats(), 0, false, {}});
         const auto count = [&](Link link) { return moved[index(link)]; };

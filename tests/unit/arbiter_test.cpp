@@ -8,7 +8,7 @@
 using namespace rayclock;
 using test::Draw;
 
-TEST_CASE("the arbiter serves in turn whoever offers", "[arbiter]") {
+TEST_CASE("the arbiter serves all offers in turn", "[arbiter]") {
     const int sources = GENERATE(2, 4, 16);
     Arbiter arbiter{sources};
     const std::uint32_t all = (1u << sources) - 1;

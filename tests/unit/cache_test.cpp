@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE("model and rtl of a fast cache do the same in every cycle", "
 }
 
 TEMPLATE_TEST_CASE("caches of other shapes keep their rules", "[cache][slow]", ALL_CACHES) {
-    for (const std::string& name : other_shapes<typename TestType::Kind>()) {
+    for (const std::string& name : other_shapes<typename TestType::CacheKind>()) {
         INFO(name);
         const Config config = cache_config(name);
         check_hit_latency<TestType>(config);

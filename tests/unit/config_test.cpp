@@ -51,7 +51,7 @@ TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
     }
 }
 
-TEST_CASE("a parameter that does not exist or is no number is refused", "[config]") {
+TEST_CASE("a parameter that does not exist or is not a number is refused", "[config]") {
     Config config;
     REQUIRE_THROWS_WITH(set_parameter(config, "coord_bit", "12", "f"),
                         Contains("f: ") && Contains("coord_bits"));

@@ -60,7 +60,7 @@ TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[d
 TEST_CASE("reads in sequence reach the peak bandwidth less refresh, and never more", "[dram]") {
     const DramPart part = dram_part(any_part());
     const int slow = GENERATE(66'000, 200'000);
-    // Fast enough that the port is no limit.
+    // So fast that the port does not limit.
     const int khz = 64e3 * slow > double(peak_bytes_per_second(part)) ? slow : 10 * slow;
     const Log log = run(part, khz, sequence(20'000), 64);
     check_commands(part, log.commands);

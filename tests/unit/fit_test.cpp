@@ -38,7 +38,7 @@ Plain plain(const Scene& scene, FrameSize size, const HitFrame& reference, const
     try {
         check_config(config, "test");
         const Job job = make_job(scene, *scene.camera, size, config);
-        const FrameTrace frame = record_frame(job, job.frame);
+        const RecordedFrame frame = record_frame(job, job.frame);
         p.error = frame_error(scene, hits_of(job, frame), reference);
         p.work = double(frame.trace.visits + frame.trace.triangle_tests);
         p.deep = true;

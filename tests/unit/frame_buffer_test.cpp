@@ -39,7 +39,7 @@ TEST_CASE("a screen of 640x480 is read 60 times a second at any clock", "[mempor
 }
 
 TEST_CASE(
-    "the screen's words come in time beside a chip that asks whenever it can, and are none of the chip's",
+    "the screen's words come in time next to a chip that always requests, and do not count as the chip's",
     "[memport][picture]") {
     for (const char* dram : {"ideal", "sdr_half", "ddr3"}) {
         for (const Traffic& traffic : {Traffic{}, Traffic{40, 30, 5}}) {

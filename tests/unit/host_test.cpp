@@ -204,7 +204,7 @@ TEST_CASE("a frame begins after its preparation, ends with its last pixel, and i
         REQUIRE((face.read("Status") & 3) == 1);
         int prepared = 0;
         for (; !face.get("start") && !face.get("done"); ++prepared) {
-            REQUIRE(prepared < 20);   // sixteen cycles, some of which were spent on the bus
+            REQUIRE(prepared < 20);   // sixteen cycles, including those on the bus
             REQUIRE_FALSE(face.get("running"));
             face.clock();
         }

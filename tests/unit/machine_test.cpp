@@ -47,7 +47,7 @@ TEST_CASE("the order in which units see the clock edge does not matter, nor whet
     const Values values = GENERATE(Values{}, Values{{"pipelines", 2}, {"l2_sets", 4}, {"dram", 2}});
     const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"balls:1", true}}));
     const Job job = job_of(scene, values, shading);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const rayclock::Traffic traffic = seed % 2 ? rayclock::Traffic{} : disturbed(seed);
         Machine plain{job.config, job.khz, traffic}, shuffled{job.config, job.khz, traffic},
@@ -81,7 +81,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     const rayclock::Traffic traffic = GENERATE(rayclock::Traffic{}, disturbed(1), disturbed(2));
     const Job job = small_job("gears:1", {20, 12}, shaped(format("small"), values));
     INFO(job.config.name << ", seed " << traffic.seed);
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine{job.config, job.khz, traffic};
     machine.start(frame.frame, frame.trace);
     std::vector<int> seen(20 * 12, 0);
@@ -150,12 +150,12 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
     const int khz = GENERATE(66000, 400000);
     const Job job = job_of(scene, values, shading);
     INFO(scene << ", " << job.config.name << ", " << khz << " kHz");
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     for (int i = 0; i < 2; ++i)
         frames.push_back(record_frame(job, job.frame));   // the second with warm caches
     Machine stepped{job.config, khz}, ran{job.config, khz};
     Draw draw{3};
-    for (const FrameTrace& frame : frames) {
+    for (const RecordedFrame& frame : frames) {
         stepped.start(frame.frame, frame.trace);
         ran.start(frame.frame, frame.trace);
         while (!ran.done()) {
@@ -177,7 +177,7 @@ TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") 
     const auto [scene, name] = GENERATE(table<const char*, const char*>(
         {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:rays4:small"}}));
     const Job job = small_job(scene, {16, 12}, format(name));
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :
          {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // in the last case both caches
                                                                                // wait

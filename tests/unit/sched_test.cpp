@@ -68,12 +68,12 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
 }
 
 /// Returns the order of pixels if tiles come on request, row by row, and every ray ends in the next cycle.
-template <class Dut> std::vector<Place> order_of(const Config& config, const Frame& frame) {
+template <class Dut> std::vector<PixelCoord> order_of(const Config& config, const Frame& frame) {
     Dut dut{frame, config};
     std::deque<Tile> tiles = tiles_of(frame, config.tile_bits);
     const std::size_t patience = (tiles.size() + 2) << 2 * config.tile_bits;
     dut.slot.ready = dut.hit.ready = true;
-    std::vector<Place> order;
+    std::vector<PixelCoord> order;
     for (std::size_t cycle = 0; order.size() < std::size_t(frame.width) * frame.height; ++cycle) {
         if (cycle > patience) FAIL("no pixel after " << order.size());
         dut.tile.offer.reset();
@@ -215,12 +215,12 @@ TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[
                    SchedRtl) {
     for (const int tile_bits : {0, 3}) {
         const Frame frame = frame_of(16384, 2);
-        std::deque<Place> expected;
+        std::deque<PixelCoord> expected;
         for (const Tile& tile : tiles_of(frame, tile_bits))
             in_morton_order(tile.x << tile_bits, tile.y << tile_bits, 1u << tile_bits, expected);
-        std::erase_if(expected, [&](const Place& p) { return p.y >= frame.height; });
-        const std::vector<Place> order = order_of<TestType>(tiled(tile_bits), frame);
-        REQUIRE((order == std::vector<Place>(expected.begin(), expected.end())));
+        std::erase_if(expected, [&](const PixelCoord& p) { return p.y >= frame.height; });
+        const std::vector<PixelCoord> order = order_of<TestType>(tiled(tile_bits), frame);
+        REQUIRE((order == std::vector<PixelCoord>(expected.begin(), expected.end())));
     }
 }
 

@@ -64,7 +64,7 @@ void check(const char* format, int contexts, int queue, int cycles) {
     }
     CAPTURE(pixels, shadows, bounces, samples, closed);
     REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
-    REQUIRE((samples > 0) == (c.supersampling != 0));
+    REQUIRE((samples > 0) == (c.supersampling));
     REQUIRE((closed > 0) == (queue < 32 && queue < contexts));
 }
 

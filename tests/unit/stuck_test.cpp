@@ -18,7 +18,7 @@ constexpr rayclock::Traffic shut{0, 100, 1};   // memory accepts no request and 
 /// One pipeline whose memory is the test. A requested word comes in the next cycle, or never.
 struct Alone {
     Job job;
-    FrameTrace frame;
+    RecordedFrame frame;
     Pipeline pipeline;
     Dispatch dispatch;
     std::uint64_t now = 0;
@@ -105,7 +105,7 @@ TEST_CASE("rays whose triangle never comes are with the primitive cache or done"
 
 TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
     const Job job = small_job("gears:1", {16, 12}, shaped(format("small"), {{"pipelines", 2}, {"dram", 2}}));
-    const FrameTrace frame = record_frame(job, job.frame);
+    const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine{job.config, job.khz, {20, 50, 4}};
     machine.start(frame.frame, frame.trace);
     REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
@@ -154,7 +154,8 @@ TEST_CASE("a run that stands still ends with where every ray is", "[machine][stu
     REQUIRE(rtl.find("with 0 of 192 pixels done") != std::string::npos);
 }
 
-TEST_CASE("a memory that takes tens of thousands of cycles to answer is no standstill", "[machine][stuck]") {
+TEST_CASE("a memory that takes tens of thousands of cycles to answer is not a standstill",
+          "[machine][stuck]") {
     const std::string memory = GENERATE("sdr", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
     Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
     set_parameter(job.config, "dram", memory, "test");
@@ -176,7 +177,7 @@ TEST_CASE("a memory that takes tens of thousands of cycles to answer is no stand
     }
     CHECK(longest <= pause);
     CHECK(longest > pause / 3);   // the bound is realistic
-    const FrameRun model = run_model(job);
+    const FrameResult model = run_model(job);
     CHECK(model.cycles > 15000);
     if (memory != "sdr") return;   // 30,000 cycles for each answer
     const LockstepResult both = run_lockstep(job);

@@ -33,8 +33,8 @@ struct Picture {
     MemoryImage image;
     Frame frame;
 };
-Picture picture_of(const char* scene_name, const Whitted& settings,
-                   std::initializer_list<std::pair<const char*, const char*>> values) {
+Picture compiled_picture(const char* scene_name, const Whitted& settings,
+                         std::initializer_list<std::pair<const char*, const char*>> values) {
     const Scene scene = make_builtin(scene_name, Primitives::native);
     Config config = fitted_config(scene, settings, named_config("default"));
     for (const auto& [key, value] : values) set_parameter(config, key, value, "test");
@@ -96,12 +96,12 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
 TEST_CASE("all rays of a chip that shades are recorded as they are walked", "[trace][shading]") {
     const Whitted deep{.depth = 6}, fine{.depth = 2, .aa = 3, .jitter = true, .contrast = 0.1};
     const Picture pictures[] = {
-        picture_of("spheres", deep, {}),
-        picture_of("balls:3", deep, {{"node_width", "2"}, {"stack_depth", "64"}}),
-        picture_of("gears:1", deep, {{"leaf_size", "6"}}),
-        picture_of("mount:4", fine, {{"node_width", "4"}, {"leaf_size", "3"}, {"stack_depth", "64"}}),
-        picture_of("teapot:4", deep, {{"coord_bits", "14"}, {"dir_bits", "16"}}),
-        picture_of("mirrors", fine, {{"box_bits", "5"}}),
+        compiled_picture("spheres", deep, {}),
+        compiled_picture("balls:3", deep, {{"node_width", "2"}, {"stack_depth", "64"}}),
+        compiled_picture("gears:1", deep, {{"leaf_size", "6"}}),
+        compiled_picture("mount:4", fine, {{"node_width", "4"}, {"leaf_size", "3"}, {"stack_depth", "64"}}),
+        compiled_picture("teapot:4", deep, {{"coord_bits", "14"}, {"dir_bits", "16"}}),
+        compiled_picture("mirrors", fine, {{"box_bits", "5"}}),
     };
     for (const Picture& p : pictures) {
         const Trace trace = record_trace(p.image, p.frame, p.config, 2);

@@ -84,19 +84,19 @@ TEST_CASE("a trace's sums are those of its rays, and every ray begins at the roo
 TEST_CASE("a trace holds for machines of other shapes", "[trace]") {
     const char* const scene = GENERATE("gears:1", "teapot:4");
     const Job job = small_job(scene, {30, 20}, format("small"));
-    std::vector<FrameTrace> recorded;
+    std::vector<RecordedFrame> recorded;
     recorded.push_back(record_frame(job, job.frame));
     for (const Values& values : shapes()) {
         const Config config = shaped(job.config, values);
         INFO(scene << ", " << config.name);
         const Job own = small_job(scene, {30, 20}, config);
-        std::vector<FrameTrace> again;
+        std::vector<RecordedFrame> again;
         again.push_back(record_frame(own, own.frame));
         require_same(recorded[0].trace, again[0].trace, config);
         for (const Traffic& traffic : {Traffic{}, Traffic{7, 20, 5}})
             require_same(replay(config, 100000, recorded, traffic)[0],
                          replay(config, 100000, again, traffic)[0]);
-        const FrameRun run = run_model(own);
+        const FrameResult run = run_model(own);
         require_same(replay(config, own.khz, recorded)[0], run);
         REQUIRE(run.hits.hits == hits_of(job, recorded[0]).hits);
     }
@@ -106,7 +106,7 @@ TEST_CASE("frames in sequence find the caches as the last one left them", "[trac
     const Job job =
         small_job("gears:1", {30, 20},
                   shaped(format("small"), {{"dram", GENERATE(0, 2)}, {"pipelines", GENERATE(1, 2)}}));
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     for (int i = 0; i < 3; ++i) frames.push_back(record_frame(job, job.frame));
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, frames);
     REQUIRE(timings.size() == 3);
@@ -118,7 +118,7 @@ TEST_CASE("frames in sequence find the caches as the last one left them", "[trac
         for (const std::uint64_t count : t.accounts.units[index(Unit::memory)]) sum += count;
         REQUIRE(sum == t.cycles);
     }
-    std::vector<FrameTrace> alone;
+    std::vector<RecordedFrame> alone;
     alone.push_back(record_frame(job, job.frame));
     require_same(timings[0], replay(job.config, job.khz, alone)[0]);
 }
@@ -127,7 +127,7 @@ TEST_CASE("a machine may replay a trace that is still being recorded", "[trace]"
     for (const Values& values : shapes()) {
         const Job job = small_job("gears:2", {100, 70}, shaped(format("small"), values));
         INFO(job.config.name);
-        std::vector<FrameTrace> before, beside;
+        std::vector<RecordedFrame> before, beside;
         before.push_back(record_frame(job, job.frame));
         const std::vector<FrameTiming> expected = replay(job.config, job.khz, before);
         for (const int threads : {1, 2, 5}) {
@@ -137,7 +137,7 @@ TEST_CASE("a machine may replay a trace that is still being recorded", "[trace]"
     }
 }
 
-TEST_CASE("a recording that is given up stops, and whoever waits for its rays is told", "[trace]") {
+TEST_CASE("an abandoned recording stops and notifies those who wait for its rays", "[trace]") {
     const Job job = small_job("gears:2", {100, 70}, format("small"));
     Trace trace;
     { const Recording abandoned(job.image, job.frame, job.config, 2, trace); }

@@ -155,7 +155,7 @@ private:
             for (glm::dvec3& corner : corners.vertices) corner = middle + room * (corner - middle);
         corners.triangles = {{{0, 1, 1}, 0}};
         if (parts_.round) corners.planes = parts_.round->planes;
-        return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading != 0,
+        return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading,
                            parts_.round ? room_around_planes(*parts_.round, config_) : 1);
     }
 

@@ -25,7 +25,7 @@ Lattice lattice_of(const Scene& scene, Bounds bounds, std::span<const glm::dvec3
     corners.vertices = {bounds.lo, bounds.hi};
     corners.triangles = {{{0, 1, 1}, 0}};
     corners.spheres = scene.spheres, corners.planes = scene.planes;
-    return fit_lattice(corners, eyes[0], config.coord_bits, config.shading != 0,
+    return fit_lattice(corners, eyes[0], config.coord_bits, config.shading,
                        room_around_planes(scene, config));
 }
 

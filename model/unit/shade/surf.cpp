@@ -33,11 +33,11 @@ bool saturate(std::int64_t at, int bits, std::int64_t& o) {
 }
 
 /// Weights u and v in units of 2^-(B + fine). `ends`: a plane's u or v is saturated.
-struct Place {
+struct FineWeights {
     std::int64_t u = 0, v = 0;
     bool ends = false;
 };
-Place place_of(const Closest& hit, bool is_plane, int frac_bits, const Config& c) {
+FineWeights fine_weights(const Closest& hit, bool is_plane, int frac_bits, const Config& c) {
     if (!is_plane) {
         const Weights w = inner_weights(hit.u, hit.v, c.bary_bits, frac_bits);
         return {w.u, w.v, false};
@@ -107,7 +107,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         toward = state.n;
     } else {
         const int fine = is_plane ? 0 : int(s.fine);
-        const Place p = place_of(in.hit, is_plane, b + fine, c);
+        const FineWeights p = fine_weights(in.hit, is_plane, b + fine, c);
         state.n = edges_cross(s);
         state.lost = ends = p.ends;
         for (std::size_t k = 0; k < 3; ++k) {

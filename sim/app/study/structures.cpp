@@ -58,19 +58,19 @@ std::string command_of(const Options& o) {
 }
 
 /// Returns the area of one pipeline with each structure, without and with the units of finished pictures.
-std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kinds, const Options& o,
-                                        const Progress& progress) {
+std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStructure>& candidates,
+                                        const Options& o, const Progress& progress) {
     std::vector<area::Variant> variants;
-    for (const structures::Kind& kind : kinds) {
-        variants.push_back({kind.name, kind.config});
-        variants.push_back({kind.name + ", all units", area::all_units(kind.config)});
+    for (const structures::NamedStructure& structure : candidates) {
+        variants.push_back({structure.name, structure.config});
+        variants.push_back({structure.name + ", all units", area::all_units(structure.config)});
     }
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
     if (areas.partial)
         throw Interrupted("interrupted: no page was written; the same command goes on where it was");
     std::vector<structures::Areas> counts;
-    for (std::size_t i = 0; i < kinds.size(); ++i)
+    for (std::size_t i = 0; i < candidates.size(); ++i)
         counts.push_back({area::pipeline_count(areas, 2 * i), area::pipeline_count(areas, 2 * i + 1)});
     return counts;
 }
@@ -78,8 +78,9 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::Kind>& kin
 int run(const Options& o) {
     structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.round, o.threads,
                             limits_of(o.limits)};
-    const auto kinds = structures::trees(study.base);
-    for (const structures::Kind& kind : kinds) check_config(kind.config, "structures");
+    const auto candidates = structures::trees(study.base);
+    for (const structures::NamedStructure& structure : candidates)
+        check_config(structure.config, "structures");
     const std::filesystem::path folder(o.output);
     const std::string path = (folder / "structures.md").string(), plot = (folder / "structures").string();
     check_writable(path);
@@ -87,13 +88,13 @@ int run(const Options& o) {
     plot::check_plot_path(plot);
     const Progress progress = stopping(terminal_progress());
     structures::Figures figures;
-    auto machines = kinds;
+    auto machines = candidates;
     machines.push_back(structures::list(study.base));
     if (!o.no_netlist) figures.areas = areas_of(machines, o, progress);
     for (const std::string& scene : study.scenes)
-        figures.large.push_back(structures::measure(scene, kinds, study, true, progress));
+        figures.large.push_back(structures::measure(scene, candidates, study, true, progress));
     study.size = size_of_small;
-    auto all = kinds;
+    auto all = candidates;
     all.push_back(structures::inner_octree(study.base));
     all.push_back(structures::list(study.base));
     for (const std::string& scene : structures::small_scenes())

@@ -22,7 +22,7 @@ struct Options {
 };
 
 void declare(Parser& parser, Options& o) {
-    parser.option("-o,--output", o.output, "Markdown file to write; the plots go beside it").required();
+    parser.option("-o,--output", o.output, "Markdown file to write; the plots go next to it").required();
     parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
     size_option(parser, o.size);
     fresh_option(parser, o.fresh);

@@ -55,7 +55,7 @@ struct Found {
     const Machine& best() const { return path.empty() ? first : path.back(); }
 };
 
-/// A smaller relative speed-up is no gain and justifies no hardware.
+/// A smaller relative speed-up does not justify hardware.
 constexpr double least_gain = 0.005;
 
 bool fits(const chip::Use& use, const chip::Use& room);

@@ -122,10 +122,10 @@ void Measure::measure_film(const Config& config, Outcome& outcome) {
     outcome.psnr_db = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
-        const FrameTrace made = film.record(threads_, stopping({}));
+        const RecordedFrame made = film.record(threads_, stopping({}));
         const HitFrame hits = hits_of(film.job(), made);
-        const Picture picture =
-            choice_.finished ? picture_of(size_, made.trace.colours) : shade(film.request().scene, hits);
+        const Picture picture = choice_.finished ? picture_from_colours(size_, made.trace.colours)
+                                                 : shade(film.request().scene, hits);
         outcome.other += others(hits, references_[f]);
         outcome.psnr_db = std::min(outcome.psnr_db, compare(picture, expected_[f]).psnr_db);
         outcome.work += made.trace.visits + made.trace.triangle_tests;

@@ -79,7 +79,7 @@ const std::vector<NamedTest>& controls() {
          PrimitiveTest::exact, Demand::leaks},
         {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", exclusive<~Number(1)>,
          Walks::no, PrimitiveTest::exact, Demand::leaks},
-        {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no,
+        {"epsilon", "control: |det| < 2^-30 of the largest is not a hit. Must leak", epsilon, Walks::no,
          PrimitiveTest::exact, Demand::leaks},
         {"inward_boxes",
          "control: the exact test in child boxes rounded inwards. Must miss what the oracle hits", tri_test,

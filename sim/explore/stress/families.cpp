@@ -318,7 +318,7 @@ const std::vector<Family>& families() {
         {"slivers", "the ball with edges cut on one side and the seam closed by triangles without area", true,
          false, slivers},
         {"edge_on", "rays in the plane of a triangle, seen edge-on (det = 0)", true, false, edge_on},
-        {"on_surface", "rays that start on a corner, an edge or a plane of the surface: t = 0 is no hit",
+        {"on_surface", "rays that start on a corner, an edge or a plane of the surface: t = 0 is not a hit",
          false, false, on_surface},
         {"ties", "every triangle twice, in another order: equal t goes to the lower number", false, false,
          ties},

@@ -29,7 +29,7 @@ int largest(const Vec3i& v) { return std::max({std::abs(v[0]), std::abs(v[1]), s
 /// The hit of a camera ray.
 struct CameraHit {
     std::uint32_t primitive = no_primitive;
-    oracle::Place at;
+    oracle::RationalPoint at;
     glm::dvec3 near{0};   ///< approximation of `at`
     std::uint32_t u = 0, v = 0;
     int facing = 0;   ///< the side from which the ray came
@@ -131,10 +131,11 @@ private:
         const bool blocked = side != to.facing || is_blocked(start, to);
         const Sight::Answer at_hit =
             truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
-        const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]},
-                                Int128(1) << start.at.frac_bits};
+        const oracle::RationalPoint own{{start.at.at[0], start.at.at[1], start.at.at[2]},
+                                        Int128(1) << start.at.frac_bits};
         // Only a point of the surface may replace the hit.
-        if (scheme_.kind != OriginScheme::Kind::surface || !oracle::in_plane(own, triangle(hit.primitive)))
+        if (scheme_.method != OriginScheme::Method::surface ||
+            !oracle::in_plane(own, triangle(hit.primitive)))
             return judge(blocked, at_hit);
         const Sight::Answer at_own =
             truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
@@ -153,15 +154,16 @@ private:
     }
 
     ShadowStart begin(const CameraHit& hit, const PrimData& prim, int facing) const {
-        using Kind = OriginScheme::Kind;
+        using Method = OriginScheme::Method;
         const int bits = scheme_.frac_bits;
-        if (scheme_.kind == Kind::surface)
+        if (scheme_.method == Method::surface)
             return {surface_point(prim, inner_weights(hit.u, hit.v, config_.bary_bits, bits), bits),
                     no_primitive};
-        if (scheme_.kind == Kind::epsilon) return {lifted(hit, prim, facing), no_primitive};
+        if (scheme_.method == Method::epsilon) return {lifted(hit, prim, facing), no_primitive};
         Vec3i at = nearest(hit);
-        if (scheme_.kind == Kind::pushed) push(at, prim, facing);
-        return {{{at[0], at[1], at[2]}, 0}, scheme_.kind == Kind::excluded ? hit.primitive : no_primitive};
+        if (scheme_.method == Method::pushed) push(at, prim, facing);
+        return {{{at[0], at[1], at[2]}, 0},
+                scheme_.method == Method::excluded ? hit.primitive : no_primitive};
     }
     static glm::dvec3 normal(const PrimData& t) {
         return glm::cross(vector(t.b) - vector(t.a), vector(t.c) - vector(t.a));
@@ -218,10 +220,10 @@ private:
 };
 
 std::string OriginScheme::name() const {
-    switch (kind) {
-        case Kind::excluded: return "nearest, own triangle excluded";
-        case Kind::pushed: return "nearest, pushed off the plane";
-        case Kind::epsilon: return "epsilon along the normal";
+    switch (method) {
+        case Method::excluded: return "nearest, own triangle excluded";
+        case Method::pushed: return "nearest, pushed off the plane";
+        case Method::epsilon: return "epsilon along the normal";
         default: return "on the surface, B = " + std::to_string(frac_bits);
     }
 }

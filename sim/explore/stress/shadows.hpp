@@ -12,13 +12,13 @@ namespace rayclock {
 
 /// The origin of a secondary ray, where P is the exact hit on a triangle.
 struct OriginScheme {
-    enum class Kind {
+    enum class Method {
         surface,    ///< the machine's scheme: model/unit/isect/origin.hpp with `frac_bits`
         excluded,   ///< the lattice point nearest to P; the ray ignores the hit triangle
         pushed,     ///< that point, moved along the normal's main axis until it leaves the triangle's plane
         epsilon,    ///< P moved along the normal by 1e-4 of the lattice's extent, with 16 fraction bits
     };
-    Kind kind = Kind::surface;
+    Method method = Method::surface;
     int frac_bits = 16;
     std::string name() const;
 };

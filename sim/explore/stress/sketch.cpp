@@ -119,12 +119,12 @@ std::string draw(const View& view, const std::vector<Ray>& rays) {
 }
 
 /// The hit on the triangle with the shortest edge, and that edge. The difficulty of the family shows there.
-struct Place {
+struct HardestHit {
     glm::dvec3 at{0};
     double edge = 0;
 };
-Place smallest(const Mesh& mesh, const std::vector<Ray>& rays) {
-    Place best;
+HardestHit hit_with_shortest_edge(const Mesh& mesh, const std::vector<Ray>& rays) {
+    HardestHit best;
     for (const Ray& ray : rays)
         for (const oracle::ExactHit& hit : ray.hits) {
             const oracle::Corners& t = mesh.triangles[hit.primitive];
@@ -147,7 +147,7 @@ std::string sketch(const Family& family) {
     whole.half = 0.62 * glm::distance(place(subject.mesh.lo), place(subject.mesh.hi));
     View near = whole;
     near.left = panel + 10;
-    const Place hard = smallest(subject.mesh, rays);
+    const HardestHit hard = hit_with_shortest_edge(subject.mesh, rays);
     near.centre = near.flat(hard.at);
     near.half = std::max(2.5 * hard.edge, 3.0);
     std::string out = fmt::format(

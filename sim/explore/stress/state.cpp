@@ -66,7 +66,7 @@ std::uint64_t parse_state(const Plan& plan, std::string_view text, std::vector<C
     const JsonValue in(json, plan.state);
     in.only_keys({"plan", "batches", "counts", "check"});
     if (in.at("plan").object().raw() != Json(plan_json(plan)))
-        Place{plan.state}.refuse(
+        SourcePosition{plan.state}.refuse(
             "is the state of another stress run; name another file, or the run's own options");
     const std::uint64_t batches = in.at("batches").whole(batches_in_all + 1);
     const JsonValue counts = in.at("counts").array();

@@ -68,7 +68,7 @@ Part read_part(const std::string& file) {
     const Json checked = parse_json(file, text);
     for (const char* key : {"scene", "config", "frame", "sweep", "shard", "partial", "points"})
         if (!checked.is_object() || !checked.contains(key))
-            refuse(file, fmt::format("is no report of sweep: it has no key '{}'", key));
+            refuse(file, fmt::format("is not a report of sweep: it has no key '{}'", key));
     if (checked["partial"] != false)
         refuse(file, "was interrupted before its end; the command that wrote it goes on where it was");
     const Shard shard = shard_of(JsonValue(checked, file).at("shard"));
@@ -130,7 +130,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     picture["cracks"] = json.at("cracks");
     picture["memory_bytes"] = json.at("memory_bytes");
     picture["rays"] = json.at("rays");
-    r.picture = picture_of(picture);
+    r.picture = picture_figures_from_json(picture);
     r.multipliers = count_or_none(json.at("multipliers"));
     r.flip_flops = count_or_none(json.at("flip_flops"));
     if (!json.at("chip").is_null()) r.area = synth::count_of(json.at("chip"));
@@ -161,7 +161,7 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
     for (const Part& part : parts) check_form(JsonValue(Json(part.report), part.file));
 
     const auto broken = [](const Part& part, const char* why) {
-        refuse(part.file, fmt::format("is no report of sweep: {}", why));
+        refuse(part.file, fmt::format("is not a report of sweep: {}", why));
     };
     Merged merged;
     const ordered_json& report = parts[0].report;

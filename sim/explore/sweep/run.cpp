@@ -26,7 +26,7 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
-PictureFigures picture_of(const ordered_json& json) {
+PictureFigures picture_figures_from_json(const ordered_json& json) {
     PictureFigures p;
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
     p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
@@ -157,7 +157,7 @@ private:
             }
         }
         for (auto& [format, group] : groups_)
-            if (const auto picture = cache_.find("picture", group.key, picture_of)) {
+            if (const auto picture = cache_.find("picture", group.key, picture_figures_from_json)) {
                 group.picture_known = true;
                 for (Result* r : group.results) r->picture = *picture;
             }
@@ -243,7 +243,7 @@ private:
         config.dram = DramName::ideal;
         config.scan_out = config.pixel_writes = false;
         Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
-        std::vector<FrameTrace> frames;
+        std::vector<RecordedFrame> frames;
         while (frames.size() < film.frames()) {
             film.next();
             for (Result* r : group.results) check_memory(*r, film.job().image);
@@ -272,12 +272,12 @@ private:
         return reference_;
     }
 
-    PictureFigures compare_picture(Film& film, const FrameTrace& last) {
+    PictureFigures compare_picture(Film& film, const RecordedFrame& last) {
         const ReferencePicture& reference = expected(film);
         const Request& request = film.request();
         const HitFrame hits = hits_of(film.job(), last);
         PictureFigures figures{{}, std::nullopt, film.job().image.report.bytes, last.trace.counts};
-        const Picture picture = request.finished ? rayclock::picture_of(plan_.size, last.trace.colours)
+        const Picture picture = request.finished ? picture_from_colours(plan_.size, last.trace.colours)
                                                  : shade(request.scene, hits);
         figures.error = frame_error(hits, picture, reference.hits(), reference.picture);
         if (request.finished) return figures;
@@ -295,12 +295,12 @@ private:
         }
     }
 
-    void time(Result& r, const std::vector<FrameTrace>& frames) {
+    void time(Result& r, const std::vector<RecordedFrame>& frames) {
         if (stopped()) return;
         const std::vector<FrameTiming> timings = replay(r.point.config, r.point.khz, frames);
-        ClockRun run{r.point.khz, {}};
+        FramesAtClock run{r.point.khz, {}};
         for (std::size_t f = 0; f < timings.size(); ++f)
-            run.frames.push_back(frame_run(frames[f], timings[f]));
+            run.frames.push_back(frame_result(frames[f], timings[f]));
         if (run.partial()) {
             stopped();
             return;

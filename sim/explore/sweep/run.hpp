@@ -20,7 +20,7 @@ struct PictureFigures {
 };
 
 /// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Throws a JSON exception.
-PictureFigures picture_of(const nlohmann::ordered_json& json);
+PictureFigures picture_figures_from_json(const nlohmann::ordered_json& json);
 
 /// A point and its figures. A figure is missing if the point is refused, or if the run was interrupted before
 /// it.

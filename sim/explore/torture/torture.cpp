@@ -123,9 +123,9 @@ std::vector<TortureCase> torture_cases(const std::string& chip) {
     return torture::cases_of(torture_chip(chip));
 }
 
-std::vector<FrameTrace> record_torture(const TortureCase& torture) {
+std::vector<RecordedFrame> record_torture(const TortureCase& torture) {
     Job job = torture.job;
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     for (std::size_t f = 0; f < torture.frames.size(); ++f) {
         Upload upload = f < torture.uploads.size() ? torture.uploads[f] : Upload{};
         apply(upload, job.image);

@@ -31,7 +31,7 @@ Config torture_chip(const std::string& name);
 std::vector<TortureCase> torture_cases(const std::string& chip);
 
 /// The frames' rays, with what the host writes before each.
-std::vector<FrameTrace> record_torture(const TortureCase& torture);
+std::vector<RecordedFrame> record_torture(const TortureCase& torture);
 /// Runs a case in lockstep.
 LockstepResult run_torture(const TortureCase& torture, const Progress& progress = {});
 

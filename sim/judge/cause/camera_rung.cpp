@@ -33,7 +33,7 @@ public:
     bool is_blocked(std::size_t, const RefPath&, double, bool) override { return false; }
     bool is_total(const RefSurface&, double, double, bool own) override { return own; }
     bool goes(RefBounce&) override { return false; }
-    void enter(RefBounce::Kind) override {}
+    void enter(RefBounce::Interaction) override {}
     void leave() override {}
 
 private:

@@ -26,8 +26,8 @@ namespace {
 constexpr int stages = 7;
 constexpr int packed_width = 256;
 constexpr std::size_t most_faults = 20;
-constexpr std::size_t lit_stride = 61;   // pixels of which one is asked for its light, whether it differs or
-                                         // not
+constexpr std::size_t lit_stride = 61;   // one pixel of so many has its light checked even if it does not
+                                         // differ
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
 /// Triangles as the machine has them, in lattice steps, for the reference.

@@ -2,7 +2,7 @@
 // Why a machine's picture is not the reference's: every pixel that differs gets a cause, and every answer a
 // judge.
 //
-// From the reference to the machine a pixel goes through these stages, each of which changes one thing:
+// From the reference to the machine a pixel goes through these stages; each changes one thing:
 //   0  reference: double precision, scene as given, the camera's ray
 //   1  double precision, vertices on the lattice          snapping
 //   2  the integer direction                              ray_quantisation

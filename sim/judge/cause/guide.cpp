@@ -17,7 +17,7 @@ namespace rayclock {
 namespace {
 
 /// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
-/// steps (docs/motion.md, Boxes), each of which is most_stretch of the scene's at most.
+/// steps (docs/motion.md, Boxes). Each of these steps is at most most_stretch of the scene's.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
@@ -82,7 +82,7 @@ void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
     path.direction = direction(at->ray.d);
 }
 
-/// The machine compares its own colours, each of which lies within sample_width_ of the reference's, and the
+/// The machine compares its own colours, which lie within sample_width_ of the reference's, and the
 /// register for the contrast is rounded up.
 bool Guide::ends(std::uint32_t samples, double difference, bool own) {
     const bool machine = path_.samples.size() <= samples;
@@ -511,7 +511,8 @@ bool Guide::is_total(const RefSurface&, double ratio, double cosine, bool own) {
 double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) const {
     const double n = normal_error(at), full = std::exp2(rules_.asked.config.dir_bits - 2);
     const double grain = 1.7320509 * (1.5 * unit_step + 1 / full);
-    if (bounce.kind == RefBounce::Kind::reflected) return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
+    if (bounce.interaction == RefBounce::Interaction::reflected)
+        return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
     const double error = n + vector_error + unit_step, index = 0.5 * std::exp2(-index_frac) + unit_step;
     const auto bent = [&](double r, double c) {
         return r * c - std::sqrt(std::max(0.0, 1 - r * r * (1 - c * c)));
@@ -529,7 +530,7 @@ double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) c
 }
 
 bool Guide::goes(RefBounce& bounce) {
-    const bool is_reflected = bounce.kind == RefBounce::Kind::reflected;
+    const bool is_reflected = bounce.interaction == RefBounce::Interaction::reflected;
     const double side = (is_reflected ? 1 : -1) * glm::dot(bounce.direction, bounce.surface.flat);
     const bool own = bounce.weighs_enough && side > 0;
     const MachineVisit* at = visit();
@@ -569,11 +570,11 @@ bool Guide::goes(RefBounce& bounce) {
     return true;
 }
 
-void Guide::enter(RefBounce::Kind kind) {
+void Guide::enter(RefBounce::Interaction interaction) {
     const MachineVisit* at = visit();
-    at_.push_back(!at                                  ? MachineVisit::none
-                  : kind == RefBounce::Kind::reflected ? at->reflected
-                                                       : at->refracted);
+    at_.push_back(!at                                                ? MachineVisit::none
+                  : interaction == RefBounce::Interaction::reflected ? at->reflected
+                                                                     : at->refracted);
     if (at_.back() != MachineVisit::none) ++visited_;
 }
 

@@ -66,7 +66,7 @@ public:
     bool is_blocked(std::size_t light, const RefPath& path, double distance, bool own) override;
     bool is_total(const RefSurface& surface, double ratio, double cosine, bool own) override;
     bool goes(RefBounce& bounce) override;
-    void enter(RefBounce::Kind kind) override;
+    void enter(RefBounce::Interaction interaction) override;
     void leave() override { at_.pop_back(); }
 
 private:

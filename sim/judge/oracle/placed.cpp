@@ -82,13 +82,13 @@ void add_sphere(const Solid& sphere, std::optional<Extent>& box) {
 Bounds bounds_of(const Solids& mesh) {
     Bounds all;
     for (const Solid& solid : mesh.all()) {
-        if (solid.kind == Solid::Kind::sphere) {
+        if (solid.shape == Solid::Shape::sphere) {
             add_sphere(solid, all.box);
             continue;
         }
         const Triple<std::int64_t> n = normal<std::int64_t>(solid.corners);
         if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;   // no ray meets it
-        if (solid.kind == Solid::Kind::plane) {
+        if (solid.shape == Solid::Shape::plane) {
             all.is_endless = true;
             continue;
         }

@@ -13,7 +13,7 @@ Triple<Int128> between(const Vec3i& from, const Vec3i& to) {
     return way(triple<Int128>(from), triple<Int128>(to));
 }
 /// Returns the vector from a lattice point to a place, times its den.
-Triple<Int128> between(const Vec3i& from, const Place& to) {
+Triple<Int128> between(const Vec3i& from, const RationalPoint& to) {
     return {to.num[0] - to.den * from[0], to.num[1] - to.den * from[1], to.num[2] - to.den * from[2]};
 }
 
@@ -25,7 +25,7 @@ constexpr int moves[8][9] = {{1, 2, 3, -2, 1, 1, 3, -1, 2},   {-3, 1, 2, 1, 1, -
 
 }   // namespace
 
-bool in_plane(const Place& place, const Corners& t) {
+bool in_plane(const RationalPoint& place, const Corners& t) {
     return volume(between(t.a, place), between(t.a, t.b), between(t.a, t.c)) == 0;
 }
 

@@ -20,20 +20,20 @@
 namespace rayclock::oracle {
 
 /// The point num / den, den > 0.
-struct Place {
+struct RationalPoint {
     Triple<Int128> num{};
     Int128 den = 1;
 };
 
 /// A path from a point to a lattice point, or along a direction to infinity.
 struct Path {
-    Place from;
+    RationalPoint from;
     std::optional<Vec3i> to;
     Vec3i direction{};
 };
 
 /// Returns true if the point lies in the triangle's plane.
-bool in_plane(const Place& place, const Corners& triangle);
+bool in_plane(const RationalPoint& place, const Corners& triangle);
 
 /// Collects what the path meets, one triangle at a time.
 class Sight {

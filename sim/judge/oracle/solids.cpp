@@ -52,7 +52,7 @@ struct Seen {
 /// Returns the crossing at t > 0.
 std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::uint32_t number) {
     const Seen v(ray, solid.corners);
-    if (solid.kind == Solid::Kind::triangle && !v.within_edges()) return std::nullopt;
+    if (solid.shape == Solid::Shape::triangle && !v.within_edges()) return std::nullopt;
     const Height h = height(ray, solid.corners);
     if (h.den == 0 || h.num == 0 || (h.num > 0) != (h.den > 0)) return std::nullopt;
     const int turn = sign(h.den);
@@ -94,12 +94,12 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
         const Solid& s = solids[i];
         if (s.is_second) continue;
-        if (s.kind == Solid::Kind::plane) {
+        if (s.shape == Solid::Shape::plane) {
             planes.push_back(i);
             continue;
         }
         Extent box = extent(s.corners);
-        if (s.kind == Solid::Kind::sphere) {
+        if (s.shape == Solid::Shape::sphere) {
             const auto radius =
                 std::int32_t(std::min(std::sqrt(double(s.radius_squared)) + 1, double(1 << 21)));
             for (std::size_t k = 0; k < 3; ++k)
@@ -201,7 +201,7 @@ Nearest Solids::nearest(const SolidRay& ray) const {
     const auto after = [&](double near) { return near > 2 * limit * search.main_size() * (1 + 0x1p-40); };
     tree_.nearest_first(search, after, [&](std::uint32_t place) {
         const std::uint32_t number = bounded_[tree_.order()[place]];
-        if (solids_[number].kind == Solid::Kind::triangle) return flat(number);
+        if (solids_[number].shape == Solid::Shape::triangle) return flat(number);
         const Meets which = meets_sphere(ray, solids_[number], is_self(ray, number));
         if (which == Meets::no) return;
         const double distance = sphere_distance(ray, solids_[number], which);
@@ -219,7 +219,8 @@ bool Solids::meets_any(const SolidRay& ray) const {
     bool met = false;
     const auto look = [&](std::uint32_t number) {
         const Solid& s = solids_[number];
-        met = met || (s.kind == Solid::Kind::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
+        met =
+            met || (s.shape == Solid::Shape::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
                                                     : cross_flat(ray, s, number).has_value());
     };
     if (ray.asks != SolidRay::Asks::bounded)
@@ -235,7 +236,7 @@ bool Solids::blocks(const SolidRay& ray, int frac_end) const {
     const auto look = [&](std::uint32_t number) {
         if (met) return;
         const Solid& s = solids_[number];
-        if (s.kind == Solid::Kind::sphere) {
+        if (s.shape == Solid::Shape::sphere) {
             met = s.radius_squared > 0 && sphere_blocks(ray, s, is_self(ray, number), frac_end);
             return;
         }

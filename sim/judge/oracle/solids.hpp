@@ -23,7 +23,7 @@ __extension__ using Int128 = __int128;
 
 /// A primitive on the lattice, in the order of the scene's numbers.
 struct Solid {
-    enum class Kind { triangle, sphere, plane } kind = Kind::triangle;
+    enum class Shape { triangle, sphere, plane } shape = Shape::triangle;
     Corners corners;   ///< of a triangle; of a plane, a corner of a square and the two next to it
     Vec3i centre{};    ///< of a sphere
     std::int64_t radius_squared = 0;

@@ -74,7 +74,8 @@ const char* judge_flat(const Nearest& nearest, const Solids& solids, const Solid
     return judge_values(hit, c, answer);
 }
 
-/// `first`: the answer's number of the first of `solids`; the closest triangle or plane is numbered likewise.
+/// `first`: the answer's number of the first of `solids`; the closest triangle or plane has the same
+/// numbering.
 const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint32_t first,
                          const SolidRay& ray, const Config& c, const Closest& answer) {
     const Solid& sphere = solids.all()[answer.prim - first];
@@ -146,7 +147,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
         return says_more(answer) ? "more is said of a miss than that it is one" : nullptr;
     }
     if (answer.prim >= solids.all().size()) return "there is no such primitive";
-    return solids.all()[answer.prim].kind == Solid::Kind::sphere
+    return solids.all()[answer.prim].shape == Solid::Shape::sphere
                ? judge_sphere(nearest, solids, 0, r, c, answer)
                : judge_flat(nearest, solids, r, c, answer);
 }
@@ -206,7 +207,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
     const std::uint32_t place = world.place_of(answer.prim);
     if (place == nowhere) return "there is no such primitive";
     const Solid& met = solids.mesh_of(place).all()[answer.prim - solids.places()[place].first];
-    const char* const wrong = met.kind == Solid::Kind::sphere
+    const char* const wrong = met.shape == Solid::Shape::sphere
                                   ? judge_placed_sphere(nearest, solids, place, r, c, answer)
                                   : judge_placed_flat(nearest, solids, place, r, c, answer);
     if (wrong) return wrong;

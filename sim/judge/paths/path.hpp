@@ -78,7 +78,7 @@ private:
         Range exact{1, 1};        ///< its weight from the materials, not rounded
     };
     /// Where the last bounce met a surface: as the chip has it, and the truth.
-    struct Place {
+    struct BouncePoint {
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
@@ -179,7 +179,7 @@ private:
     Closest answer_;
     Expected expected_;
     Branch branch_;
-    Place place_;
+    BouncePoint place_;
     Visit visit_;
     std::vector<Branch> waiting_;
     bool lit_if_free_ = false,

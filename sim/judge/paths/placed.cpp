@@ -47,7 +47,7 @@ Lattice steps(int coord_bits) {
 }
 
 bool can_be_met(const oracle::Solid& solid) {
-    if (solid.kind == oracle::Solid::Kind::sphere) return solid.radius_squared > 0;
+    if (solid.shape == oracle::Solid::Shape::sphere) return solid.radius_squared > 0;
     return oracle::normal<std::int64_t>(solid.corners) != oracle::Triple<std::int64_t>{};
 }
 

@@ -4,8 +4,8 @@
 //
 // Shared with the host are those lattices, and the maps as memory holds them. A map is judged: each of its
 // numbers must be the one that docs/motion.md states for the instance's place, which is in the scene.
-// Corners, normals and materials are made from the scene. Memory must place every instance once of which
-// something is left.
+// Corners, normals and materials are made from the scene. If something is left of an
+// instance, memory must place it once.
 #include <string>
 #include <unordered_map>
 #include <vector>

@@ -23,7 +23,7 @@ constexpr Int128 nearest_of(Int128 a, Int128 b) { return floor_of(2 * a + b, 2 *
 /// The same for b = 2^bits.
 constexpr Int128 nearest_of_power(Int128 a, int bits) { return nearest_of(a, Int128(1) << bits); }
 
-/// Holds a value of which only bounds are known. Doubles round by 2^-53 of a value; `slack` covers that for
+/// Holds a value with known bounds. Doubles round by 2^-53 of a value; `slack` covers that for
 /// all that a range goes through between two colours.
 struct Range {
     double lo = 0, hi = 0;

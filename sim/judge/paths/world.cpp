@@ -56,7 +56,7 @@ void put_material(const Material& m, Surface& s) {
     s.leave = natural(index, index_frac, most);
 }
 
-/// The largest power of two, up to a limit, of which all components of the edges are multiples.
+/// The largest power of two, up to a limit, that divides all components of the edges.
 std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
     const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
     for (std::uint32_t bits = most; bits > 0; --bits) {
@@ -77,7 +77,7 @@ std::int32_t signed_part(std::int64_t value, int bits) {
 void mark_seconds(std::vector<Solid>& solids) {
     std::set<std::pair<Vec3i, std::int64_t>> seen;
     for (Solid& ball : solids)
-        if (ball.kind == Solid::Kind::sphere)
+        if (ball.shape == Solid::Shape::sphere)
             ball.is_second = !seen.insert({ball.centre, ball.radius_squared}).second;
 }
 
@@ -100,9 +100,9 @@ double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& la
     return half * (a + b + half) / glm::length(glm::cross(p, q));
 }
 
-/// Which planes stand between the eye and the light; the light is not clear if one does that is no pane, if a
-/// plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except for
-/// rounding, either is right. `light`: within the reach of the registers.
+/// Which planes stand between the eye and the light; the light is not clear if one of them is not a pane, if
+/// a plane holds the eye, or if it is shut into an opaque sphere. Where eye or light lies in a plane except
+/// for rounding, either is right. `light`: within the reach of the registers.
 bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
                           std::uint32_t cell) {
     if (!asked.scene.camera) return !is_shut == stated && cell == 0;
@@ -196,11 +196,11 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
         return lattice.snap(scene.vertices[t.vertex[k]]);
     };
     for (const Triangle& t : scene.triangles)
-        solids.push_back({Solid::Kind::triangle, {corner(t, 0), corner(t, 1), corner(t, 2)}, {}, 0});
+        solids.push_back({Solid::Shape::triangle, {corner(t, 0), corner(t, 1), corner(t, 2)}, {}, 0});
     for (const Sphere& s : scene.spheres) {
         const double radius = s.radius / lattice.pitch.x;
         const double square = std::min(std::round(radius * radius), std::exp2(2 * coord_bits) - 1);
-        solids.push_back({Solid::Kind::sphere,
+        solids.push_back({Solid::Shape::sphere,
                           {},
                           lattice.snap(s.centre),
                           std::int64_t(square),
@@ -209,7 +209,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
     mark_seconds(solids);
     for (const Plane& p : scene.planes) {
         const PlaneOnLattice on = plane_on_lattice(p, lattice);
-        solids.push_back({Solid::Kind::plane, {on.a, on.b, on.c}, {}, 0});
+        solids.push_back({Solid::Shape::plane, {on.a, on.b, on.c}, {}, 0});
     }
     return solids;
 }
@@ -258,23 +258,23 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     const Solid& solid = solids[i];
     Surface s;
     s.a = solid.corners.a, s.b = solid.corners.b, s.c = solid.corners.c;
-    switch (solid.kind) {
-        case Solid::Kind::triangle:
+    switch (solid.shape) {
+        case Solid::Shape::triangle:
             s.kind = std::uint32_t(PrimKind::triangle);
             s.fine = fineness(solid.corners, config);
             s.smooth = config.smooth && !scene.normals.empty();
             break;
-        case Solid::Kind::sphere:
+        case Solid::Shape::sphere:
             s.kind = std::uint32_t(PrimKind::sphere);
             s.a = solid.centre;
             s.b = {signed_part(solid.radius_squared, config.coord_bits),
                    signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits),
                    solid.is_glass ? 1 : 0};
             break;
-        case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
+        case Solid::Shape::plane: s.kind = std::uint32_t(PrimKind::plane); break;
     }
     put_material(material, s);
-    if (solid.kind != Solid::Kind::plane) s.checkered = 0;   // no other surface has squares
+    if (solid.shape != Solid::Shape::plane) s.checkered = 0;   // no other surface has squares
     return s;
 }
 

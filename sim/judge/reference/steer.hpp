@@ -27,7 +27,7 @@ struct RefSurface {
 
 /// A bounce that the tracer would send.
 struct RefBounce {
-    enum class Kind { reflected, refracted } kind = Kind::reflected;
+    enum class Interaction { reflected, refracted } interaction = Interaction::reflected;
     const RefSurface& surface;
     glm::dvec3 direction{0};
     double weight = 0;
@@ -66,7 +66,7 @@ public:
     virtual bool is_total(const RefSurface& surface, double ratio, double cosine, bool own) = 0;
     /// Returns true if the tracer sends a bounce. Then met() follows for it, between enter() and leave().
     virtual bool goes(RefBounce& bounce) = 0;
-    virtual void enter(RefBounce::Kind kind) = 0;
+    virtual void enter(RefBounce::Interaction interaction) = 0;
     virtual void leave() = 0;
 };
 

@@ -211,7 +211,7 @@ void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface,
         refracted = weight * m.transmit;
         reflected = weight * std::min(m.mirror + m.transmit, 1.0);
     }
-    RefBounce mirrored{RefBounce::Kind::reflected,
+    RefBounce mirrored{RefBounce::Interaction::reflected,
                        surface,
                        glm::normalize(path.direction + 2 * cosine * surface.normal),
                        reflected,
@@ -227,7 +227,7 @@ void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface,
         counts_.refraction += is_called;
         return;
     }
-    RefBounce bent{RefBounce::Kind::refracted,
+    RefBounce bent{RefBounce::Interaction::refracted,
                    surface,
                    refraction.direction(path.direction, surface.normal, cosine),
                    refracted,
@@ -242,13 +242,14 @@ void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface,
 bool Tracer::sends(RefBounce& bounce) const {
     if (steer_) return steer_->goes(bounce);
     const double side = glm::dot(bounce.direction, bounce.surface.flat);
-    return bounce.weighs_enough && (bounce.kind == RefBounce::Kind::reflected ? side > 0 : side < 0);
+    return bounce.weighs_enough &&
+           (bounce.interaction == RefBounce::Interaction::reflected ? side > 0 : side < 0);
 }
 
 void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
-    if (steer_) steer_->enter(bounce.kind);
-    follow(leave(bounce.surface, bounce.direction, bounce.kind == RefBounce::Kind::refracted), bounce.weight,
-           depth + 1);
+    if (steer_) steer_->enter(bounce.interaction);
+    follow(leave(bounce.surface, bounce.direction, bounce.interaction == RefBounce::Interaction::refracted),
+           bounce.weight, depth + 1);
     if (steer_) steer_->leave();
 }
 

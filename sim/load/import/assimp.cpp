@@ -70,7 +70,7 @@ bool assimp_reads(const std::string& extension) {
 
 std::string assimp_glb(const fs::path& file, std::uint64_t file_bytes,
                        const std::optional<std::string>& unpacked) {
-    const Place at{file.string()};
+    const SourcePosition at{file.string()};
     const fs::path program = find_program(assimp_program), limiter = find_program("prlimit");
     if (program.empty() || limiter.empty())
         at.refuse(fmt::format("files of this kind are read by Assimp, which is not installed; install {}",

@@ -98,17 +98,17 @@ Frame job_frame(const Job& job, const Camera& camera) {
     return frame;
 }
 
-FrameTrace record_frame(const Job& job, const Frame& frame, int threads, const Progress& progress) {
+RecordedFrame record_frame(const Job& job, const Frame& frame, int threads, const Progress& progress) {
     return {frame, record_trace(job.image, frame, job.config, threads, progress)};
 }
 
-std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames,
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<RecordedFrame>& frames,
                                 Traffic traffic, const Progress& progress) {
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
     for (std::size_t f = 0; f < frames.size(); ++f) {
-        const FrameTrace& frame = frames[f];
+        const RecordedFrame& frame = frames[f];
         const Stopwatch watch;
         const UploadTiming upload = bring(machine, f, std::span(frames));
         const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
@@ -151,30 +151,30 @@ RayCounts part_of(const RayCounts& all, std::uint64_t pixels, std::size_t of) {
 
 }   // namespace
 
-FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing) {
+RayWork work_of(const RecordedFrame& frame, const FrameTiming& timing) {
     const Trace& trace = frame.trace;
     return {timing.partial ? part_of(trace.counts, timing.pixels, trace.rays.size()) : trace.counts,
             trace.visits, trace.box_tests, trace.triangle_tests};
 }
 
-FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
-    FrameRun run{timing, work_of(frame, timing), {}, {}, {}, !frame.trace.colours.empty()};
+FrameResult frame_result(const RecordedFrame& frame, const FrameTiming& timing) {
+    FrameResult run{timing, work_of(frame, timing), {}, {}, {}, !frame.trace.colours.empty()};
     run.digest = digest_of(frame.trace.hits, timing.cycles, frame.trace.colours);
     return run;
 }
 
-FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,
-                   std::vector<Closest> answers, Colours colours) {
-    FrameRun run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading != 0};
+FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& timing, const RayWork& work,
+                         std::vector<Closest> answers, Colours colours) {
+    FrameResult run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading};
     run.digest = digest_of(answers, timing.cycles, colours);
     run.answers = std::move(answers);
     run.colours = std::move(colours);
     return run;
 }
 
-std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames,
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<RecordedFrame>& frames,
                                            Traffic traffic, int threads, const Progress& progress) {
-    frames = std::vector<FrameTrace>(1);
+    frames = std::vector<RecordedFrame>(1);
     frames[0].frame = job.frame;
     const int cores = threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
     Recording recording(job.image, job.frame, job.config, std::max(1, cores - 1), frames[0].trace);
@@ -191,21 +191,21 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     return timings;
 }
 
-FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
-    std::vector<FrameTrace> frames;
+FrameResult run_model(const Job& job, Traffic traffic, const Progress& progress) {
+    std::vector<RecordedFrame> frames;
     const std::vector<FrameTiming> timings = record_and_replay(job, job.khz, frames, traffic, 0, progress);
-    return frame_run(job, job.frame, timings[0], work_of(frames[0], timings[0]),
-                     std::move(frames[0].trace.hits), std::move(frames[0].trace.colours));
+    return frame_result(job, job.frame, timings[0], work_of(frames[0], timings[0]),
+                        std::move(frames[0].trace.hits), std::move(frames[0].trace.colours));
 }
 
 namespace {
 
-FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
-                       const UploadTiming& upload, const Progress& progress) {
+FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
+                          const UploadTiming& upload, const Progress& progress) {
     const Stopwatch watch;
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
-    FrameCollector collector(frame, job.config.shading != 0);
+    FrameCollector collector(frame, job.config.shading);
     machine.start(frame);
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {
@@ -234,7 +234,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
         const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];
     };
-    return frame_run(
+    return frame_result(
         job, frame, timing,
         {machine.rays(), lookups(Unit::node_cache), machine.box_tests(), lookups(Unit::prim_cache)},
         collector.hits(), collector.colours());
@@ -242,10 +242,10 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
 
 }   // namespace
 
-std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames, Traffic traffic,
-                              const Progress& progress, int seed) {
+std::vector<FrameResult> run_rtl(const Job& job, int khz, std::span<const RecordedFrame> frames,
+                                 Traffic traffic, const Progress& progress, int seed) {
     RtlMachine machine(job.image, job.config, khz, traffic, seed);
-    std::vector<FrameRun> runs;
+    std::vector<FrameResult> runs;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         machine.change(frames[f].upload);
         const UploadTiming upload = bring(machine, f, frames);
@@ -256,8 +256,8 @@ std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrac
     return runs;
 }
 
-FrameRun run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    std::vector<FrameTrace> one(1);
+FrameResult run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+    std::vector<RecordedFrame> one(1);
     one[0].frame = job.frame;
     return std::move(run_rtl(job, job.khz, one, traffic, progress, seed)[0]);
 }
@@ -280,11 +280,11 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
     return picture;
 }
 
-HitFrame hits_of(const Job& job, const FrameTrace& frame) {
+HitFrame hits_of(const Job& job, const RecordedFrame& frame) {
     return scaled(job, frame.frame, frame.trace.hits);
 }
 
-Picture picture_of(FrameSize size, const Colours& colours) {
+Picture picture_from_colours(FrameSize size, const Colours& colours) {
     Picture picture{size, {}};
     picture.pixels.reserve(colours.size());
     constexpr float one = 1 << unit_bits;
@@ -293,7 +293,7 @@ Picture picture_of(FrameSize size, const Colours& colours) {
     return picture;
 }
 
-Picture picture_of(const WhittedFrame& reference) {
+Picture picture_from_reference(const WhittedFrame& reference) {
     Picture picture{reference.hits.size, {}};
     picture.pixels.assign(reference.pixels.begin(), reference.pixels.end());
     return picture;

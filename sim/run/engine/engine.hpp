@@ -49,7 +49,7 @@ Frame job_frame(const Job& job, const Camera& camera);
 
 using Colours = std::vector<std::array<std::uint32_t, 3>>;   ///< [y * width + x], unit_bits of fraction
 
-/// The cost of a frame.
+/// The cost of a frame on a machine: cycles, the account of each unit's cycles, and memory traffic.
 struct FrameTiming {
     std::uint64_t cycles = 0;
     std::uint64_t pixels = 0;   ///< finished ones
@@ -61,14 +61,14 @@ struct FrameTiming {
     std::uint64_t all_cycles() const { return cycles + upload.cycles + upload.reset; }
 };
 
-/// The work of a frame's rays.
-struct FrameWork {
+/// The work of a frame's rays: rays by purpose, visits and tests. It does not depend on a machine's timing.
+struct RayWork {
     RayCounts rays;   ///< of the RTL: only rays that leave its raygen, by purpose
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
 };
 
-/// The result of a frame on a machine.
-struct FrameRun : FrameTiming, FrameWork {
+/// A frame that a machine has rendered: its cost, the work of its rays, and the hits and colours.
+struct FrameResult : FrameTiming, RayWork {
     HitFrame hits;
     std::vector<Closest> answers;    ///< the same hits, as the machine returned them
     Colours colours;                 ///< [y * width + x], if the chip shades: unit_bits of fraction
@@ -76,62 +76,64 @@ struct FrameRun : FrameTiming, FrameWork {
     std::uint64_t digest = 0;        ///< see digest_of()
 };
 
-/// A frame of a sequence: its registers, the work of its rays, and the host's writes before it.
-struct FrameTrace {
+/// A frame whose rays are traced but not yet timed: its registers, the trace of its rays, and the host's
+/// writes before it. Machines replay a sequence of them.
+struct RecordedFrame {
     Frame frame;
     Trace trace;
     Upload upload{};
 };
 /// Calls bring() for one frame of a sequence.
 template <class Machine>
-UploadTiming bring(Machine& machine, std::size_t f, std::span<const FrameTrace> frames) {
+UploadTiming bring(Machine& machine, std::size_t f, std::span<const RecordedFrame> frames) {
     return bring(machine, f, [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
 }
 /// Records the work of a frame's rays. `threads` 0 means all cores.
-FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
+RecordedFrame record_frame(const Job& job, const Frame& frame, int threads = 0,
+                           const Progress& progress = {});
 
 /// Replays frames on one machine one after the other, so that the caches keep their contents. `khz` and
 /// `config`'s timing may differ from those of the recorded job. Stops early, with the last frame partial,
 /// once interrupted(). Throws std::runtime_error if the machine hangs.
-std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames,
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<RecordedFrame>& frames,
                                 Traffic traffic = {}, const Progress& progress = {});
 
-/// Replays the job's frame while it is being recorded. `frames` receives its trace.
-std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames,
+/// Replays the job's frame while it is being recorded. `frames` receives the recorded frame.
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<RecordedFrame>& frames,
                                            Traffic traffic = {}, int threads = 0,
                                            const Progress& progress = {});
 
 /// Renders frames on the RTL. The RTL computes them itself and reads none of their traces. Throws
 /// std::runtime_error if it hangs or puts an impossible value on a link.
-std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames,
-                              Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+std::vector<FrameResult> run_rtl(const Job& job, int khz, std::span<const RecordedFrame> frames,
+                                 Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 /// Builds a frame's result from its cost, the work of its rays and their answers.
-FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,
-                   std::vector<Closest> answers, Colours colours);
+FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& timing, const RayWork& work,
+                         std::vector<Closest> answers, Colours colours);
 /// Builds the result of a replayed frame, without hits and answers.
-FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
+FrameResult frame_result(const RecordedFrame& frame, const FrameTiming& timing);
 /// Returns the work of a recorded frame's rays. For a partial frame, the ray counts are in proportion to the
 /// finished pixels; visits and tests are those of the whole frame.
-FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing);
+RayWork work_of(const RecordedFrame& frame, const FrameTiming& timing);
 
 /// Returns the number of rays of a frame: all rays of a finished picture, else one for each finished pixel.
-inline double rays_of(const FrameRun& run) {
+inline double rays_of(const FrameResult& run) {
     return run.finished_picture ? double(run.rays.all()) : double(run.pixels);
 }
 
 /// Renders one frame: run_model() records and replays it, run_rtl() computes it on the RTL.
-FrameRun run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
-FrameRun run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+FrameResult run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
+FrameResult run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 /// Returns the hits of a recorded frame.
-HitFrame hits_of(const Job& job, const FrameTrace& frame);
+HitFrame hits_of(const Job& job, const RecordedFrame& frame);
 /// Hashes every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles.
 std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours = {});
-/// Converts a chip's colours to a picture.
-Picture picture_of(FrameSize size, const Colours& colours);
-/// Converts the reference's colours to a picture.
-Picture picture_of(const WhittedFrame& reference);
+/// Converts colours that a chip computed, or their recorded trace, to a picture.
+Picture picture_from_colours(FrameSize size, const Colours& colours);
+/// Converts the frame of the reference tracer to a picture.
+Picture picture_from_reference(const WhittedFrame& reference);
 
 /// Collects an RTL's hits as they arrive.
 class FrameCollector {

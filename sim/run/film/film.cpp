@@ -207,8 +207,8 @@ void Film::next_whole() {
     upload_.seconds = watch.seconds();
 }
 
-FrameTrace Film::record(int threads, const Progress& progress) {
-    FrameTrace trace = record_frame(job_, job_.frame, threads, progress);
+RecordedFrame Film::record(int threads, const Progress& progress) {
+    RecordedFrame trace = record_frame(job_, job_.frame, threads, progress);
     trace.upload = take_upload();
     return trace;
 }

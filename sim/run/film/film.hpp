@@ -61,7 +61,7 @@ public:
     /// Returns the request with the scene as it is in this frame.
     const Request& request();
     /// Records the frame's rays and adds its upload.
-    FrameTrace record(int threads, const Progress& progress);
+    RecordedFrame record(int threads, const Progress& progress);
 
 private:
     void pose_at(std::size_t f);

@@ -51,7 +51,7 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
 class Lockstep {
 public:
     using OnFirst = std::function<void(const Divergence&)>;
-    Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+    Lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
              const OnFirst& on_first)
         : job_(job),
           frames_(frames),
@@ -72,7 +72,8 @@ public:
             tell_first();
             if (parted_ || interrupted()) break;
         }
-        for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds() - told_seconds_;
+        for (FrameResult* run : {&result_.model, &result_.rtl})
+            run->seconds = watch.seconds() - told_seconds_;
         return std::move(result_);
     }
 
@@ -101,13 +102,13 @@ private:
             throw std::runtime_error("model and RTL do not take the same time for what the host writes");
     }
 
-    void run_frame(const FrameTrace& frame, const Progress& progress) {
+    void run_frame(const RecordedFrame& frame, const Progress& progress) {
         const std::uint64_t pixels = frame.trace.rays.size(),
                             limit = patience(job_.config, job_.khz, traffic_);
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
-        FrameCollector hits(frame.frame, job_.config.shading != 0);
+        FrameCollector hits(frame.frame, job_.config.shading);
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_->start(frame.frame);
@@ -139,7 +140,7 @@ private:
                 result_.value_mismatches +=
                     !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]) ||
                     (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
-        result_.runs.push_back(frame_run(frame, result_.model));
+        result_.runs.push_back(frame_result(frame, result_.model));
         compare_counters();
         tell_nonsense();
     }
@@ -394,18 +395,18 @@ private:
     }
 
     /// Returns the frame as one of the machines made it.
-    FrameRun run_of(const FrameTrace& frame, std::uint64_t cycles, std::uint64_t pixels,
-                    const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
-                    const Colours& colours) const {
+    FrameResult run_of(const RecordedFrame& frame, std::uint64_t cycles, std::uint64_t pixels,
+                       const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
+                       const Colours& colours) const {
         const bool partial = pixels < frame.trace.rays.size() && !parted_;
-        const FrameWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
-                             frame.trace.triangle_tests};
-        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work,
-                         hits, colours);
+        const RayWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
+                           frame.trace.triangle_tests};
+        return frame_result(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work,
+                            hits, colours);
     }
 
     const Job& job_;
-    const std::vector<FrameTrace>& frames_;
+    const std::vector<RecordedFrame>& frames_;
     Traffic traffic_;
     const OnFirst& on_first_;
     bool told_ = false;
@@ -441,14 +442,14 @@ private:
 
 }   // namespace
 
-LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
+LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic,
                             const Progress& progress, int seed,
                             const std::function<void(const Divergence&)>& on_first) {
     return Lockstep(job, frames, traffic, seed, on_first).run(progress);
 }
 
 LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
     return run_lockstep(job, frames, traffic, progress, seed);
 }

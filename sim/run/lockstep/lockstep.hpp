@@ -39,8 +39,8 @@ struct CounterDifference {
 
 /// The result of a comparison.
 struct LockstepResult {
-    std::vector<FrameRun> runs;           ///< the model's for all frames, without hits and answers
-    FrameRun model, rtl;                  ///< `seconds` is the wall time of both machines together
+    std::vector<FrameResult> runs;        ///< the model's for all frames, without hits and answers
+    FrameResult model, rtl;               ///< `seconds` is the wall time of both machines together
     std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) that both sides made
     std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the
                                           ///< end
@@ -63,7 +63,7 @@ struct LockstepResult {
 ///
 /// Calls `on_first` once with the first divergence, as soon as it is found; only `later` is unknown then.
 /// Throws std::runtime_error if the model hangs.
-LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
+LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic = {},
                             const Progress& progress = {}, int seed = 1,
                             const std::function<void(const Divergence&)>& on_first = {});
 LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {},

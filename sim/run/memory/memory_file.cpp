@@ -66,7 +66,7 @@ std::string nanoseconds(std::int64_t ps) { return fmt::format("{}", double(ps) /
 /// Reads one object.
 class Reader {
 public:
-    Reader(const Json& object, std::string stem, std::function<Place(const std::string& key)> place)
+    Reader(const Json& object, std::string stem, std::function<SourcePosition(const std::string& key)> place)
         : object_(object), stem_(std::move(stem)), place_(std::move(place)) {}
 
     DramPart read() {
@@ -171,7 +171,7 @@ private:
 
     const Json& object_;
     std::string stem_;
-    std::function<Place(const std::string&)> place_;
+    std::function<SourcePosition(const std::string&)> place_;
 };
 
 /// Returns the line of a key of the outermost object, counted from 1. Returns 0 if it is not found.
@@ -194,13 +194,13 @@ DramPart parse_memory(const std::string& path, std::string_view text) {
     const Json json = parse_json(path, text);
     return Reader(json, std::filesystem::path(path).stem().string(),
                   [&](const std::string& key) {
-                      return Place{path, line_of(text, key)};
+                      return SourcePosition{path, line_of(text, key)};
                   })
         .read();
 }
 
 DramPart inner_memory(const std::string& path, const nlohmann::json& object) {
-    return Reader(object, "own", [&](const std::string&) { return Place{path + ": dram"}; }).read();
+    return Reader(object, "own", [&](const std::string&) { return SourcePosition{path + ": dram"}; }).read();
 }
 
 void set_value(Config& config, const std::string& key, const std::string& value, const std::string& where,

@@ -41,7 +41,7 @@ std::string text_of(const JsonValue& value, const Parameter& p) {
 Config parse_config(const std::string& path, std::string_view text) {
     const Json json = parse_json(path, text);
     const JsonValue in(json, path);
-    if (!json.is_object()) Place{path}.refuse("a configuration is a JSON object");
+    if (!json.is_object()) SourcePosition{path}.refuse("a configuration is a JSON object");
     check_keys(in);
     Config config;
     const auto like = in.find("like");
@@ -49,14 +49,14 @@ Config parse_config(const std::string& path, std::string_view text) {
     try {
         config = named_config(base);
     } catch (const UserError& e) {
-        Place{path}.refuse(e.what());
+        SourcePosition{path}.refuse(e.what());
     }
     const auto name = in.find("name");
     config.name = printable(name ? name->string() : std::filesystem::path(path).stem().string(), 80);
     for (const Parameter& p : parameters()) {
         const auto value = in.find(p.key);
         if (!value && !like)
-            Place{path}.refuse(fmt::format(
+            SourcePosition{path}.refuse(fmt::format(
                 "{} is missing; a configuration states every parameter, or names one to start from "
                 "under \"like\"",
                 p.key));
@@ -76,7 +76,7 @@ Config load_config(const ConfigChoice& choice) {
     const bool file = name.find_first_of("./\\") != std::string::npos;
     std::error_code error;
     if (!named && std::filesystem::is_directory(name, error))
-        Place{name}.refuse("is a folder, not a configuration");
+        SourcePosition{name}.refuse("is a folder, not a configuration");
     constexpr std::uint64_t most_bytes = 1 << 20;
     const Config config =
         named || !file ? named_config(name) : parse_config(name, read_file(name, {}, most_bytes));

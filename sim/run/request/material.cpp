@@ -41,7 +41,7 @@ Material named(std::string_view name) {
 
 /// Parses a value: "0.5", "true", "1:0.5:0".
 Json value_of(std::string_view text) {
-    const Place at{option};
+    const SourcePosition at{option};
     if (text == "true" || text == "false") return text == "true";
     if (text.find(':') == text.npos) return finite_number(text, at);
     Json list = Json::array();

@@ -11,7 +11,7 @@ ReferencePicture reference_picture(const Request& request, const Camera& camera,
     ReferencePicture drawn;
     if (request.finished) {
         drawn.frame = tracer.whitted(camera, size, request.settings, threads, progress);
-        drawn.picture = picture_of(drawn.frame);
+        drawn.picture = picture_from_reference(drawn.frame);
     } else {
         drawn.frame.hits = tracer.frame(camera, size, threads, progress);
         drawn.picture = shade(request.scene, drawn.frame.hits, progress);

@@ -89,7 +89,7 @@ void check_levels(const Scene& scene, const Config& config, bool finished, bool 
                         scene.name, numbered_primitives(scene)));
     if (ground && config.has_instances())
         throw UserError(
-            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
+            "--ground adds triangles next to the instances, which levels=2 does not take; use levels=1");
 }
 
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,

@@ -75,7 +75,7 @@ std::string rtl_sources_problem() {
     if (error)
         return fmt::format("{} cannot be read ({}), and the RTL is built from it{}", name, error.message(),
                            cure);
-    if (!fs::is_directory(status)) return name + " is no folder, and the RTL is built from it" + cure;
+    if (!fs::is_directory(status)) return name + " is not a folder, and the RTL is built from it" + cure;
     for (const char* file : {"rc_top.sv", "lint.vlt"})
         if (!is_file(folder / file)) return fmt::format("{} has no file {} in it{}", name, file, cure);
     return {};

@@ -25,10 +25,10 @@ template <class Work> void best_of(double& best, Work work) {
 }
 
 void run_once(const Job& job, Speed& speed) {
-    FrameRun rtl;
+    FrameResult rtl;
     std::vector<FrameTiming> model;
     best_of(speed.model_seconds, [&] {
-        std::vector<FrameTrace> fresh;
+        std::vector<RecordedFrame> fresh;
         model = record_and_replay(job, job.khz, fresh, {}, 1);
     });
     best_of(speed.rtl_seconds, [&] { rtl = run_rtl(job); });

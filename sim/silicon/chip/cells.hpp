@@ -17,7 +17,7 @@ struct Cell {
 };
 
 /// Calls `take` for each cell of the netlist, which is read piece by piece: as a whole it would fill a
-/// gigabyte. False if the text is no whole JSON.
+/// gigabyte. False if the text is not complete JSON.
 bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take);
 
 /// Instances have the names of their modules: u_box is the unit box, whatever lies around it. The outermost

@@ -73,11 +73,12 @@ std::string text(const Estimate& e, const Request& request) {
             fmt::format("\n  estimated: {:.1f} MHz, the clock of {} alone\n", e.fmax_mhz, e.slowest);
     if (!e.routed) return text + "  the chip itself was not routed; without --fast it is\n";
     const Use routed = total_of(e.routed->best().units);
-    return text + fmt::format(
-                      "  the chip itself, routed: {:.1f} MHz, {} LUTs; the estimate is {} and {} beside it\n",
-                      e.routed->best().fmax_mhz, grouped(routed.lut),
-                      more_than(e.fmax_mhz, e.routed->best().fmax_mhz),
-                      more_than(double(e.all.lut), double(routed.lut)));
+    return text +
+           fmt::format(
+               "  the chip itself, routed: {:.1f} MHz, {} LUTs; in comparison the estimate is {} and {}\n",
+               e.routed->best().fmax_mhz, grouped(routed.lut),
+               more_than(e.fmax_mhz, e.routed->best().fmax_mhz),
+               more_than(double(e.all.lut), double(routed.lut)));
 }
 
 ordered_json json(const Estimate& e, const Request& request) {

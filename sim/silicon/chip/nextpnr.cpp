@@ -58,7 +58,7 @@ Nextpnr look() {
     }
     found.version = nextpnr_version(output_of({found.program.string(), "--version"}));
     if (found.version.empty())
-        found.problem = fmt::format("{} does not run, or is no nextpnr-ecp5; {}",
+        found.problem = fmt::format("{} does not run, or is not nextpnr-ecp5; {}",
                                     printable(found.program.string()), cure);
     else if (release_of(found.version) < least)
         found.problem = fmt::format("nextpnr-ecp5 {} is too old, 0.11 is needed; {}", found.version, cure);

@@ -38,7 +38,7 @@ bool is_clock(std::string_view pin) {
 /// Returns the slowest delay of "(200:218:236)", which is in picoseconds, in nanoseconds.
 double slowest(std::string_view triple) {
     const std::size_t last = triple.rfind(':');
-    if (last == std::string_view::npos) throw std::runtime_error("a delay of nextpnr's is no triple");
+    if (last == std::string_view::npos) throw std::runtime_error("a delay of nextpnr's is not a triple");
     return std::atof(std::string(triple.substr(last + 1)).c_str()) / 1000;
 }
 

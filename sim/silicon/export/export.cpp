@@ -81,7 +81,7 @@ private:
     }
 };
 
-std::string pixels_hex(const FrameTrace& frame, const Config& config) {
+std::string pixels_hex(const RecordedFrame& frame, const Config& config) {
     NameVisitor names;
     HitOut{}.fields(names, config);
     std::string text = fmt::format(
@@ -216,7 +216,7 @@ Export make_export(const Job& job, const std::string& title, const std::string& 
     }
     add("chip.f", list);
 
-    const FrameTrace frame = record_frame(job, job.frame, 0, progress);
+    const RecordedFrame frame = record_frame(job, job.frame, 0, progress);
     Machine machine(job.config, job.khz);
     machine.start(frame.frame, frame.trace);
     const std::uint64_t limit = patience(job.config, job.khz, {});

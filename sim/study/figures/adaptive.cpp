@@ -104,12 +104,11 @@ std::string sentence(const std::vector<Point>& points, Engine engine) {
 }   // namespace
 
 void adaptive(Page& page) {
-    page.say(
-        fmt::format("\n## Samples where they are needed\n\nAfter four samples, one in each quarter of the "
-                    "pixel, the other {} of {}x{} are taken only if some channel differs by more than the "
-                    "contrast among the four (after Mitchell 1987). Depth {}. Error beside the same engine's "
-                    "picture of 8x8 samples everywhere.\n",
-                    adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, depth));
+    page.say(fmt::format(
+        "\n## Samples where they are needed\n\nEach pixel takes four samples, one in each quarter. It takes "
+        "the other {} of {}x{} only if some channel of the four differs by more than the contrast (after "
+        "Mitchell 1987). Depth {}. Error against the same engine's picture of 8x8 samples everywhere.\n",
+        adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, depth));
     for (const char* scene : scenes) {
         Stage stage(page.studio(), scene, {.depth = depth, .aa = most_aa});
         page.say(fmt::format("\n### `{}`\n\n", scene));

@@ -10,9 +10,9 @@ namespace {
 constexpr const char* intro = R"(# Figures
 
 The classic figures of ray tracing, drawn by the engines of this program: the reference in double
-precision, the fixed-point model, and the RTL. Made by `{}`; no number is typed in. Pictures are of
-{}x{} pixels unless said otherwise, cycles of the configuration `default` with the units that the scene
-needs, at 66 MHz with DDR3.
+precision, the fixed-point model, and the RTL. Made by `{}`. Pictures have {}x{}
+pixels unless stated otherwise. Cycles are those of the configuration `default` with the units that the
+scene needs, at 66 MHz with DDR3.
 
 {}
 )";

@@ -86,12 +86,11 @@ void show(Page& page, const Series& s, std::size_t from, std::size_t to) {
 
 void bounces(Page& page) {
     const std::vector<Series> all = draw(page);
-    page.say(
-        fmt::format("\n## Bounce by bounce\n\nGlass, mirror, metal and matt spheres on an endless checkered "
-                    "floor (`spheres`), a camera ray's tree followed to depth 0 (what "
-                    "camera rays hit, and shadows) to {}. Below each picture: what this depth added to the "
-                    "one before it, |difference| times {:.0f}.\n",
-                    most, factor));
+    page.say(fmt::format(
+        "\n## Bounce by bounce\n\nGlass, mirror, metal and matt spheres on an endless checkered floor "
+        "(`spheres`). The tree of each camera ray is followed to depth 0 (its hit, and shadows) up to {}. "
+        "Below each picture is its difference from the previous depth, |difference| times {:.0f}.\n",
+        most, factor));
     for (const Series& s : all) {
         if (!page.is_shown(s.engine)) continue;
         page.say(fmt::format("\nBy the {}:\n", name_of(s.engine)));
@@ -99,11 +98,10 @@ void bounces(Page& page) {
         show(page, s, 3, most + 1);
     }
     page.say(
-        "\nRays of each kind, and the energy that each depth added: the mean over all pixels and channels of "
-        "the absolute difference of linear colours, in per cent "
-        "of full scale, and in per cent of the mean of the last picture. Far out on the floor the machine's "
-        "numbers end: from there "
-        "it sends no rays, lights count unhindered, and the mirror shows the background.\n");
+        "\nRays of each purpose, and the energy that each depth added: the mean over all pixels and channels "
+        "of the absolute difference of linear colours, in per cent of full scale and of the mean of the last "
+        "picture. Far out on the floor the machine's numbers end. It sends no rays from there: all lights "
+        "count, and the mirror shows the background.\n");
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k <= most; ++k)
         for (const Series& s : all)
@@ -116,9 +114,10 @@ void bounces(Page& page) {
         const auto added = [&](std::size_t k) {
             return distance(shots[k].picture, shots[k - 1].picture).mean;
         };
-        page.say(fmt::format(
-            "The first bounce adds {:.1f} times what the third adds, and {:.0f} times what the fifth does.\n",
-            added(1) / added(3), added(1) / added(5)));
+        page.say(
+            fmt::format("The first bounce adds {:.1f} times as much as the third, and {:.0f} times as much "
+                        "as the fifth.\n",
+                        added(1) / added(3), added(1) / added(5)));
     }
     for (const Series& s : all) page.numbers["bounces"][name_of(s.engine)] = json_of(s);
 }

@@ -135,14 +135,13 @@ std::string best_sentence(const Curves& c) {
 }   // namespace
 
 void cutoffs(Page& page) {
-    page.say(
-        fmt::format("\n## Two cut-offs: speed against error\n\nA ray's tree ends at a depth, or where a "
-                    "ray's weight falls below a threshold (Hall and Greenberg 1983). Rays of all kinds, "
-                    "what part of them each cut-off saves, and the error beside the same engine's picture of "
-                    "the whole tree (depth {}, threshold 0; RMSE of linear colours, 1 is full "
-                    "scale). Once no ray goes deeper, the depths in between are left out. Thresholds are "
-                    "tried at depth {}.\n",
-                    most_depth, most_depth));
+    page.say(fmt::format(
+        "\n## Two cut-offs: speed against error\n\nA ray's tree ends at a depth, or where a ray's weight "
+        "falls below a threshold (Hall and Greenberg 1983). The tables show the rays of all purposes, the "
+        "share of them that each cut-off saves, and the error against the same engine's picture of the whole "
+        "tree (depth {}, threshold 0; RMSE of linear colours, 1 is full scale). Depths that no ray reaches "
+        "are left out. Thresholds are measured at depth {}.\n",
+        most_depth, most_depth));
     for (const Case& c : cases) {
         Stage stage(page.studio(), c.scene, {.depth = most_depth});
         std::vector<Curves> all;

@@ -86,14 +86,13 @@ void endless_plane(Page& page) {
     Stage stage(page.studio(), "plane", {.depth = 0, .aa = 4, .jitter = true});
     const std::vector<Sample> all = draw(page, stage, "plane");
     page.say(
-        "\n## The endless plane\n\nA checkered plane without end (`plane`): its squares become smaller than "
-        "pixels towards the horizon. One sample in the middle of each pixel makes "
-        "patterns that are not there (aliases); more samples push them towards the horizon; jitter turns "
-        "them into noise. Where squares are too far away "
-        "for its numbers, the machine takes the mean of both colours.\n");
+        "\n## The endless plane\n\nA checkered plane without end (`plane`). Towards the horizon its squares "
+        "become smaller than pixels. One sample in the middle of each pixel makes false patterns (aliases). "
+        "More samples push them towards the horizon; jitter turns them into noise. Where squares are too far "
+        "away for its numbers, the machine takes the average of both colours.\n");
     show(page, all, "plane", [](const Picture& p) { return p; });
     page.say(
-        "\nError beside the reference's picture of 8x8 regular samples (RMSE of linear colours, 1 is full "
+        "\nError against the reference's picture of 8x8 regular samples (RMSE of linear colours, 1 is full "
         "scale; PSNR of 8-bit sRGB):\n");
     tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "plane");
 }
@@ -108,13 +107,12 @@ void edge(Page& page) {
     Stage stage(page.studio(), "square", {.depth = 0, .aa = 4, .jitter = true}, size);
     const std::vector<Sample> all = draw(page, stage, "square");
     page.say(
-        fmt::format("\n## An edge\n\nThe left edge of a white square that is slightly turned (`square`), "
-                    "{}x{} pixels of a picture of {}x{}, each shown {} times as large. On a regular "
-                    "grid the edge is a stair of n x n grades; on a jittered one the stair's place is "
-                    "random, and its regularity is gone.\n",
+        fmt::format("\n## An edge\n\nThe left edge of a slightly turned white square (`square`): {}x{} "
+                    "pixels of a picture of {}x{}, magnified {} times. On a regular grid the edge is a stair "
+                    "of n x n grades. Jitter makes the position of the steps random.\n",
                     w, h, size.width, size.height, factor));
     show(page, all, "square", [&](const Picture& p) { return magnified(p, x, y, w, h, factor); });
-    page.say("\nError beside the reference's picture of 8x8 regular samples, over the whole picture:\n");
+    page.say("\nError against the reference's picture of 8x8 regular samples, over the whole picture:\n");
     tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "square");
 }
 

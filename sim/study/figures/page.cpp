@@ -71,13 +71,12 @@ std::vector<Engine> Page::measured() const {
 }
 
 std::string Page::rtl_sentence() const {
-    if (!studio_.has(Engine::rtl)) return "The RTL was not asked for.";
+    if (!studio_.has(Engine::rtl)) return "The RTL was not requested.";
     if (!rtl_trouble_.empty()) return "The RTL was left out: " + rtl_trouble_ + ".";
     if (rtl_compared_ == 0) return fmt::format("The RTL drew {} pictures.", rtl_pictures_);
     return fmt::format(
-        "The RTL drew {} of these pictures as well, and each was compared when this page was made: all are "
-        "the model's bit for bit, and took as "
-        "many cycles. So they are not shown a second time.",
+        "The RTL drew {} of these pictures too. The command compared each with the model's: colours and "
+        "cycles are equal, bit for bit, so the page shows them once.",
         rtl_compared_);
 }
 

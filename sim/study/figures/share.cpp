@@ -95,7 +95,7 @@ void machine_row(Page& page, const std::string& name, Engine engine,
                  std::vector<std::vector<std::string>>& rows) {
     Stage stage(page.studio(), name, {.depth = depth});
     const Shot shot = stage.take(engine, {.depth = depth});
-    const FrameRun& run = *shot.run;
+    const FrameResult& run = *shot.run;
     const std::uint64_t rays = shot.rays.all(), primitives = primitive_count(stage.scene());
     double tri = 0, box = 0, shade = 0;
     for (const UnitAccount& a : unit_accounts(stage.job().config, run)) {
@@ -122,20 +122,20 @@ void machine_row(Page& page, const std::string& name, Engine engine,
 }   // namespace
 
 void test_share(Page& page) {
-    page.say(fmt::format(
-        "\n## Time in intersection tests\n\nWhitted (1980) found 75 to 95 % of the time in intersection "
-        "tests; every ray was tested against every object of the scene. Depth {}, all rays "
-        "counted: camera, shadow, reflected, refracted.\n",
-        depth));
+    page.say(
+        fmt::format("\n## Time in intersection tests\n\nWhitted (1980) found 75 to 95 % of the time in "
+                    "intersection tests; he tested every ray against every object of the scene. Depth {}; "
+                    "camera, shadow, reflected and refracted rays.\n",
+                    depth));
     if (page.studio().has(Engine::reference)) {
         std::vector<std::vector<std::string>> rows;
         for (const char* scene : scenes) reference_rows(page, scene, rows);
         page.say(
-            "\nThe reference on one thread of the computer that made this page. *None*: every ray tests "
-            "every primitive, a shadow ray until something is in its way. *Search*: boxes and tests, "
-            "measured around each ray's search less the clock's own cost. *Tests* with the hierarchy: their "
-            "number times the time of one without. Times "
-            "are of the host and differ from run to run; the counts do not.\n");
+            "\nThe reference, on one thread of the computer that made this page. *None*: every ray tests "
+            "every primitive; a shadow ray stops at the first blocker. *Search*: the time of boxes and "
+            "tests, measured around each ray's search, without the cost of reading the clock. *Tests* with "
+            "the hierarchy: their number times the time of one test without it. Times depend on the host and "
+            "differ from run to run; the counts do not.\n");
         page.table({"scene", "primitives", "structure", "rays", "boxes a ray", "tests a ray",
                     "tests, of the time", "search, of the time", "frame"},
                    rows);
@@ -146,10 +146,10 @@ void test_share(Page& page) {
             for (const char* scene : scenes) machine_row(page, scene, e, rows);
     if (rows.empty()) return;
     page.say(
-        "\nThe machine has a unit for each of these works, and they work at the same time, so shares are of "
-        "cycles in which a unit is busy and need not add up to 100 %. Without the structure `tri`, "
-        "one test a cycle, would need a cycle for each ray and primitive: the product of both, not a "
-        "measurement.\n");
+        "\nThe machine has a unit for each of these tasks, and the units work at the same time. A share is "
+        "the share of cycles in which the unit is busy; the shares need not add up to 100 %. Without a "
+        "structure `tri`, with one test a cycle, would need one cycle for each pair of ray and primitive. "
+        "That column is computed, not measured.\n");
     page.table({"scene", "primitives", "engine", "rays", "boxes a ray", "tests a ray", "tri busy", "box busy",
                 "shade busy", "cycles", "rays x primitives", "times as many"},
                rows);

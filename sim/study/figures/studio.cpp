@@ -29,21 +29,21 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
     if (engine == Engine::reference) {
         const WhittedFrame frame =
             reference_.whitted(*scene_.camera, job_.size, settings, studio_.threads, studio_.progress);
-        return {picture_of(frame), frame.rays, {}};
+        return {picture_from_reference(frame), frame.rays, {}};
     }
     job_.frame.shade = make_shade_frame(scene_, settings, job_.image, job_.config);
     Shot shot;
     if (engine == Engine::rtl) {
         shot.run = run_rtl(job_, {}, studio_.progress);
     } else {
-        std::vector<FrameTrace> frames;
+        std::vector<RecordedFrame> frames;
         const std::vector<FrameTiming> timings =
             record_and_replay(job_, job_.khz, frames, {}, studio_.threads, studio_.progress);
-        shot.run = frame_run(frames[0], timings[0]);
+        shot.run = frame_result(frames[0], timings[0]);
         shot.run->colours = std::move(frames[0].trace.colours);
     }
     stop_if_interrupted();
-    shot.picture = picture_of(job_.size, shot.run->colours);
+    shot.picture = picture_from_colours(job_.size, shot.run->colours);
     shot.rays = shot.run->rays;
     return shot;
 }

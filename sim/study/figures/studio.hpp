@@ -28,7 +28,7 @@ struct Studio {
 struct Shot {
     Picture picture;
     RayCounts rays;
-    std::optional<FrameRun> run;   ///< only for machines
+    std::optional<FrameResult> run;   ///< only for machines
 };
 
 /// A scene with one machine for all settings up to `most`. The machine has the units, stack and registers

@@ -16,9 +16,9 @@ namespace {
 
 constexpr int depth = 4;
 
-Frame frame_of(const Config& config, int mhz, const std::vector<FrameTrace>& frames) {
+Frame frame_of(const Config& config, int mhz, const std::vector<RecordedFrame>& frames) {
     const int khz = 1000 * mhz;
-    const FrameRun run = frame_run(frames[0], replay(config, khz, frames)[0]);
+    const FrameResult run = frame_result(frames[0], replay(config, khz, frames)[0]);
     if (run.partial) throw Interrupted("interrupted: no page was written");
     Frame frame{run.cycles,
                 rays_of(run),
@@ -60,7 +60,7 @@ std::vector<Point> finished_points() {
 /// Times all points on one recorded frame, in parallel.
 std::map<Point, Frame> run_all(const Job& job, const std::vector<Point>& points, const char* what,
                                int threads, const Progress& progress) {
-    std::vector<FrameTrace> frames;
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, threads, progress));
     std::vector<Frame> done(points.size());
     std::mutex mutex;

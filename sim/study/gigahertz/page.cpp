@@ -89,8 +89,7 @@ Table pipeline_table(const Figures& f) {
 }
 
 Table wall_table(const Figures& f, int p) {
-    Table table({"memory", "times the frames", "wall, MHz", "what holds the last clock up"},
-                Table::words_only);
+    Table table({"memory", "times the frames", "wall, MHz", "limit at the last clock"}, Table::words_only);
     for (std::size_t m = 0; m < memories().size(); ++m) {
         const int at = wall(f, m, p);
         table.add({memories()[m].name, fmt::format("{:.1f}", gain(f, m, p)), at ? std::to_string(at) : "none",
@@ -100,7 +99,7 @@ Table wall_table(const Figures& f, int p) {
 }
 
 Table cure_table(const Figures& f) {
-    Table table({"memory", "as it is", "four times the rays under way", "a shared cache of 1 MB"});
+    Table table({"memory", "as it is", "four times the rays in flight", "a shared cache of 1 MB"});
     for (std::size_t m = 0; m < memories().size(); ++m) {
         std::vector<std::string> row{memories()[m].name};
         for (int c = 0; c < cures; ++c) row.push_back(fps_text(f.at(m, fastest(), most(), Cure(c)).fps));
@@ -156,7 +155,7 @@ constexpr const Published& quake_wars = published[1];
 double rays_of(const Published& p, double fps) { return fps * double(p.size.width) * p.size.height; }
 
 Table published_table() {
-    Table table({"what", "machine", "picture", "fps", "million camera rays a second", "beside it"},
+    Table table({"what", "machine", "picture", "fps", "million camera rays a second", "note"},
                 Table::words_only);
     for (const Published& p : published) {
         const bool pictures = p.size.width > 0;
@@ -204,7 +203,8 @@ std::string name_list(const std::vector<std::string>& names) {
 std::string passed_text(const Figures& f) {
     const double rays = rays_of(quake_wars, quake_wars.to);
     std::string text = fmt::format(
-        "The {} camera rays a second of Quake Wars on 24 cores, which traced other rays besides, are passed ",
+        "Quake Wars on 24 cores traced {} camera rays a second, and other rays too. This machine traces as "
+        "many camera rays ",
         grouped(std::uint64_t(rays)));
     for (const int p : {fewest(), most()}) {
         std::vector<std::string> parts;
@@ -212,13 +212,13 @@ std::string passed_text(const Figures& f) {
             std::vector<std::string> names;
             for (std::size_t m = 0; m < memories().size(); ++m)
                 if (clock_of(f, m, p, rays) == mhz) names.push_back(memories()[m].name);
-            if (!names.empty()) parts.push_back(fmt::format("at {} MHz on {}", mhz, name_list(names)));
+            if (!names.empty()) parts.push_back(fmt::format("from {} MHz on {}", mhz, name_list(names)));
         }
         std::vector<std::string> never;
         for (std::size_t m = 0; m < memories().size(); ++m)
             if (clock_of(f, m, p, rays) == 0) never.push_back(memories()[m].name);
         if (!never.empty()) parts.push_back("never on " + name_list(never));
-        text += fmt::format("{}by {} pipeline{} {}", p == fewest() ? "" : "; ", p, p == 1 ? "" : "s",
+        text += fmt::format("{}with {} pipeline{} {}", p == fewest() ? "" : "; ", p, p == 1 ? "" : "s",
                             fmt::join(parts, ", "));
     }
     return text + ". ";
@@ -248,46 +248,42 @@ std::string answer(const Figures& f) {
             if (gain(f, m, p) >= nearly * growth())
                 hold.push_back(memories()[m].name);
             else
-                gains.push_back(fmt::format("{:.1f} on {}", gain(f, m, p), memories()[m].name));
+                gains.push_back(fmt::format("{:.1f} times on {}", gain(f, m, p), memories()[m].name));
         }
-        text += fmt::format(
-            "With {} pipeline{} it holds (at least {} of it) on {}; the frames become only {} times as "
-            "many. ",
-            p, p == 1 ? "" : "s", percent(nearly), name_list(hold), name_list(gains));
+        text +=
+            fmt::format("With {} pipeline{} the guess holds (at least {} of it) on {}. The gain is only {}. ",
+                        p, p == 1 ? "" : "s", percent(nearly), name_list(hold), name_list(gains));
     }
     text += passed_text(f);
     return text + fmt::format(
-                      "At {} MHz, {} pipelines and all memories but `ideal`, four times the rays under way "
-                      "bring {:.2f} times "
-                      "the frames, and a shared cache of 1 MB {:.2f} times (geometric means). So the answer "
-                      "is: the units "
-                      "follow the clock, and the memory decides. A faster clock is worth what the caches "
-                      "spare and the "
-                      "memory's bus and rows can still carry; beyond the wall it brings next to nothing, and "
-                      "bandwidth does.\n",
+                      "At {} MHz, {} pipelines and all memories except `ideal`, four times the rays in "
+                      "flight draw {:.2f} times the frames, and a shared cache of 1 MB {:.2f} times "
+                      "(geometric means). So the units follow the clock, and the memory decides. A faster "
+                      "clock helps as far as the caches save reads and the memory's bus and rows still carry "
+                      "the rest. Beyond the wall only bandwidth helps.\n",
                       fastest(), most(), cure_gain(f, Cure::contexts), cure_gain(f, Cure::cache));
 }
 
 constexpr const char* intro = R"(# At the clocks of processors
 
-Made by `{}`: the model only. Every figure of ours is simulated, none is typed in.
+Made by `{}`, with the model only. All figures of this machine are simulated.
 
-The papers of SaarCOR and RPU report chips of 66 and 90 MHz beside processors with 30 times that clock, and
-leave the reader to multiply. This page does not multiply, it simulates. **All clocks here are assumed**: no
-chip of this machine was routed at any of them ([silicon.md](silicon.md) has what was routed). The memory keeps
-its own time ([memories](configurations.md#memories)), so that a chip with a faster clock waits more cycles for
-it. "x 2" means two channels side by side.
+The papers of SaarCOR and RPU compare chips of 66 and 90 MHz with processors of 30 times that clock, and leave
+the reader to multiply. This page simulates instead. **All clocks here are assumed**: no chip of this machine
+was routed at any of them ([silicon.md](silicon.md) has the routed clocks). The memory keeps its own time
+([memories](configurations.md#memories)), so a chip with a faster clock waits more cycles for it. "x 2" means
+two channels side by side.
 
 Configuration `{}` with 1 to 16 pipelines, {}x{} camera rays of {} ({} triangles), one frame with
-cold caches. The pipelines share nothing but one port to memory, of 64 bytes a cycle. `ideal` answers after
-8 cycles at any clock, which no memory does.
+cold caches. The pipelines share only one port to memory, of 64 bytes a cycle. `ideal` answers after 8 cycles
+at any clock, which no memory does.
 )";
 
 constexpr const char* wall_words = R"(
 ## Where the wall is, and why
 
-The *wall* is the first clock at which a frame takes more than twice the cycles of {} MHz: from there on
-most of what the clock brings is lost. *Times the frames*: {} MHz against {} MHz, where the clock alone is
+The *wall* is the first clock at which a frame takes more than twice the cycles of {} MHz: beyond it a faster
+clock loses most of its effect. *Times the frames* compares {} MHz with {} MHz, where the clock alone is
 {:.1f} times as fast.
 )";
 
@@ -305,8 +301,9 @@ std::string page(const Figures& f, const Study& study, const std::string& comman
     text += fmt::format(fmt::runtime(wall_words), slowest(), fastest(), slowest(), growth());
     for (const int p : {fewest(), most()})
         text += fmt::format("\n{} pipeline{}:\n\n", p, p == 1 ? "" : "s") + wall_table(f, p).markdown();
-    text += fmt::format("\nWhat moves it: fps at {} MHz with {} pipelines.\n\n", fastest(), most()) +
-            cure_table(f).markdown();
+    text +=
+        fmt::format("\nTwo ways to move the wall: fps at {} MHz with {} pipelines.\n\n", fastest(), most()) +
+        cure_table(f).markdown();
     text += fmt::format(
         "\n## Finished pictures\n\n{} with shadows and up to 4 bounces, {}x{}, {:.2f} rays a pixel: fps, and "
         "in "
@@ -314,17 +311,15 @@ std::string page(const Figures& f, const Study& study, const std::string& comman
         study.finished_scene, study.size.width / 2, study.size.height / 2, f.finished_rays_per_pixel);
     text += finished_table(f).markdown();
     text +=
-        "\n## Beside what was published\n\nProcessors and graphics processors of 2008 and 2009. Their scenes "
-        "are others, and "
-        "where only frames were published a second's camera rays are pixels times frames.\n\n";
+        "\n## Comparison with published figures\n\nProcessors and graphics processors of 2008 and 2009, with "
+        "other scenes. Where only frames were published, the camera rays of a second are pixels times "
+        "frames.\n\n";
     text += published_table().markdown();
     text += "\nOurs, million camera rays a second, by clock:\n\n" + ours_table(f).markdown();
     text +=
-        "\nRead in: techreport.com 14946 (June 2008); pcgameshardware.com 673899 and tomshardware.fr (August "
-        "2008); "
-        "electronicdesign.com 21764335 (NVIDIA); the abstract of Shih et al. Of Purcell et al. 2002, the "
-        "first ray tracer on "
-        "a (simulated) graphics processor, no figure was read.\n";
+        "\nSources: techreport.com 14946 (June 2008); pcgameshardware.com 673899 and tomshardware.fr (August "
+        "2008); electronicdesign.com 21764335 (NVIDIA); the abstract of Shih et al. Purcell et al. 2002, the "
+        "first ray tracer on a (simulated) graphics processor, is not in the table.\n";
     return text + "\n## The answer to the guess\n\n" + answer(f);
 }
 

@@ -13,7 +13,7 @@ namespace {
 using plot::Anchor;
 using plot::Colour;
 using plot::Drawing;
-using plot::Place;
+using plot::PixelPosition;
 
 constexpr double width = 560, height = 420, left = 64, right = 92, top = 74, bottom = 56;
 constexpr Colour black{0x22, 0x22, 0x22}, grey{0x66, 0x66, 0x66}, pale{0xe4, 0xe4, 0xe4};
@@ -23,7 +23,7 @@ constexpr Colour colours[]{{0x8c, 0x56, 0x4b}, {0xc8, 0x2a, 0x2a}, {0xe0, 0x7b, 
 struct Axes {
     plot::Scale x, y;
     double from;   // left edge of the panel
-    Place at(double mhz, double fps) const {
+    PixelPosition at(double mhz, double fps) const {
         return {from + left + x.place(mhz) * (width - left - right),
                 height - bottom - y.place(fps) * (height - top - bottom)};
     }
@@ -81,7 +81,7 @@ plot::Drawing picture(const Figures& figures, const Study& study) {
             for (const int clock : clocks())
                 line.points.push_back(axes.at(clock, figures.at(m, clock, p).fps));
             ends.emplace_back(line.points.back().y, m);
-            for (const Place& place : line.points)
+            for (const PixelPosition& place : line.points)
                 drawing.shapes.emplace_back(plot::Disc{place, 2.6, colours[m]});
             drawing.shapes.emplace_back(std::move(line));
         }

@@ -22,35 +22,36 @@ constexpr int depth = 4;
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-Kind kind_of(const std::string& name, Config config, Structure structure, Straddlers straddlers) {
+NamedStructure named_structure(const std::string& name, Config config, Structure structure,
+                               Straddlers straddlers) {
     config.structure = structure;
     config.straddlers = straddlers;
     while (config.box_queue <= node_latency(config)) config.box_queue *= 2;   // for one node per cycle
     return {name, config};
 }
 
-double busy_share(const Config& config, const FrameRun& run) {
+double busy_share(const Config& config, const FrameResult& run) {
     for (const UnitAccount& account : unit_accounts(config, run))
         if (account.unit == "tri") return double(account.busy) / double(run.cycles) / account.instances;
     return 0;
 }
 
-Frame frame_of(const Config& config, const std::vector<FrameTrace>& frames) {
+Frame frame_of(const Config& config, const std::vector<RecordedFrame>& frames) {
     Frame frame;
-    frame.run = frame_run(frames[0], replay(config, default_khz, frames)[0]);
+    frame.run = frame_result(frames[0], replay(config, default_khz, frames)[0]);
     if (frame.run.partial) throw Interrupted("interrupted: no page was written");
     frame.bound = bound_of(config, default_khz, frame.run);
     frame.tri_busy = busy_share(config, frame.run);
     return frame;
 }
 
-std::vector<FrameTrace> recorded(const Job& job, const Study& study) {
-    std::vector<FrameTrace> frames;
+std::vector<RecordedFrame> recorded(const Job& job, const Study& study) {
+    std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, study.threads, stopping({})));
     return frames;
 }
 
-/// The reference's picture, which all structures of a scene are set beside.
+/// The reference's picture, with which all structures of a scene are compared.
 struct Drawn {
     HitFrame hits;
     Picture picture;
@@ -59,7 +60,7 @@ Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, 
     const Reference tracer(scene);
     if (shades) {
         WhittedFrame frame = tracer.whitted(*scene.camera, size, settings, threads, stopping({}));
-        Picture picture = picture_of(frame);
+        Picture picture = picture_from_reference(frame);
         return {std::move(frame.hits), std::move(picture)};
     }
     HitFrame hits = tracer.frame(*scene.camera, size, threads, stopping({}));
@@ -67,10 +68,10 @@ Drawn reference_of(const Scene& scene, FrameSize size, const Whitted& settings, 
     return {std::move(hits), std::move(picture)};
 }
 
-FrameError error_of(const Scene& scene, const Job& job, const FrameTrace& made, const Drawn& reference) {
+FrameError error_of(const Scene& scene, const Job& job, const RecordedFrame& made, const Drawn& reference) {
     const HitFrame hits = hits_of(job, made);
     const Picture picture =
-        job.config.shading ? picture_of(job.size, made.trace.colours) : shade(scene, hits);
+        job.config.shading ? picture_from_colours(job.size, made.trace.colours) : shade(scene, hits);
     return frame_error(hits, picture, reference.hits, reference.picture);
 }
 
@@ -81,7 +82,7 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
     const Job job = make_job(scene, *scene.camera, study.size, chip, stopping({}), settings);
     cell.build = processor_seconds() - begin;
     cell.report = job.image.report;
-    const std::vector<FrameTrace> frames = recorded(job, study);
+    const std::vector<RecordedFrame> frames = recorded(job, study);
     cell.camera = frame_of(job.config, frames);
     cell.camera.error = error_of(scene, job, frames[0], reference);
     for (const Surroundings& around : surroundings()) {
@@ -96,11 +97,12 @@ void measure_camera(const Scene& scene, const Config& chip, const Whitted& setti
 constexpr Whitted finished_settings{.depth = depth};
 FrameSize half_of(FrameSize size) { return {size.width / 2, size.height / 2}; }
 
-Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study, const Drawn& reference) {
+Frame finished_frame(const Scene& scene, const NamedStructure& structure, const Study& study,
+                     const Drawn& reference) {
     const Job job =
         make_job(scene, *scene.camera, half_of(study.size),
-                 fitted_config(scene, finished_settings, kind.config), stopping({}), finished_settings);
-    const std::vector<FrameTrace> frames = recorded(job, study);
+                 fitted_config(scene, finished_settings, structure.config), stopping({}), finished_settings);
+    const std::vector<RecordedFrame> frames = recorded(job, study);
     Frame frame = frame_of(job.config, frames);
     frame.error = error_of(scene, job, frames[0], reference);
     return frame;
@@ -112,11 +114,11 @@ bool Study::is_round(const std::string& scene) const {
     return std::find(round.begin(), round.end(), scene) != round.end();
 }
 
-std::vector<Kind> trees(const Config& base) {
-    std::vector<Kind> all;
+std::vector<NamedStructure> trees(const Config& base) {
+    std::vector<NamedStructure> all;
     for (const std::string& name : names_of<MeshStructure>()) {   // all but a list
         if (name == "same") continue;
-        all.push_back(kind_of(name, base, choice_named<Structure>(name), Straddlers::leaves));
+        all.push_back(named_structure(name, base, choice_named<Structure>(name), Straddlers::leaves));
         if (!all.back().config.is_bvh()) continue;
         all.push_back(all.back());
         all.back().name = "bvh, splits";
@@ -124,9 +126,11 @@ std::vector<Kind> trees(const Config& base) {
     }
     return all;
 }
-Kind list(const Config& base) { return kind_of("none", base, Structure::none, Straddlers::leaves); }
-Kind inner_octree(const Config& base) {
-    return kind_of("octree, inner", base, Structure::octree, Straddlers::inner);
+NamedStructure list(const Config& base) {
+    return named_structure("none", base, Structure::none, Straddlers::leaves);
+}
+NamedStructure inner_octree(const Config& base) {
+    return named_structure("octree, inner", base, Structure::octree, Straddlers::inner);
 }
 
 const std::vector<Surroundings>& surroundings() {
@@ -135,8 +139,8 @@ const std::vector<Surroundings>& surroundings() {
     return all;
 }
 
-SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, const Study& study, bool finished,
-                   const Progress& progress) {
+SceneCells measure(const std::string& name, const std::vector<NamedStructure>& candidates, const Study& study,
+                   bool finished, const Progress& progress) {
     const bool is_round = study.is_round(name);
     Scene scene, native;
     if (finished || is_round) native = told_scene(name, stopping({}), Primitives::native);
@@ -156,14 +160,16 @@ SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, cons
             reference_of(native, half_of(study.size), finished_settings, true, study.threads);
     SceneCells result{
         name, is_round, scene.triangles.size() + scene.spheres.size() + scene.planes.size(), {}};
-    for (const Kind& kind : kinds) {
-        if (progress) progress(fmt::format("{}, {}", name, kind.name), result.cells.size(), kinds.size());
+    for (const NamedStructure& structure : candidates) {
+        if (progress)
+            progress(fmt::format("{}, {}", name, structure.name), result.cells.size(), candidates.size());
         Cell cell;
-        cell.structure = kind.name;
+        cell.structure = structure.name;
         try {
-            const Config chip = is_round ? fitted_config(scene, no_bounces, kind.config) : kind.config;
+            const Config chip =
+                is_round ? fitted_config(scene, no_bounces, structure.config) : structure.config;
             measure_camera(scene, chip, no_bounces, study, reference, cell);
-            if (finished) cell.finished = finished_frame(native, kind, study, finished_reference);
+            if (finished) cell.finished = finished_frame(native, structure, study, finished_reference);
         } catch (const UserError& error) {
             if (interrupted()) throw;
             cell.refused = error.what();

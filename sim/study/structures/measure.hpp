@@ -23,18 +23,18 @@ struct Study {
 };
 
 /// A structure, with its name on the page.
-struct Kind {
+struct NamedStructure {
     std::string name;
     Config config;
 };
 /// Return the trees in the order of the page, a list, and an octree by the textbook's rule.
-std::vector<Kind> trees(const Config& base);
-Kind list(const Config& base);
-Kind inner_octree(const Config& base);
+std::vector<NamedStructure> trees(const Config& base);
+NamedStructure list(const Config& base);
+NamedStructure inner_octree(const Config& base);
 
 /// A frame and its bound.
 struct Frame {
-    FrameRun run;
+    FrameResult run;
     Bound bound;
     double tri_busy = 0;   ///< share of cycles in which tri starts a test
     FrameError error{};    ///< error of its picture against the reference
@@ -78,7 +78,7 @@ struct Areas {
 /// Measures camera rays of the scene. The scene has triangles or, if it is in study.round, true spheres and
 /// no light. `finished` adds its picture at depth 4 and half the size with true spheres. Throws Interrupted
 /// after Ctrl-C.
-SceneCells measure(const std::string& scene, const std::vector<Kind>& kinds, const Study& study,
-                   bool finished, const Progress& progress);
+SceneCells measure(const std::string& scene, const std::vector<NamedStructure>& candidates,
+                   const Study& study, bool finished, const Progress& progress);
 
 }   // namespace rayclock::structures

@@ -1,4 +1,4 @@
-// Writes docs/structures.md from measurements. The texts about each scene are in reasons.cpp.
+// Writes docs/structures.md from measurements. The comparisons and the causes are in reasons.cpp.
 #include "sim/study/structures/page.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 std::string per_ray(std::uint64_t n, const Frame& frame) {
     return fmt::format("{:.2f}", double(n) / frame.rays());
 }
-std::string hits(const FrameRun& run, Unit cache) {
+std::string hits(const FrameResult& run, Unit cache) {
     const CacheAccount account = cache_account(run, cache);
     return account.accesses == 0 ? "-" : fmt::format("{:.1f} %", 100 * account.hit_rate());
 }
@@ -102,14 +102,6 @@ double finished_fps_of(const Cell& c) { return c.finished ? c.finished->fps() : 
 double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
 double bytes_of(const Cell& c) { return double(c.report.bytes); }
 
-/// Returns the scenes whose camera rays meet only triangles. These run on the smaller pipeline.
-std::vector<SceneCells> angular(const Figures& figures) {
-    std::vector<SceneCells> scenes;
-    for (const SceneCells& scene : figures.large)
-        if (!scene.is_round) scenes.push_back(scene);
-    return scenes;
-}
-
 void add_area(std::vector<std::string>& row, const area::Count* c, double fps) {
     if (c) {
         for (const std::uint64_t n : {c->luts(), c->ff, c->dsp, c->bram}) row.push_back(grouped(n));
@@ -123,7 +115,7 @@ void add_area(std::vector<std::string>& row, const area::Count* c, double fps) {
 Table area_table(const Figures& figures, bool finished) {
     Table table({"structure", "LUTs", "FF", "multipliers", "block memories", "fps", "fps per 1,000 LUTs",
                  "fps per multiplier"});
-    const std::vector<SceneCells> scenes = finished ? figures.large : angular(figures);
+    const std::vector<SceneCells> scenes = finished ? figures.large : triangle_scenes(figures);
     for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
         std::vector<std::string> row{figures.large[0].cells[i].structure};
         const Areas* areas = figures.areas ? &(*figures.areas)[i] : nullptr;
@@ -152,45 +144,53 @@ Table list_table(const std::vector<SceneCells>& scenes, const Limits& limits) {
 
 constexpr const char* intro = R"(# Structures on one machine
 
-Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
-{}x{} pixels of camera rays, scenes in triangles unless a scene's heading says otherwise; finished pictures
-(`--depth 4`) have half as many columns and rows, and true spheres where the scene has them. fps are of these
-pictures. All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
-[planes.md](planes.md), [bsp.md](bsp.md)). An octree uses the engine of kd, to the gate
-([configurations.md](configurations.md#structures)); "bvh, splits" is the bvh with primitives cut where that
-pays (`splits=on`). Each has a `box_queue` above the latency of its unit: a slant's is 32.
+Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches. Camera rays: {}x{}
+pixels, scenes in triangles unless a scene's heading says otherwise. Finished pictures (`--depth 4`): half as many
+columns and rows, and true spheres where the scene has them. fps are frames a second of these pictures.
+
+All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
+[planes.md](planes.md), [bsp.md](bsp.md)). An octree uses exactly the gates of kd
+([configurations.md](configurations.md#structures)). "bvh, splits" is a bvh that may cut primitives
+(`splits=on`). The `box_queue` of each structure is longer than the latency of its unit.
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
   the host.
-- **pays after rays**: camera rays that a chip with a list of all primitives, one test a cycle, would trace in
-  the time that building takes, longer than with the tree. **Frames of the chip**: frames that the chip with
-  the tree draws in that time.
+- **pays after rays**: the number of camera rays from which building the tree pays off. With fewer rays, a chip
+  that tests a list of all primitives, one test a cycle, is done earlier than build and tree together.
+  **Frames of the chip**: frames that the chip with the tree draws in the build time.
 - A dagger (†) marks a picture beyond a limit ([report.md](report.md#limits)); the sentence below the table
   names the farthest.
-- **bound, reached**: the largest of visits, tests (one a cycle each) and what memory can carry, and its share
-  of the frame's cycles. **tri busy**: the share of cycles in which an intersection test begins.
+- **bound, reached**: the largest of visits, tests (one a cycle each) and the transfers of the memory, and its
+  share of the frame's cycles. **tri busy**: the share of cycles in which an intersection test begins.
 
 )";
 
 constexpr const char* area_words = R"(
-Area: one pipeline, unit by unit, as Yosys maps it to an ECP5 ([area.md](area.md) says what is
-counted). Above: camera rays, a pipeline that finds hits of triangles; fps are the geometric mean of the scenes in
-triangles. Below: finished pictures, a pipeline with every unit that they may need, and the mean of all scenes.
+Area: one pipeline, counted unit by unit as Yosys maps it to an ECP5 ([area.md](area.md)). The table above is for
+camera rays: a pipeline that finds hits of triangles, and the geometric mean of fps over the scenes in triangles.
+The table below is for finished pictures: a pipeline with every unit that they may need, and the mean over all
+scenes.
 
 )";
 
 constexpr const char* around_words = R"(
-Which structure needs the fewest cycles a camera ray, how many, and how many times as many the next one needs, with
-memories and caches of other sizes (KB of each cache; "bvh, splits" is not asked, since it is a way to build a bvh):
+The structure with the fewest cycles a camera ray, for other memories and cache sizes (KB of each cache). A cell
+names the structure, its cycles, and how many times as many cycles the next structure needs. "bvh, splits" is left
+out, since it is a way to build a bvh.
+
+)";
+
+constexpr const char* ratio_words = R"(
+Camera rays, divided by the same figure of bvh:
 
 )";
 
 constexpr const char* list_words = R"(
 ## Against a list
 
-Scenes small enough for a list of all primitives, Whitted's baseline: with it `tri` is busy all the time, and
-trees take that away. The octree by the textbook's rule (`straddlers=inner`) stands between them: what lies
-across the root's planes is tested by every ray.
+These scenes are small enough for a list of all primitives, Whitted's baseline. With the list `tri` is almost
+always busy; trees take this work away. The octree by the textbook's rule (`straddlers=inner`) lies between both:
+every ray tests the primitives that straddle the root's planes.
 
 )";
 
@@ -214,7 +214,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
             area_table(figures, true).markdown();
     if (figures.areas) {
         const area::Count& list = figures.areas->back().hits;
-        text += fmt::format("\nA pipeline that walks a mere list takes {} LUTs and {} multipliers.\n",
+        text += fmt::format("\nA pipeline that walks a list takes {} LUTs and {} multipliers.\n",
                             grouped(list.luts()), grouped(list.dsp));
         text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
     }
@@ -222,15 +222,16 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
     const auto& usual = large_scenes();   // other scenes may follow these
     const bool is_usual = study.base.name == "default" && study.scenes.size() >= usual.size() &&
                           std::equal(usual.begin(), usual.end(), study.scenes.begin());
-    if (is_usual) text += fmt::format("\n{}\n", reason(""));
+    if (is_usual) text += "\n" + summary(figures) + "\n";
     for (const SceneCells& scene : figures.large) {
         text += fmt::format("\n## {}\n\n{} primitives{}.\n\n", printable(scene.name),
                             grouped(scene.primitives), scene.is_round ? ", true spheres" : "");
         text += tree_table(scene).markdown() + "\n" + frame_table(figures, scene, study.limits).markdown() +
                 far_note(study.limits, pictures_of(scene));
+        if (const std::string ratios = ratio_table(scene); !ratios.empty()) text += ratio_words + ratios;
         for (const Cell& c : scene.cells)
-            if (!c.refused.empty()) text += fmt::format("\n{} is not there: {}.\n", c.structure, c.refused);
-        if (const std::string why = reason(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
+            if (!c.refused.empty()) text += fmt::format("\n{} is missing: {}.\n", c.structure, c.refused);
+        if (const std::string why = cause(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
     }
     std::vector<NamedError> small;
     for (const SceneCells& scene : figures.small)
@@ -244,7 +245,7 @@ plot::Drawing picture(const Figures& figures, const Study& study) {
     plot::Panel area{"speed against area", "LUTs of a pipeline", "cycles a ray", false, {}},
         memory{"speed against memory", "image, MB", "cycles a ray", false, {}};
     std::vector<sweep::Figures> by_area, by_memory;
-    const std::vector<SceneCells> scenes = angular(figures);
+    const std::vector<SceneCells> scenes = triangle_scenes(figures);
     for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
         const std::string& name = figures.large[0].cells[i].structure;
         const double cycles = mean_of(scenes, i, cycles_of), megabytes = mean_of(scenes, i, bytes_of) / 1e6;

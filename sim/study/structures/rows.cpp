@@ -41,21 +41,34 @@ nlohmann::ordered_json row_of(const SceneCells& scene, const Cell& cell, const F
 
 /// Returns the structure with the fewest cycles in the surroundings `at`, and the lead over the next one.
 std::string best_of(const SceneCells& scene, std::size_t at) {
-    const Cell *best = nullptr, *next = nullptr;
-    for (const Cell& c : scene.cells) {
-        if (!c.refused.empty() || c.structure == "bvh, splits") continue;
-        if (!best || c.elsewhere[at] < best->elsewhere[at]) {
-            next = best, best = &c;
-        } else if (!next || c.elsewhere[at] < next->elsewhere[at]) {
-            next = &c;
-        }
-    }
-    if (!next) return "-";
-    return fmt::format("{} {:.2f} ({} x {:.2f})", best->structure, best->elsewhere[at], next->structure,
-                       next->elsewhere[at] / best->elsewhere[at]);
+    const Ranking ranking = ranked(scene, at);
+    if (!ranking.next) return "-";
+    const Cell &best = *ranking.best, &next = *ranking.next;
+    return fmt::format("{} {:.2f} ({} x {:.2f})", best.structure, best.elsewhere[at], next.structure,
+                       next.elsewhere[at] / best.elsewhere[at]);
 }
 
 }   // namespace
+
+Ranking ranked(const SceneCells& scene, std::size_t at) {
+    Ranking ranking;
+    for (const Cell& c : scene.cells) {
+        if (!c.refused.empty() || c.structure == "bvh, splits") continue;
+        if (!ranking.best || c.elsewhere[at] < ranking.best->elsewhere[at]) {
+            ranking.next = ranking.best, ranking.best = &c;
+        } else if (!ranking.next || c.elsewhere[at] < ranking.next->elsewhere[at]) {
+            ranking.next = &c;
+        }
+    }
+    return ranking;
+}
+
+std::vector<SceneCells> triangle_scenes(const Figures& figures) {
+    std::vector<SceneCells> scenes;
+    for (const SceneCells& scene : figures.large)
+        if (!scene.is_round) scenes.push_back(scene);
+    return scenes;
+}
 
 const area::Count* area_of(const Figures& figures, const SceneCells& scene, std::size_t structure,
                            bool finished) {

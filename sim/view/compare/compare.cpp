@@ -85,7 +85,7 @@ std::string element_of(const std::string& file, const std::string& page, const s
     const std::string head = "<script type=\"application/json\" id=\"" + id + "\">";
     const std::size_t begin = page.find(head);
     if (begin == page.npos)
-        throw UserError(printable(file) + " is no report of simulate: it is a page of something else");
+        throw UserError(printable(file) + " is not a report of simulate: it is a page of something else");
     const std::size_t end = page.find("</script>", begin);
     return page.substr(begin + head.size(), end == page.npos ? end : end - begin - head.size());
 }
@@ -113,13 +113,13 @@ NamedReport read_report(const std::string& file) {
     NamedReport read{file, parse_json(file, is_page ? element_of(file, text, "report") : text), {}};
     const json& report = read.report;
     const auto refuse = [&](const std::string& what) {
-        throw UserError(printable(file) + " is no report of simulate or verify: " + what);
+        throw UserError(printable(file) + " is not a report of simulate or verify: " + what);
     };
     if (!report.is_object()) refuse("it is not an object");
     for (const char* key : {"scene", "config", "frame", "clocks", "units", "memory", "digest"})
         if (!report.contains(key)) refuse(fmt::format("it has no key '{}'", key));
     for (const char* key : {"scene", "config", "frame", "memory"})
-        if (!report[key].is_object()) refuse(fmt::format("its '{}' is no object", key));
+        if (!report[key].is_object()) refuse(fmt::format("its '{}' is not an object", key));
     if (!report["clocks"].is_array() || report["clocks"].empty()) refuse("it has no clock");
     for (const json& clock : report["clocks"])
         if (!clock.is_object() || !clock.value("mhz", json()).is_number() ||

@@ -38,7 +38,7 @@ public:
     }
     Capturer(const Capturer&) = delete;
 
-    Capture run(const std::vector<FrameTrace>& frames, const Progress& progress) {
+    Capture run(const std::vector<RecordedFrame>& frames, const Progress& progress) {
         try {
             for (std::size_t f = 0; f < frames.size(); ++f) {
                 if (frames[f].upload.image_lines > 0) {
@@ -61,7 +61,7 @@ public:
 
 private:
     /// False once enough is seen.
-    bool run_frame(const FrameTrace& frame, const Progress& progress) {
+    bool run_frame(const RecordedFrame& frame, const Progress& progress) {
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_->start(frame.frame);
@@ -146,7 +146,7 @@ bool LinkCycle::differs() const {
                                       rtl.begin() + std::ptrdiff_t(std::min(model.size(), rtl.size())));
 }
 
-Capture capture(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
                 std::uint64_t divergence, const std::string& wave_path, const Progress& progress) {
     return Capturer(job, traffic, seed, divergence, wave_path).run(frames, progress);
 }

@@ -32,7 +32,7 @@ constexpr std::uint64_t cycles_before = 1000, cycles_after = 20;
 /// Runs both machines again from reset up to the divergence. The RTL is one that writes its signals, and
 /// begins to do so `cycles_before` cycles before it, to `wave_path`: a cycle takes 10 units of time, and its
 /// signals are settled from the 5th on. Partial if interrupted().
-Capture capture(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
                 std::uint64_t divergence, const std::string& wave_path, const Progress& progress);
 
 }   // namespace rayclock

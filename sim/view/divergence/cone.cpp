@@ -129,14 +129,14 @@ public:
     std::vector<ConeStep> run() {
         const auto unit = modules_.find("rc_" + unit_);
         if (wanted_.empty() || unit == modules_.end()) return {};
-        Place place{{{"", unit->second.name}}, "", divergence_.cycle};
+        ConeNode node{{{"", unit->second.name}}, "", divergence_.cycle};
         for (const std::string& port : ports_)
             if (signals_.find("", port, [](const std::string&) { return true; })) {
-                place.name = port;
+                node.name = port;
                 break;
             }
         constexpr std::size_t most = 64;
-        while (!place.name.empty() && steps_.size() < most && step(place)) {}
+        while (!node.name.empty() && steps_.size() < most && step(node)) {}
         return std::move(steps_);
     }
 
@@ -144,7 +144,7 @@ private:
     struct Level {
         std::string instance, module;   ///< "u_hitdiv.", "rc_hitdiv"
     };
-    struct Place {
+    struct ConeNode {
         std::vector<Level> levels;
         std::string name;   ///< of the signal
         std::uint64_t cycle;
@@ -176,37 +176,38 @@ private:
         constexpr std::size_t telling = 4;   // a shorter value is in any wide signal
         return wanted_.size() < telling ? digits == wanted_ : digits.find(wanted_) != std::string::npos;
     }
-    std::optional<std::string> path_of(const Place& place, const std::string& name,
+    std::optional<std::string> path_of(const ConeNode& node, const std::string& name,
                                        std::uint64_t cycle) const {
-        return signals_.find(place.levels.back().instance, name,
+        return signals_.find(node.levels.back().instance, name,
                              [&](const std::string& path) { return holds(path, cycle); });
     }
 
     /// One driver back; false if the value is made here.
-    bool step(Place& place) {
-        const ModuleText& module = modules_.at(place.levels.back().module);
-        if (!seen_.insert({place.levels.back().instance + place.name, place.cycle}).second) return false;
+    bool step(ConeNode& node) {
+        const ModuleText& module = modules_.at(node.levels.back().module);
+        if (!seen_.insert({node.levels.back().instance + node.name, node.cycle}).second) return false;
         std::vector<const SignalDriver*> drivers;
         for (const SignalDriver& driver : module.drivers)
-            if (std::find(driver.targets.begin(), driver.targets.end(), place.name) != driver.targets.end())
+            if (std::find(driver.targets.begin(), driver.targets.end(), node.name) != driver.targets.end())
                 drivers.push_back(&driver);
-        if (drivers.empty()) return go_out(place);
+        if (drivers.empty()) return go_out(node);
         for (const SignalDriver* driver : drivers)
-            if (driver->kind == SignalDriver::Kind::instance && go_in(place, module, *driver)) return true;
+            if (driver->construct == SignalDriver::Construct::instance && go_in(node, module, *driver))
+                return true;
         const SignalDriver* best = nullptr;
         std::string next;
-        std::uint64_t cycle = place.cycle;
+        std::uint64_t cycle = node.cycle;
         for (const SignalDriver* driver : drivers) {
-            if (driver->kind == SignalDriver::Kind::instance) continue;
+            if (driver->construct == SignalDriver::Construct::instance) continue;
             if (!best) best = driver;
-            std::optional<std::uint64_t> then = place.cycle;
-            if (driver->kind == SignalDriver::Kind::registered)
-                if (const auto path = path_of(place, place.name, place.cycle))
-                    then = signals_.before_value(*path, place.cycle);
+            std::optional<std::uint64_t> then = node.cycle;
+            if (driver->construct == SignalDriver::Construct::registered)
+                if (const auto path = path_of(node, node.name, node.cycle))
+                    then = signals_.before_value(*path, node.cycle);
             if (!then) continue;
             std::vector<std::string> candidates;
             for (const std::string& source : driver->sources)
-                if (const auto path = path_of(place, source, *then); path && holds(*path, *then))
+                if (const auto path = path_of(node, source, *then); path && holds(*path, *then))
                     candidates.push_back(source);
             // Of a flag that several others make, any may be the wrong one.
             if (candidates.empty() || (wanted_.size() == 1 && candidates.size() > 1)) continue;
@@ -214,14 +215,14 @@ private:
             break;
         }
         if (!best) return false;
-        note(place, module, best->line, best->kind == SignalDriver::Kind::registered);
+        note(node, module, best->line, best->construct == SignalDriver::Construct::registered);
         if (next.empty()) {
             for (const SignalDriver* driver : drivers)
-                if (driver != best && driver->kind != SignalDriver::Kind::instance)
+                if (driver != best && driver->construct != SignalDriver::Construct::instance)
                     steps_.back().others.push_back(source_of(module, driver->line));
             return false;
         }
-        place.name = next, place.cycle = cycle;
+        node.name = next, node.cycle = cycle;
         return true;
     }
 
@@ -230,38 +231,35 @@ private:
         const std::size_t first = text.find_first_not_of(' ');
         return {module.file, line, first == std::string::npos ? "" : text.substr(first)};
     }
-    void note(const Place& place, const ModuleText& module, std::size_t line, bool is_register) {
-        steps_.push_back({source_of(module, line),
-                          {},
-                          place.levels.back().instance + place.name,
-                          place.cycle,
-                          is_register});
+    void note(const ConeNode& node, const ModuleText& module, std::size_t line, bool is_register) {
+        steps_.push_back(
+            {source_of(module, line), {}, node.levels.back().instance + node.name, node.cycle, is_register});
     }
 
     /// Into the instance whose output it is. A cell that only keeps values gives it from the input that had
     /// it before.
-    bool go_in(Place& place, const ModuleText& module, const SignalDriver& driver) {
+    bool go_in(ConeNode& node, const ModuleText& module, const SignalDriver& driver) {
         const auto child = modules_.find(driver.module);
-        const auto instance = signals_.instance(place.levels.back().instance, driver.instance);
-        note(place, module, driver.line, false);
+        const auto instance = signals_.instance(node.levels.back().instance, driver.instance);
+        note(node, module, driver.line, false);
         if (child == modules_.end() || !instance) return false;
-        if (child->second.file.starts_with("cells/")) return go_through(place, module, driver);
-        place.levels.push_back({*instance, child->second.name});
-        place.name = driver.port;
+        if (child->second.file.starts_with("cells/")) return go_through(node, module, driver);
+        node.levels.push_back({*instance, child->second.name});
+        node.name = driver.port;
         return true;
     }
 
-    bool go_through(Place& place, const ModuleText& module, const SignalDriver& driver) {
+    bool go_through(ConeNode& node, const ModuleText& module, const SignalDriver& driver) {
         constexpr std::uint64_t longest = 1000;   // cycles
         std::optional<std::uint64_t> latest;
         std::string from;
         for (const InputConnection& input : module.inputs) {
             if (input.instance != driver.instance || input.port.find("data") == std::string::npos) continue;
             for (const std::string& source : input.sources)
-                for (std::uint64_t back = 0; back <= std::min(longest, place.cycle); ++back) {
-                    const std::uint64_t then = place.cycle - back;
+                for (std::uint64_t back = 0; back <= std::min(longest, node.cycle); ++back) {
+                    const std::uint64_t then = node.cycle - back;
                     if (latest && then <= *latest) break;
-                    const auto path = path_of(place, source, then);
+                    const auto path = path_of(node, source, then);
                     if (!path) break;
                     if (!holds(*path, then)) continue;
                     latest = then, from = source;
@@ -269,24 +267,23 @@ private:
                 }
         }
         if (!latest) return false;
-        place.name = from, place.cycle = *latest;
+        node.name = from, node.cycle = *latest;
         return true;
     }
 
     /// Out of an instance, to what its input is connected to; not out of the unit.
-    bool go_out(Place& place) {
-        if (place.levels.size() < 2) return false;
-        std::string instance = place.levels.back().instance;
+    bool go_out(ConeNode& node) {
+        if (node.levels.size() < 2) return false;
+        std::string instance = node.levels.back().instance;
         instance.pop_back();
         instance = instance.substr(instance.rfind('.') + 1);
-        place.levels.pop_back();
-        const ModuleText& module = modules_.at(place.levels.back().module);
+        node.levels.pop_back();
+        const ModuleText& module = modules_.at(node.levels.back().module);
         for (const InputConnection& input : module.inputs) {
-            if (input.instance != instance || input.port != place.name) continue;
+            if (input.instance != instance || input.port != node.name) continue;
             for (const std::string& source : input.sources)
-                if (const auto path = path_of(place, source, place.cycle);
-                    path && holds(*path, place.cycle)) {
-                    place.name = source;
+                if (const auto path = path_of(node, source, node.cycle); path && holds(*path, node.cycle)) {
+                    node.name = source;
                     return true;
                 }
         }

@@ -11,7 +11,7 @@ namespace rayclock {
 /// A run in lockstep that has found a divergence.
 struct Diverged {
     const Job& job;
-    const std::vector<FrameTrace>& frames;
+    const std::vector<RecordedFrame>& frames;
     Traffic traffic;
     int seed = 1;
     const Divergence& first;

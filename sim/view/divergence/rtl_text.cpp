@@ -124,7 +124,7 @@ private:
                  const std::string& value) {
         if (port.ends_with("_o") || port.ends_with("_no"))
             module_.drivers.push_back(
-                {SignalDriver::Kind::instance, line, targets_in(value), {}, name, cell, port});
+                {SignalDriver::Construct::instance, line, targets_in(value), {}, name, cell, port});
         else
             module_.inputs.push_back({name, port, line, names_in(value)});
     }
@@ -142,9 +142,9 @@ private:
             best_at = at;
         }
         if (best.empty()) return;
-        const auto kind =
-            best[2] == "<=" ? SignalDriver::Kind::registered : SignalDriver::Kind::combinational;
-        module_.drivers.push_back({kind, line_of(begin + best_at), targets_in(best[1]),
+        const auto construct =
+            best[2] == "<=" ? SignalDriver::Construct::registered : SignalDriver::Construct::combinational;
+        module_.drivers.push_back({construct, line_of(begin + best_at), targets_in(best[1]),
                                    names_in(text.substr(best_at + std::size_t(best.length()))), "", "", ""});
     }
 

@@ -9,12 +9,12 @@ namespace rayclock {
 
 /// A statement, or a port of an instance, that gives signals a value.
 struct SignalDriver {
-    enum class Kind { combinational, registered, instance };
-    Kind kind{};
+    enum class Construct { combinational, registered, instance };
+    Construct construct{};
     std::size_t line = 0;                 ///< from 1
     std::vector<std::string> targets;     ///< names that it drives
     std::vector<std::string> sources;     ///< names in what it gives them
-    std::string instance, module, port;   ///< of Kind::instance: "u_hitdiv", "rc_hitdiv", "v_o"
+    std::string instance, module, port;   ///< of Construct::instance: "u_hitdiv", "rc_hitdiv", "v_o"
 };
 
 /// A connection of an instance's input.

@@ -6,7 +6,7 @@
 
 namespace rayclock {
 
-/// The RTL's signals from the file that the chip wrote, and beside them every link as model and RTL have it:
+/// The RTL's signals from the file that the chip wrote, and next to them every link of model and RTL:
 /// "links.box_rsp.t_near_model", "links.box_rsp.t_near_rtl". The bytes of an FST file.
 std::string waveform(const Capture& capture, const Config& config, const std::string& rtl_wave);
 

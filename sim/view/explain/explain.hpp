@@ -42,7 +42,7 @@ std::string cause_sentence(const ColourFinding& colour);
 
 /// The stays of one visit of a node, one test of a primitive, or one pass of raygen or shade.
 struct Step {
-    enum class Kind : std::uint8_t { raygen, visit, test, end, shade } kind{};
+    enum class Phase : std::uint8_t { raygen, visit, test, end, shade } phase{};
     std::vector<const Stay*> stays;
     const VisitValues* visit = nullptr;
     const TestValues* test = nullptr;
@@ -53,6 +53,6 @@ struct Step {
     const Stay* lookup() const;   ///< the stay in a cache, or null
 };
 std::vector<Step> steps_of(const RayStory& ray);
-const char* step_name(Step::Kind kind);
+const char* step_name(Step::Phase phase);
 
 }   // namespace rayclock

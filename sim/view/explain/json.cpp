@@ -28,9 +28,9 @@ ordered_json step_json(const Step& step) {
     for (const Stay* stay : step.stays)
         units[place_name(stay->place)] =
             units.value(place_name(stay->place), std::uint64_t(0)) + stay->cycles;
-    ordered_json json{{"step", step_name(step.kind)}, {"cycle", step.first()},
-                      {"cycles", step.cycles()},      {"units", units},
-                      {"work", step.work()},          {"waits", waits}};
+    ordered_json json{{"step", step_name(step.phase)}, {"cycle", step.first()},
+                      {"cycles", step.cycles()},       {"units", units},
+                      {"work", step.work()},           {"waits", waits}};
     if (const Stay* lookup = step.lookup()) {
         json["address"] = lookup->addr;
         json["cache"] = lookup_name(lookup->lookup);

@@ -62,7 +62,7 @@ std::string steps_table(const RayStory& ray) {
         for (const Stay::Wait& wait : step.waits())
             waits += fmt::format("{}{} {}", waits.empty() ? "" : ", ", wait.cause, wait.cycles);
         const Stay* lookup = step.lookup();
-        rows.push_back({grouped(step.first()), step_name(step.kind),
+        rows.push_back({grouped(step.first()), step_name(step.phase),
                         lookup ? std::to_string(lookup->addr) : "", waits, grouped(step.cycles()),
                         grouped(step.work())});
     }

@@ -5,16 +5,16 @@ namespace rayclock {
 
 namespace {
 
-Step::Kind kind_of(const Stay& stay) {
+Step::Phase phase_of(const Stay& stay) {
     switch (Unit(stay.place)) {
-        case Unit::raygen: return Step::Kind::raygen;
+        case Unit::raygen: return Step::Phase::raygen;
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::xform: return Step::Kind::visit;
+        case Unit::xform: return Step::Phase::visit;
         case Unit::list:
         case Unit::prim_cache:
-        case Unit::tri: return Step::Kind::test;
-        default: return decides_nodes(Unit(stay.place)) ? Step::Kind::visit : Step::Kind::shade;
+        case Unit::tri: return Step::Phase::test;
+        default: return decides_nodes(Unit(stay.place)) ? Step::Phase::visit : Step::Phase::shade;
     }
 }
 
@@ -34,7 +34,7 @@ bool decides(const Step& step) {
 /// Returns true if a stay begins a new step. That is a stay of another kind, a node after a node, or a
 /// primitive after a primitive. The end of a list, which list reports without another primitive, begins none.
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
-    if (step.kind != kind_of(stay)) return true;
+    if (step.phase != phase_of(stay)) return true;
     if (stay.place == index(Unit::trav) && decides(step)) {
         const bool answered = tells_of_node(stay.by);
         return !answered || !next || next->by != Link::leaves;
@@ -71,9 +71,9 @@ const Stay* Step::lookup() const {
     return nullptr;
 }
 
-const char* step_name(Step::Kind kind) {
+const char* step_name(Step::Phase phase) {
     constexpr const char* names[] = {"raygen", "visit", "test", "end", "shade"};
-    return names[std::size_t(kind)];
+    return names[std::size_t(phase)];
 }
 
 std::vector<Step> steps_of(const RayStory& ray) {
@@ -82,20 +82,20 @@ std::vector<Step> steps_of(const RayStory& ray) {
         const Stay& stay = ray.stays[i];
         const Stay* next = i + 1 < ray.stays.size() ? &ray.stays[i + 1] : nullptr;
         if (steps.empty() || begins(steps.back(), stay, next))
-            steps.push_back({kind_of(stay), {}, nullptr, nullptr});
+            steps.push_back({phase_of(stay), {}, nullptr, nullptr});
         steps.back().stays.push_back(&stay);
     }
     auto visit = ray.values.visits.begin();
     const VisitValues* last = nullptr;
     std::size_t test = 0;
     for (Step& step : steps) {
-        if (step.kind == Step::Kind::visit && !has(step, Unit::node_cache) && !leads_to_leaves(ray, step))
-            step.kind = Step::Kind::end;
-        if (step.kind == Step::Kind::visit && visit != ray.values.visits.end()) {
+        if (step.phase == Step::Phase::visit && !has(step, Unit::node_cache) && !leads_to_leaves(ray, step))
+            step.phase = Step::Phase::end;
+        if (step.phase == Step::Phase::visit && visit != ray.values.visits.end()) {
             step.visit = last = &*visit++;
             test = 0;
         }
-        if (step.kind == Step::Kind::test && last && test < last->tests.size())
+        if (step.phase == Step::Phase::test && last && test < last->tests.size())
             step.test = &last->tests[test++];
     }
     return steps;

@@ -64,7 +64,7 @@ std::string outcome(const Step& step) {
                            step.visit->tests.size(),
                            step.visit->dropped ? fmt::format(", {} dropped", step.visit->dropped) : "");
     if (step.test) return step.test->closer ? fmt::format("closer: t={}", step.test->t) : "not closer";
-    return step.kind == Step::Kind::end ? "the stack is empty, or the way blocked" : "";
+    return step.phase == Step::Phase::end ? "the stack is empty, or the way blocked" : "";
 }
 
 std::string steps_table(const RayStory& ray) {
@@ -75,7 +75,8 @@ std::string steps_table(const RayStory& ray) {
         for (const Stay::Wait& wait : step.waits())
             waits += fmt::format("{}{} {}", waits.empty() ? "" : ", ", wait.cause, wait.cycles);
         constexpr const char* deeds[] = {"hit", "miss", "merge"};
-        table.add({grouped(step.first()), step_name(step.kind), lookup ? fmt::format("{}", lookup->addr) : "",
+        table.add({grouped(step.first()), step_name(step.phase),
+                   lookup ? fmt::format("{}", lookup->addr) : "",
                    lookup ? deeds[std::size_t(lookup->lookup)] : "", outcome(step), waits,
                    grouped(step.cycles()), grouped(step.work())});
     }

@@ -37,7 +37,7 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
 
 }   // namespace
 
-FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> frames, Traffic traffic,
+FrameCosts observe(const Config& config, int khz, std::span<const RecordedFrame> frames, Traffic traffic,
                    std::uint64_t window, EventSink* sink, const Progress& progress) {
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
@@ -53,7 +53,7 @@ FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> fr
     return observe_frame(machine, frames.back().frame, frames.back().trace, limit, window, sink, progress);
 }
 
-FrameCosts observe_alone(const Config& config, int khz, const FrameTrace& frame, std::uint32_t pixel,
+FrameCosts observe_alone(const Config& config, int khz, const RecordedFrame& frame, std::uint32_t pixel,
                          EventSink* sink) {
     Trace trace;
     trace.width = trace.height = 1;

@@ -167,8 +167,8 @@ std::vector<Stay::Wait> PixelStory::causes() const {
     return sorted(std::move(sums));
 }
 
-PixelStory tell(const Job& job, const FrameTrace& frame, const FrameCosts& costs, const PixelEvents& in_frame,
-                const PixelEvents& alone) {
+PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
+                const PixelEvents& in_frame, const PixelEvents& alone) {
     PixelStory story;
     const RayEvent &begin = in_frame.events.front(), &end = in_frame.events.back();
     story.x = begin.pixel % costs.width;

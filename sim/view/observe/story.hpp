@@ -65,7 +65,7 @@ private:
 };
 
 /// Builds the story from the pixel's events in the frame and from its events alone on the chip.
-PixelStory tell(const Job& job, const FrameTrace& frame, const FrameCosts& costs, const PixelEvents& in_frame,
-                const PixelEvents& alone);
+PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
+                const PixelEvents& in_frame, const PixelEvents& alone);
 
 }   // namespace rayclock

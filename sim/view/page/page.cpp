@@ -95,7 +95,7 @@ std::string body(const PageInput& input) {
                 "<p>Each unit's bar says how it spent its cycles. A link is the wider the more it carried, "
                 "and the redder the more often it was refused.</p>" +
                     chart("machine", "block diagram of the machine") +
-                    chart("roofline", "cycles of the frame beside the least that each resource needs") +
+                    chart("roofline", "cycles of the frame, and the fewest that each resource needs") +
                     clock_section(input));
     page += section("accounts", "What every unit did",
                     chart("accounts", "cycles of every unit by cause") + accounts_table(input));

@@ -15,7 +15,7 @@ struct PageInput {
     const nlohmann::ordered_json& report;   ///< the output of simulate --json
     const Config& config;
     int khz = 0;
-    const FrameRun& run;
+    const FrameResult& run;
     const FrameCosts& costs;   ///< costs of the frame in `run`
     const Picture& picture;
     const Picture* reference = nullptr;     ///< null without a reference

@@ -50,7 +50,7 @@ private:
     }
     double x_of(double value) const { return area_.x0 + xs_.place(value) * (area_.x1 - area_.x0); }
     double y_of(double value) const { return area_.y1 - ys_.place(value) * (area_.y1 - area_.y0); }
-    Place place(const Mark& m) const { return {x_of(m.x), y_of(m.y)}; }
+    PixelPosition place(const Mark& m) const { return {x_of(m.x), y_of(m.y)}; }
     void line(double x0, double y0, double x1, double y1, const Colour& colour, double width) {
         drawing_.shapes.emplace_back(Line{{{x0, y0}, {x1, y1}}, colour, width});
     }
@@ -77,16 +77,17 @@ private:
     }
 
     void front_line() {
-        std::vector<Place> points;
+        std::vector<PixelPosition> points;
         for (const Mark& m : panel_.marks)
             if (m.on_front) points.push_back(place(m));
-        std::sort(points.begin(), points.end(),
-                  [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+        std::sort(points.begin(), points.end(), [](const PixelPosition& a, const PixelPosition& b) {
+            return a.x != b.x ? a.x < b.x : a.y < b.y;
+        });
         if (points.size() > 1) drawing_.shapes.emplace_back(Line{points, blue, 1.6});
     }
 
     void point(const Mark& m) {
-        const Place at = place(m);
+        const PixelPosition at = place(m);
         drawing_.shapes.emplace_back(Disc{at, m.on_front ? point_radius : point_radius - 0.8,
                                           m.is_knee    ? red
                                           : m.on_front ? blue
@@ -99,19 +100,19 @@ private:
     /// Places a label next to its point, where it covers no point and no other label. If no such place exists
     /// the label is omitted, except for the knee.
     void label(const Mark& m) {
-        const Place at = place(m);
+        const PixelPosition at = place(m);
         const double size = m.is_knee ? label_size + 1.5 : label_size, wide = text_width(m.label, size),
                      high = size * 0.72;
         const double gap = m.is_knee ? 12 : 6;
-        const std::array<Place, 8> starts{{{at.x + gap, at.y + gap + high},
-                                           {at.x + gap, at.y - gap},
-                                           {at.x + gap, at.y + high / 2},
-                                           {at.x - gap - wide, at.y - gap},
-                                           {at.x - gap - wide, at.y + gap + high},
-                                           {at.x - gap - wide, at.y + high / 2},
-                                           {at.x - wide / 2, at.y - gap - 2},
-                                           {at.x - wide / 2, at.y + gap + high + 2}}};
-        for (const Place& p : starts) {
+        const std::array<PixelPosition, 8> starts{{{at.x + gap, at.y + gap + high},
+                                                   {at.x + gap, at.y - gap},
+                                                   {at.x + gap, at.y + high / 2},
+                                                   {at.x - gap - wide, at.y - gap},
+                                                   {at.x - gap - wide, at.y + gap + high},
+                                                   {at.x - gap - wide, at.y + high / 2},
+                                                   {at.x - wide / 2, at.y - gap - 2},
+                                                   {at.x - wide / 2, at.y + gap + high + 2}}};
+        for (const PixelPosition& p : starts) {
             const Rect box{p.x - 2, p.y - high - 2, p.x + wide + 2, p.y + 2};
             const bool free =
                 std::none_of(taken_.begin(), taken_.end(), [&](const Rect& r) { return r.meets(box); });
@@ -122,7 +123,7 @@ private:
         if (m.is_knee)
             write(m, starts[0], size, {starts[0].x, starts[0].y - high, starts[0].x + wide, starts[0].y});
     }
-    void write(const Mark& m, const Place& at, double size, const Rect& box) {
+    void write(const Mark& m, const PixelPosition& at, double size, const Rect& box) {
         drawing_.shapes.emplace_back(Text{at, m.label, size, m.is_knee ? red : m.on_front ? blue : grey});
         taken_.push_back(box);
     }

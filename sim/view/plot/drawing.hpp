@@ -9,32 +9,32 @@
 namespace rayclock::plot {
 
 /// A position in pixels from the top left corner.
-struct Place {
+struct PixelPosition {
     double x = 0, y = 0;
 };
 using Colour = std::array<std::uint8_t, 3>;   ///< sRGB
 
 struct Line {
-    std::vector<Place> points;
+    std::vector<PixelPosition> points;
     Colour colour{};
     double width = 1;
 };
 struct Disc {
-    Place centre;
+    PixelPosition centre;
     double radius = 1;
     Colour colour{};
 };
 struct Ring {
-    Place centre;
+    PixelPosition centre;
     double radius = 1;
     Colour colour{};
     double width = 1;
 };
 enum class Anchor { start, middle, end };
 struct Text {
-    Place base;         ///< the anchor on the baseline
-    std::string text;   ///< printable ASCII
-    double size = 12;   ///< about 4/3 of a capital letter's height
+    PixelPosition base;   ///< the anchor on the baseline
+    std::string text;     ///< printable ASCII
+    double size = 12;     ///< about 4/3 of a capital letter's height
     Colour colour{};
     Anchor anchor = Anchor::start;
     bool upright = false;   ///< turned to read upwards

@@ -44,7 +44,7 @@ std::string hex(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c[0
 struct Element {
     std::string operator()(const Line& line) const {
         std::string points;
-        for (const Place& p : line.points)
+        for (const PixelPosition& p : line.points)
             points += fmt::format("{}{:.2f},{:.2f}", points.empty() ? "" : " ", p.x, p.y);
         return fmt::format(
             R"(<polyline points="{}" fill="none" stroke="{}" stroke-width="{:.2f}" stroke-linecap="round" stroke-linejoin="round"/>)",

@@ -26,7 +26,7 @@ int interval_of(const Config& config, Unit unit) {
 }
 
 /// Returns the number of transfers that bring a unit its work. docs/report.md lists the link of each unit.
-std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
+std::uint64_t count_of(const Config& config, Unit unit, const FrameResult& run) {
     switch (unit) {
         case Unit::trav: return run.visits;
         case Unit::list: return run.triangle_tests;
@@ -41,7 +41,7 @@ std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
 
 }   // namespace
 
-std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run) {
+std::vector<UnitAccount> unit_accounts(const Config& config, const FrameResult& run) {
     std::vector<UnitAccount> accounts;
     for (std::size_t u = 0; u < unit_count; ++u) {
         if (!is_there(Unit(u), config)) continue;
@@ -70,7 +70,7 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run
     return accounts;
 }
 
-CacheAccount cache_account(const FrameRun& run, Unit cache) {
+CacheAccount cache_account(const FrameResult& run, Unit cache) {
     const CauseCounts& c = run.accounts.units[index(cache)];   // indexed by CacheDeed: hit, miss, merge
     return {c[0] + c[1] + c[2], c[0], c[2]};
 }
@@ -82,7 +82,7 @@ double peak_bytes_per_second(const Config& config, int khz) {
     return std::min(port, double(peak_bytes_per_second(*part)) * config.dram_channels);
 }
 
-Bound bound_of(const Config& config, int khz, const FrameRun& run) {
+Bound bound_of(const Config& config, int khz, const FrameResult& run) {
     Bound bound;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     // The busy counts of node units include the pauses between two nodes.
@@ -106,7 +106,7 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     return bound;
 }
 
-std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
+std::string bottleneck(const Config& config, int khz, const FrameResult& run) {
     const Bound bound = bound_of(config, khz, run);
     const auto at_most = [](const char* what, const char* does, const char* one, int interval) {
         return fmt::format("{} limit this frame: a pipeline {} at most one {} {}", what, does, one,

@@ -19,7 +19,7 @@ struct UnitAccount {
     std::uint64_t busy = 0, starved = 0, stalled = 0;
     std::vector<Part> busy_by, starved_by, stalled_by;
 };
-std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run);
+std::vector<UnitAccount> unit_accounts(const Config& config, const FrameResult& run);
 
 /// The look-ups of a cache.
 struct CacheAccount {
@@ -27,7 +27,7 @@ struct CacheAccount {
     std::uint64_t merged = 0;   ///< look-ups that missed while the line was already in flight
     double hit_rate() const { return accesses ? double(hits) / double(accesses) : 0; }
 };
-CacheAccount cache_account(const FrameRun& run, Unit cache);
+CacheAccount cache_account(const FrameResult& run, Unit cache);
 
 /// A lower bound for the cycles of a frame's work, and the unit that sets it. A pipeline handles one node
 /// every box_interval() cycles and one triangle every tri_interval cycles. It handles one pass of shade every
@@ -39,13 +39,13 @@ struct Bound {
     double cycles = 0;    ///< the largest of the five bounds
     double reached = 0;   ///< bound / cycles of the frame
 };
-Bound bound_of(const Config& config, int khz, const FrameRun& run);
+Bound bound_of(const Config& config, int khz, const FrameResult& run);
 /// Returns the memory's peak bandwidth in bytes per second. The ideal memory has 64 bytes every mem_interval
 /// cycles.
 double peak_bytes_per_second(const Config& config, int khz);
 
 /// Returns a sentence that names the limit of a frame and the losses of the limiting unit.
-std::string bottleneck(const Config& config, int khz, const FrameRun& run);
+std::string bottleneck(const Config& config, int khz, const FrameResult& run);
 
 inline std::uint64_t bytes_read(const FrameTiming& run) { return run.memory.reads * 64; }
 /// Returns frames per second, including the host's work before each frame.

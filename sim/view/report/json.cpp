@@ -79,16 +79,16 @@ ordered_json rays_json(const RayCounts& rays) {
             {"refraction", rays.refraction}};
 }
 
-ordered_json work_json(const FrameRun& run) {
+ordered_json work_json(const FrameResult& run) {
     return {{"node_steps", run.visits}, {"box_tests", run.box_tests}, {"triangle_tests", run.triangle_tests}};
 }
 
-ordered_json clock_json(const Config& config, const ClockRun& run) {
-    const FrameRun& frame = run.last();
+ordered_json clock_json(const Config& config, const FramesAtClock& run) {
+    const FrameResult& frame = run.last();
     const double fps = per_second(frame, run.khz), gb = fps * double(bytes_read(frame)) / 1e9;
     const Bound bound = bound_of(config, run.khz, frame);
     ordered_json frames = ordered_json::array();
-    for (const FrameRun& f : run.frames)
+    for (const FrameResult& f : run.frames)
         frames.push_back({{"cycles", f.cycles},
                           {"upload_cycles", f.upload.cycles},
                           {"reset_cycles", f.upload.reset},
@@ -119,7 +119,7 @@ ordered_json clock_json(const Config& config, const ClockRun& run) {
             {"frames", frames}};
 }
 
-ordered_json units_json(const Config& config, const FrameRun& run) {
+ordered_json units_json(const Config& config, const FrameResult& run) {
     ordered_json json = ordered_json::object();
     const auto parts = [](const std::vector<UnitAccount::Part>& list) {
         ordered_json object = ordered_json::object();
@@ -137,7 +137,7 @@ ordered_json units_json(const Config& config, const FrameRun& run) {
     return json;
 }
 
-ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
+ordered_json memory_json(const Config& config, int khz, const FrameResult& run) {
     ordered_json json;
     const auto add = [&](const char* name, Unit unit) {
         const CacheAccount c = cache_account(run, unit);

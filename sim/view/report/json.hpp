@@ -14,10 +14,10 @@ namespace rayclock {
 
 /// The frames that a machine rendered at one clock. Reports describe the last frame, when the caches are
 /// warm.
-struct ClockRun {
+struct FramesAtClock {
     int khz = 0;
-    std::vector<FrameRun> frames;
-    const FrameRun& last() const { return frames.back(); }
+    std::vector<FrameResult> frames;
+    const FrameResult& last() const { return frames.back(); }
     bool partial() const { return frames.back().partial; }
 };
 
@@ -40,10 +40,10 @@ nlohmann::ordered_json camera_json(const Camera& camera);
 nlohmann::ordered_json config_json_object(const Config& config);
 nlohmann::ordered_json compile_json(const CompileReport& report);
 nlohmann::ordered_json rays_json(const RayCounts& rays);
-nlohmann::ordered_json work_json(const FrameRun& run);
-nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
-nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);
-nlohmann::ordered_json memory_json(const Config& config, int khz, const FrameRun& run);
+nlohmann::ordered_json work_json(const FrameResult& run);
+nlohmann::ordered_json clock_json(const Config& config, const FramesAtClock& run);
+nlohmann::ordered_json units_json(const Config& config, const FrameResult& run);
+nlohmann::ordered_json memory_json(const Config& config, int khz, const FrameResult& run);
 /// Returns what was judged, what was wrong and the judge's cost; null without a judgement.
 nlohmann::ordered_json judge_json(const std::optional<Judgement>& judgement);
 nlohmann::ordered_json error_json(const std::optional<FrameError>& error,

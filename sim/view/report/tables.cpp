@@ -45,8 +45,8 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     return text + "\n";
 }
 
-std::string work_table(const Config& config, const ClockRun& run) {
-    const FrameRun& frame = run.last();
+std::string work_table(const Config& config, const FramesAtClock& run) {
+    const FrameResult& frame = run.last();
     const double rays = std::max(1.0, rays_of(frame));
     Table table({"work", "frame", "per ray"});
     const auto add = [&](const char* what, std::uint64_t n) {
@@ -69,11 +69,11 @@ std::string work_table(const Config& config, const ClockRun& run) {
            fmt::format("  at {:g} MHz {}\n", run.khz / 1e3, bottleneck(config, run.khz, frame));
 }
 
-std::string clock_table(const Config& config, const std::vector<ClockRun>& runs) {
+std::string clock_table(const Config& config, const std::vector<FramesAtClock>& runs) {
     Table table({"clock MHz", "frame", "cycles", "fps", "Mrays/s", "cycles/ray", "node hits", "tri hits",
                  "bytes/ray", "memory GB/s", "of peak", "bound", "reached"});
-    const auto row = [&](const ClockRun& run, std::size_t i) {
-        const FrameRun& f = run.frames[i];
+    const auto row = [&](const FramesAtClock& run, std::size_t i) {
+        const FrameResult& f = run.frames[i];
         const double fps = per_second(f, run.khz), bytes = double(bytes_read(f)),
                      rays = std::max(1.0, rays_of(f));
         const Bound bound = bound_of(config, run.khz, f);
@@ -88,17 +88,17 @@ std::string clock_table(const Config& config, const std::vector<ClockRun>& runs)
                    percent(fps * bytes / peak_bytes_per_second(config, run.khz)), bound.unit,
                    fmt::format("{:.0f} %", bound.reached * 100)});
     };
-    for (const ClockRun& run : runs)
+    for (const FramesAtClock& run : runs)
         for (std::size_t i = 0; i < run.frames.size(); ++i) row(run, i);
     return table.text();
 }
 
-std::string unit_table(const Config& config, const std::vector<ClockRun>& runs) {
+std::string unit_table(const Config& config, const std::vector<FramesAtClock>& runs) {
     std::vector<std::string> head{"unit", "cycles spent"};
-    for (const ClockRun& run : runs) head.push_back(fmt::format("{:g} MHz", run.khz / 1e3));
+    for (const FramesAtClock& run : runs) head.push_back(fmt::format("{:g} MHz", run.khz / 1e3));
     Table table(head, 2);
     std::vector<std::vector<UnitAccount>> accounts;
-    for (const ClockRun& run : runs) accounts.push_back(unit_accounts(config, run.last()));
+    for (const FramesAtClock& run : runs) accounts.push_back(unit_accounts(config, run.last()));
     for (std::size_t u = 0; u < accounts[0].size(); ++u) {
         bool named = false;
         const auto row = [&](const std::string& what, auto cycles) {

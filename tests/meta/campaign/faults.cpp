@@ -94,7 +94,7 @@ private:
         for (std::size_t at = text_.find('!'); at != npos; at = text_.find('!', at + 1))
             if (at + 1 < text_.size() && text_[at + 1] != '=') replace("dropped condition", at, 1, " ");
     }
-    /// a && b && c without one of them; and likewise with ||.
+    /// a && b && c without one of them; the same with ||.
     void conjuncts() {
         for (const std::string_view link : {" && ", " || "}) {
             std::vector<std::size_t> cuts;

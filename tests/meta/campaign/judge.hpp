@@ -23,7 +23,7 @@ public:
 private:
     struct Prepared {
         TortureCase torture;
-        std::vector<FrameTrace> frames;
+        std::vector<RecordedFrame> frames;
     };
     std::vector<Prepared> cases_;
 };

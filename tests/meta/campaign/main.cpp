@@ -3,9 +3,9 @@
 //   with ROWS, where
 //                                                     CMake has written the rows of
 //                                                     tests/meta/mutants_*.cmake, on those as well
-//   rc_campaign model FOLDER SEED COUNT BUILD [ROWS]  the same for the model's arithmetic, beside the sound
-//   RTL rc_campaign tests FOLDER BUILD PAGE quick|slow    gives what the torture set did not notice to the
-//   tests of the build folder;
+//   rc_campaign model FOLDER SEED COUNT BUILD [ROWS]  the same for the model's arithmetic, compared with the
+//   sound RTL rc_campaign tests FOLDER BUILD PAGE quick|slow    gives what the torture set did not notice to
+//   the tests of the build folder;
 //                                                     PAGE says what changes nothing, and why
 //   rc_campaign report FOLDER PAGE PERCENT            counts
 // FOLDER keeps all that is done; started again, a command goes on where it was.

@@ -149,7 +149,7 @@ std::vector<Mutant> of_row(const fs::path& source, const fs::path& folder, int n
     row.at = row.text.find(row.old);
     if (row.old.empty() || row.at == npos) return {};
     if (row.fresh.find("float(") != npos)
-        return {};   // beside a float the sound expression would be rounded as well
+        return {};   // next to a float the sound expression would be rounded as well
     std::string added;
     std::vector<std::pair<Region, std::string>> changes;
     if (const auto one = one_expression(row))

@@ -69,7 +69,7 @@ struct SharedCache {
 
 /// The links of a cache's model and RTL.
 template <class K> struct CacheLinks {
-    using Kind = K;
+    using CacheKind = K;
     Wire<typename K::Req> req;
     Wire<typename K::Rsp> rsp;
     Wire<typename K::Miss> miss;

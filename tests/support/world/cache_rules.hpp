@@ -19,13 +19,13 @@ template <class K> std::vector<std::string> other_shapes() {
         if (std::find(quick.begin(), quick.end(), name) == quick.end()) others.push_back(name);
     return others;
 }
-template <class Dut> constexpr bool is_model = std::is_same_v<Dut, CacheModel<typename Dut::Kind>>;
+template <class Dut> constexpr bool is_model = std::is_same_v<Dut, CacheModel<typename Dut::CacheKind>>;
 
 /// Requests a single line. Returns the ids of its words after all of them were requested from memory.
 template <class Dut>
 std::vector<std::uint32_t> send_for(CacheBench<Dut>& bench, std::uint32_t id, std::uint32_t addr) {
     std::vector<std::uint32_t> words;
-    CacheLinks<typename Dut::Kind> seen = bench.ask(id, addr);
+    CacheLinks<typename Dut::CacheKind> seen = bench.ask(id, addr);
     REQUIRE(seen.req.fires());
     for (int n = 0; int(words.size()) < bench.shape.words; ++n) {
         REQUIRE(n < bench.shape.words + 2);
@@ -93,7 +93,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
 }
 
 template <class Dut> void check_throughput_of_hits(const Config& config) {
-    using K = typename Dut::Kind;
+    using K = typename Dut::CacheKind;
     CacheBench<Dut> bench{config};
     const auto lines = std::uint32_t(std::min(bench.shape.sets * bench.shape.ways, 8)),
                ids = std::uint32_t(K::ids(config));
@@ -119,7 +119,7 @@ template <class Dut> void check_throughput_of_hits(const Config& config) {
 
 template <class Dut> void check_hit_under_miss(const Config& config) {
     CacheBench<Dut> bench{config};
-    const auto ids = std::uint32_t(Dut::Kind::ids(config));
+    const auto ids = std::uint32_t(Dut::CacheKind::ids(config));
     if (bench.shape.sets * bench.shape.ways < 2 || ids < 8) return;
     bench.get(bench.addr(8));
     const auto words = send_for(bench, ids - 1, bench.addr(9));
@@ -141,7 +141,7 @@ template <class Dut> void check_hit_under_miss(const Config& config) {
 /// Sends `more` requests for a line in flight. The last is accepted `late` cycles after the line's last word.
 template <class Dut> void check_merge(const Config& config, std::uint32_t more, int late) {
     CacheBench<Dut> bench{config};
-    const auto ids = std::uint32_t(Dut::Kind::ids(config));
+    const auto ids = std::uint32_t(Dut::CacheKind::ids(config));
     if (more >= ids) return;
     INFO(more << " more, the last " << late << " cycles after the last word");
     const auto addr = [&](std::uint32_t i) { return bench.addr(3, i * 5 % bench.parts()); };
@@ -155,7 +155,7 @@ template <class Dut> void check_merge(const Config& config, std::uint32_t more, 
         words.pop_back();
     }
     for (int n = -6; n < int(more) + 12; ++n) {
-        std::optional<typename Dut::Kind::Req> req;
+        std::optional<typename Dut::CacheKind::Req> req;
         if (n == late) req = bench.request(id(more), addr(more));
         const auto seen = bench.cycle(req, n == 0 ? std::optional(words.back()) : std::nullopt);
         if (req) REQUIRE(seen.req.fires());
@@ -199,7 +199,7 @@ template <class Dut> void check_eviction(const Config& config) {
 /// The pseudo-oldest way waits for a line, so no other line may evict it.
 template <class Dut> void check_waiting_way_stays(const Config& config) {
     CacheBench<Dut> bench{config};
-    if (bench.shape.ways < 2 || bench.shape.mshrs < 2 || Dut::Kind::ids(config) < 4) return;
+    if (bench.shape.ways < 2 || bench.shape.mshrs < 2 || Dut::CacheKind::ids(config) < 4) return;
     Draw draw{13};
     const auto sets = std::uint32_t(bench.shape.sets);
     SetJudge judge{bench.shape.ways};
@@ -259,8 +259,8 @@ template <class Dut> void check_stall(const Config& config, const std::vector<st
 }
 
 template <class Dut> void check_conflict(const Config& config) {
-    const CacheShape shape = Dut::Kind::shape(config);
-    if (shape.mshrs <= shape.ways || shape.ways >= Dut::Kind::ids(config)) return;
+    const CacheShape shape = Dut::CacheKind::shape(config);
+    if (shape.mshrs <= shape.ways || shape.ways >= Dut::CacheKind::ids(config)) return;
     std::vector<std::uint32_t> lines;
     for (int i = 0; i <= shape.ways; ++i) lines.push_back(std::uint32_t(i * shape.sets + shape.sets / 2));
     const std::uint32_t blocked = lines.back();
@@ -269,8 +269,8 @@ template <class Dut> void check_conflict(const Config& config) {
 }
 
 template <class Dut> void check_full_mshrs(const Config& config) {
-    const CacheShape shape = Dut::Kind::shape(config);
-    if (shape.mshrs > shape.sets * shape.ways || shape.mshrs >= Dut::Kind::ids(config)) return;
+    const CacheShape shape = Dut::CacheKind::shape(config);
+    if (shape.mshrs > shape.sets * shape.ways || shape.mshrs >= Dut::CacheKind::ids(config)) return;
     std::vector<std::uint32_t> lines;
     for (int i = 0; i < shape.mshrs; ++i) lines.push_back(std::uint32_t(i));
     check_stall<Dut>(config, lines, std::uint32_t(shape.mshrs), CacheDeed::mshrs);
@@ -279,12 +279,12 @@ template <class Dut> void check_full_mshrs(const Config& config) {
 template <class Dut> void check_answers_not_taken(const Config& config) {
     CacheBench<Dut> bench{config};
     const int room = bench.shape.queue + 2;   // answers, and requests before the look-up
-    if (room > Dut::Kind::ids(config)) return;
+    if (room > Dut::CacheKind::ids(config)) return;
     bench.get(bench.addr(2));
     const auto addr = [&](int i) { return bench.addr(2, std::uint32_t(i) % bench.parts()); };
     bench.dut.rsp.ready = false;
     int accepted = 0;
-    Steady<typename Dut::Kind::Rsp> steady{config};
+    Steady<typename Dut::CacheKind::Rsp> steady{config};
     for (int n = 0; n < 2 * room; ++n) {
         const auto seen = bench.ask(std::uint32_t(accepted % room), addr(accepted));
         accepted += seen.req.fires();
@@ -305,7 +305,7 @@ template <class Dut> void check_answers_not_taken(const Config& config) {
 }
 
 template <class Dut> void check_random(const Config& config, int seeds, int requests) {
-    using K = typename Dut::Kind;
+    using K = typename Dut::CacheKind;
     for (const Flow& flow : flows)
         for (int seed = 1; seed <= seeds; ++seed) {
             INFO(flow.name << ", seed " << seed);
@@ -370,7 +370,7 @@ template <class K> void lockstep(const Config& config, int seeds, int cycles) {
 }
 
 template <class Dut, class Check> void in_quick_shapes(Check check) {
-    for (const std::string& name : quick_shapes<typename Dut::Kind>()) {
+    for (const std::string& name : quick_shapes<typename Dut::CacheKind>()) {
         INFO(name);
         check(cache_config(name));
     }

@@ -212,7 +212,7 @@ private:
 /// Runs single cycles by hand. Memory answers only on request of the test.
 template <class Dut> class CacheBench {
 public:
-    using K = typename Dut::Kind;
+    using K = typename Dut::CacheKind;
     explicit CacheBench(const Config& config_) : config(config_), shape(K::shape(config_)), dut(config_) {
         dut.rsp.ready = dut.miss.ready = true;
     }

@@ -6,14 +6,15 @@
 
 namespace rayclock::test {
 
-struct Place {
+struct PixelCoord {
     std::uint32_t x = 0, y = 0;
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const PixelCoord&, const PixelCoord&) = default;
 };
 
 /// Appends the pixels of a square in Morton order: its four quarters, upper left, upper right, lower left,
 /// lower right.
-inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side, std::deque<Place>& to) {
+inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side,
+                            std::deque<PixelCoord>& to) {
     if (side == 1) {
         to.push_back({x, y});
         return;
@@ -77,7 +78,7 @@ public:
             REQUIRE(same(*dut.hit.offer, HitOut{place_.x, place_.y, pixel_->first, pixel_->colour}, config_));
         if (dut.slot.offer) {
             const Slot& slot = *dut.slot.offer;
-            REQUIRE((Place{slot.x, slot.y} == tiles_.front().front() && slot.ray == free_.front()));
+            REQUIRE((PixelCoord{slot.x, slot.y} == tiles_.front().front() && slot.ray == free_.front()));
         }
         if (dut.cause)
             REQUIRE(*dut.cause == (dut.slot.fires() ? 0u : dut.slot.offer ? 3u : has_pixel ? 1u : 2u));
@@ -103,7 +104,7 @@ public:
     }
 
 private:
-    bool inside(const Place& p) const { return p.x < frame_.width && p.y < frame_.height; }
+    bool inside(const PixelCoord& p) const { return p.x < frame_.width && p.y < frame_.height; }
     void shuffle() {
         for (std::size_t i = coming_.size(); i > 1; --i)
             std::swap(coming_[i - 1], coming_[std::size_t(draw_.below(int(i)))]);
@@ -115,7 +116,7 @@ private:
     Draw draw_;
     std::deque<Tile> coming_;
     std::optional<Tile> tile_;
-    std::deque<std::deque<Place>> tiles_;   // remaining pixels of each tile present
+    std::deque<std::deque<PixelCoord>> tiles_;   // remaining pixels of each tile present
     std::deque<std::uint32_t> free_;
     std::vector<Slot> running_;
     std::optional<Pixel> pixel_;

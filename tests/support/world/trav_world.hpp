@@ -12,17 +12,17 @@ namespace rayclock::test {
 /// the topmost that is not beyond the best hit.
 class Walk {
 public:
-    struct Place {
+    struct StackEntry {
         std::uint32_t near, addr;
         int level;   ///< number of groups that may lie below it
     };
     /// Returns the next place after a node, or nothing if the ray is done. `level` is the node's level.
-    std::optional<Place> next(const BoxRsp& boxes, const Tested& tested, int level) {
+    std::optional<StackEntry> next(const BoxRsp& boxes, const Tested& tested, int level) {
         if (tested.stop) return std::nullopt;
         for (std::size_t i = boxes.inner; i-- > 0;)
             pile_.push_back({boxes.t_near[i], boxes.base + boxes.offset[i] / 2, level + 1});
         while (!pile_.empty()) {
-            const Place top = pile_.back();
+            const StackEntry top = pile_.back();
             pile_.pop_back();
             if (top.near <= tested.t_best) return top;
         }
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    std::vector<Place> pile_;
+    std::vector<StackEntry> pile_;
 };
 
 /// Rays in all contexts, each with one transfer in flight: start -> node -> boxes -> tested -> node ... ->
@@ -72,7 +72,7 @@ public:
     void watch(const TravLinks& dut) {
         if (dut.ray.fires()) {
             Context& c = contexts_[ray_->ray];
-            c.awaited = Walk::Place{0, frame_.root, 0};
+            c.awaited = Walk::StackEntry{0, frame_.root, 0};
             ray_.reset();
         }
         see_leaves(dut);
@@ -111,7 +111,7 @@ private:
         Ray ray;
         Walk walk;
         BoxRsp boxes;
-        std::optional<Walk::Place> awaited;
+        std::optional<Walk::StackEntry> awaited;
         int level = 0, nodes = 0, most_nodes = 0;
         std::uint32_t t_best = 0;
     };
