@@ -42,10 +42,10 @@ mutant(model_box_zero_strict FILE model/engine/bvh/slab.inl WITH model/engine/bv
 mutant(model_box_near_from_the_point_before FILE model/engine/bvh/slab.hpp WITH model/engine/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
-mutant(model_child_box_rounded_inward QUICK FILE model/layout/encode.cpp TEST accel ~[none]
+mutant(model_child_box_rounded_inward QUICK FILE model/engine/bvh/encode.cpp TEST accel ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(model_child_box_low_planes_inward FILE model/layout/encode.cpp TEST accel "a node's boxes*"
+mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST accel "a node's boxes*"
   OLD [[std::uint32_t(children[i].box.lo[k] - node.org[k]) >> node.exp[k];]]
   NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
 

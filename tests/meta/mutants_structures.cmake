@@ -31,7 +31,7 @@ mutant(model_crossing_never_ends_the_near_side FILE model/engine/bsp/slant.cpp T
   NEW [[beyond]])
 
 # ---- Their compilers: no primitive is lost, none is in a leaf twice, and the cheapest plane is found.
-mutant(bsp_normal_on_other_axes FILE model/engine/kd/exits.hpp WITH model/compile/emit_cells.cpp TEST system "rays of every family hit the same in every structure"
+mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/compile/emit_cells.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/engine/kd/clip.cpp TEST accel [slant]
@@ -61,3 +61,17 @@ mutant(octree_straddler_is_on_one_side FILE model/engine/octree/build.cpp TEST s
 mutant(none_page_beyond_the_last FILE rtl/engine/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
   OLD [[assign more = next < {1'b0, listed}]]
   NEW [[assign more = next <= {1'b0, listed}]])
+
+# ---- Pairs of planes of bih: each half ends where its primitives end.
+mutant(bih_meets_the_other_half_first FILE rtl/engine/bih/rc_bih.sv TEST unit "bih loses no exit*"
+  OLD [[assign first_at   = neg ? upper_from : lower_to;]]
+  NEW [[assign first_at   = neg ? lower_to : upper_from;]])
+mutant(model_bih_far_half_starts_at_the_near_plane FILE model/engine/bih/bih.cpp TEST unit "bih loses no exit*"
+  OLD [[axis, neg ? lower_to : upper_from, config);]]
+  NEW [[axis, neg ? upper_from : lower_to, config);]])
+mutant(model_bih_without_a_turn FILE model/engine/bih/bih.cpp TEST unit "bih is right for every pair*"
+  OLD [[const bool neg = axis < no_axis && ray.neg[axis] != 0;]]
+  NEW [[const bool neg = false;]])
+mutant(model_bih_pairs_without_a_gap FILE model/engine/bih/build.cpp TEST system "rays of every family hit the same*"
+  OLD [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left, right);]]
+  NEW [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left->bounds, right->bounds);]])

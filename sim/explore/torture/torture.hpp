@@ -20,7 +20,8 @@ struct TortureCase {
 };
 
 /// The chips that are tortured. Each needs one module of RTL, so each covers what it can.
-/// - `shading`: pairs of planes, every unit, two pipelines, a shared cache, the shortest queues;
+/// - `shading`: the engine that no other chip has, every unit, two pipelines, a shared cache, the shortest
+///   queues;
 /// - `wide`: boxes, the widest formats, fast timing;
 /// - `sheared`: boxes, the other triangle test, one set in each cache;
 /// - `homes`: two levels that shade, treelets above boxes, every interval at its longest but one;
