@@ -34,7 +34,7 @@ mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system 
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
 mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike"
-  OLD [[((box_rest_ == 0) | (m.low_asks != box_is_low_))]]
+  OLD [[((box_rest_ == 0) | (m.lower_request != box_is_low_))]]
   NEW [[(box_rest_ == 0)]])
 
 # ---- Keyframes, shapes and skins.

@@ -96,7 +96,7 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
         std::uint64_t sum = 0;
         for (std::size_t c = 0; c < cause_count; ++c) {
             sum += run.accounts.units[u][c];
-            if (unit_infos[u].causes[c].kind == Kind::none) CHECK(run.accounts.units[u][c] == 0);
+            if (unit_infos[u].causes[c].kind == CauseKind::none) CHECK(run.accounts.units[u][c] == 0);
         }
         const std::uint64_t instances = !is_there(Unit(u), config) ? 0
                                         : u < pipeline_units       ? std::uint64_t(config.pipelines)
