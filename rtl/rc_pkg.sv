@@ -90,7 +90,6 @@ package rc_pkg;
   localparam int unsigned MostFine = 4;
   localparam int unsigned SampleBits = 6;
   localparam int unsigned DepthBits = 4;
-  localparam int unsigned LookW = 141;
   localparam int unsigned Clients = 2;
   localparam int unsigned GuardBits = 14;
   localparam int unsigned GuardDirBits = 34;

@@ -267,7 +267,6 @@ void derived(Package& p, const Config& c) {
     p.constant("MostFine", most_fine);
     p.constant("SampleBits", sample_bits);
     p.constant("DepthBits", depth_bits);
-    p.constant("LookW", ShadeState::look_bits(c));
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
     p.constant("GuardDirBits", c.guard_dir_bits());
