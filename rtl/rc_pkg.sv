@@ -62,7 +62,6 @@ package rc_pkg;
   localparam int unsigned TBits = 24;
   localparam int unsigned EdgeBits = 58;
   localparam int unsigned NumBits = 56;
-  localparam int unsigned TriRayBits = 114;
   localparam int unsigned OriginBits = 0;
   localparam int unsigned Homes = 0;
   localparam int unsigned OriginWidth = 18;
@@ -77,6 +76,8 @@ package rc_pkg;
   localparam int unsigned ValueBits = 17;
   localparam int unsigned AxisBits = 18;
   localparam int unsigned ShareBits = 12;
+  localparam int unsigned ColourBits = 13;
+  localparam int unsigned SumBits = 23;
   localparam int unsigned CornerBits = 11;
   localparam int unsigned FarDrop = 9;
   localparam int unsigned ShineFrac = 4;
@@ -89,7 +90,6 @@ package rc_pkg;
   localparam int unsigned MostFine = 4;
   localparam int unsigned SampleBits = 6;
   localparam int unsigned DepthBits = 4;
-  localparam int unsigned LookW = 141;
   localparam int unsigned Clients = 2;
   localparam int unsigned GuardBits = 14;
   localparam int unsigned GuardDirBits = 34;
@@ -958,6 +958,149 @@ package rc_pkg;
     logic is_inside;
   } waiting_t;
   localparam int unsigned WaitingW = 168;
+
+  // Parts of these that list stores: a ray as tri gets it, a node's leaves, the best hit.
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [59:0] d;
+  } tri_ray_t;
+  localparam int unsigned TriRayW = 114;
+
+  typedef struct packed {
+    logic [23:0] base;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } leaf_group_t;
+  localparam int unsigned LeafGroupW = 292;
+
+  typedef struct packed {
+    logic signed [55:0] best_num;
+    logic signed [57:0] best_det;
+    logic [31:0] best_prim;
+  } best_t;
+  localparam int unsigned BestW = 146;
+
+  typedef struct packed {
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+  } kept_hit_t;
+  localparam int unsigned KeptHitW = 90;
+
+  // Parts that shade stores, and the groups of shade_state_t, in its order: model/unit/shade/state.hpp.
+
+  typedef struct packed {
+    logic found;
+    logic back;
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+  } shade_hit_t;
+  localparam int unsigned ShadeHitW = 92;
+
+  typedef struct packed {
+    logic [23:0] here;
+    logic [206:0] a;
+    logic [116:0] b;
+  } shade_place_t;
+  localparam int unsigned ShadePlaceW = 348;
+
+  typedef struct packed {
+    logic [13:0] x;
+    logic [13:0] y;
+  } shade_pixel_t;
+  localparam int unsigned ShadePixelW = 28;
+
+  typedef struct packed {
+    logic [2:0] purpose;
+    logic [1:0] pending;
+    logic found;
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+    logic [50:0] colour;
+    logic [16:0] weight;
+    logic [3:0] depth;
+    logic [6:0] light;
+  } shade_every_t;
+  localparam int unsigned ShadeEveryW = 175;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [53:0] normal;
+    logic [53:0] view;
+    logic [16:0] cosine;
+  } shade_point_t;
+  localparam int unsigned ShadePointW = 179;
+
+  typedef struct packed {
+    logic [116:0] n;
+    logic is_far;
+    logic is_lost;
+    logic [38:0] albedo;
+  } shade_face_t;
+  localparam int unsigned ShadeFaceW = 158;
+
+  typedef struct packed {
+    logic [50:0] share;
+  } shade_share_t;
+  localparam int unsigned ShadeShareW = 51;
+
+  typedef struct packed {
+    logic [5:0] sample;
+    logic [68:0] sum;
+    logic [50:0] least;
+    logic [50:0] most;
+  } shade_samples_t;
+  localparam int unsigned ShadeSamplesW = 177;
+
+  typedef struct packed {
+    logic [3:0] waiting;
+    logic total;
+  } shade_waits_t;
+  localparam int unsigned ShadeWaitsW = 5;
+
+  typedef struct packed {
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [16:0] mirror;
+    logic [13:0] shine;
+  } shade_look_t;
+  localparam int unsigned ShadeLookW = 57;
+
+  typedef struct packed {
+    logic [16:0] transmit;
+    logic [15:0] ratio;
+    logic schlick;
+    logic [16:0] r0;
+  } shade_bend_t;
+  localparam int unsigned ShadeBendW = 51;
+
+  typedef struct packed {
+    logic [31:0] self;
+    logic is_inside;
+  } shade_self_t;
+  localparam int unsigned ShadeSelfW = 33;
+
+  typedef struct packed {
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [16:0] mirror;
+    logic [13:0] shine;
+    logic [16:0] transmit;
+    logic [15:0] ratio;
+    logic schlick;
+    logic [16:0] r0;
+    logic [31:0] self;
+    logic is_inside;
+  } material_t;
+  localparam int unsigned MaterialW = 141;
 
   // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/chip.md.
 
