@@ -145,8 +145,8 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
-    box_rest_ =
-        select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_rests_, box_rest_ - (box_rest_ > 0));
+    box_rest_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_rests_,
+                       box_rest_ - (box_rest_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 

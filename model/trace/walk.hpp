@@ -26,6 +26,13 @@ struct UnitWay {
         forms.take(ray, box_ray(ray), config.engine(), config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
+    /// Returns the ray in the form of an engine, in the space of the node in a line.
+    template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {
+        return (in_mesh(line) ? inside.forms : forms).of<E>().form;
+    }
+    bool in_mesh(std::uint32_t line) const {
+        return config.has_instances() && decoder.kind(line) == LineKind::mesh_node;
+    }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
         if (config.is_list()) {
             page = decoder.page(line);
@@ -42,13 +49,6 @@ struct UnitWay {
         });
     }
     bool enters() const { return inside.enters; }
-    /// Returns the ray in the form of an engine, in the space of the node in a line.
-    template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {
-        return (in_mesh(line) ? inside.forms : forms).of<E>().form;
-    }
-    bool in_mesh(std::uint32_t line) const {
-        return config.has_instances() && decoder.kind(line) == LineKind::mesh_node;
-    }
     /// Returns a primitive, numbered as in the scene.
     PrimData primitive(std::uint32_t half_line) const {
         PrimData prim = decoder.prim(half_line);

@@ -1,16 +1,12 @@
 // Builds bounding interval hierarchies from trees of boxes.
 #include "model/engine/bih/build.hpp"
 
-#include <tbb/parallel_invoke.h>
-
 #include "model/engine/kd/treelets.hpp"
 #include "model/layout/tree.hpp"
 
 namespace rayclock::bih {
 
 namespace {
-
-constexpr std::uint32_t parallel = 4096;   // items from which both halves are built at once
 
 class Builder {
 public:
