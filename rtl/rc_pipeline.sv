@@ -255,18 +255,18 @@ module rc_pipeline (
   // with one, both constants are the same and mesh_cause is 0.
   always_comb begin
     causes_o = '0;
-    causes_o[3*rc_pkg::SchedUnit +: 3]     = sched_cause;
+    causes_o[3*rc_pkg::SchedUnit +: 3]      = sched_cause;
     causes_o[3*rc_pkg::RaygenUnit +: 3]     = raygen_cause;
     causes_o[3*rc_pkg::TravUnit +: 3]       = trav_cause;
     causes_o[3*rc_pkg::NodeCacheUnit +: 3]  = node_cause;
     causes_o[3*rc_pkg::DecideUnit +: 3]     = decide_cause;
     causes_o[3*rc_pkg::MeshUnit +: 3]       = causes_o[3*rc_pkg::MeshUnit +: 3] | mesh_cause;
-    causes_o[3*rc_pkg::XformUnit +: 3]     = xform_cause;
+    causes_o[3*rc_pkg::XformUnit +: 3]      = xform_cause;
     causes_o[3*rc_pkg::ListUnit +: 3]       = list_cause;
     causes_o[3*rc_pkg::PrimCacheUnit +: 3]  = prim_cause;
     causes_o[3*rc_pkg::TriUnit +: 3]        = tri_cause;
     causes_o[3*rc_pkg::SurfCacheUnit +: 3]  = surf_cause;
-    causes_o[3*rc_pkg::ShadeUnit +: 3]     = shade_cause;
+    causes_o[3*rc_pkg::ShadeUnit +: 3]      = shade_cause;
   end
 endmodule
 `default_nettype wire

@@ -138,7 +138,8 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
         tell(2);
         optimise_tree(tree);
         tell(3);
-        (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
+        (config.engine() == Structure::spheres ? emit_globes : emit_boxes)(tree, triangles, config, name,
+                                                                           image);
     } else {
         (config.is_list() ? emit_list : emit_cells)(triangles, config, name, image);
     }

@@ -1,5 +1,4 @@
 // Writes trees of boxes and globes as memory lines.
-#include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
 
 #include "model/engine/bvh/encode.hpp"

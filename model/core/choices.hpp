@@ -44,11 +44,19 @@ RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
 
 // Structures of nodes: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), cells cut in the
 // middle of all axes (engine/octree; the engine of kd walks them), bounding spheres (engine/spheres), space
-// cut by planes in any direction (engine/bsp), bounding intervals on one axis (engine/bih).
+// cut by planes in any direction (engine/bsp), pairs of planes across an axis (engine/bih).
 #define RAYCLOCK_TREES bvh, kd, octree, spheres, bsp, bih
 
 /// Acceleration structures. none is a list of all primitives (engine/none).
 RAYCLOCK_CHOICE(Structure, RAYCLOCK_TREES, none)
+
+/// Returns the acceleration structures that have nodes.
+inline std::vector<Structure> tree_structures() {
+    std::vector<Structure> all;
+    for (int s = 0; s < int(names_of<Structure>().size()); ++s)
+        if (Structure(s) != Structure::none) all.push_back(Structure(s));
+    return all;
+}
 
 /// Acceleration structures of meshes, with two levels; same: the structure of the scene.
 RAYCLOCK_CHOICE(MeshStructure, same, RAYCLOCK_TREES)

@@ -14,7 +14,8 @@ namespace rayclock {
 
 Structure Config::lower_structure() const {
     if (!has_instances() || mesh_structure == MeshStructure::same) return structure;
-    return Structure(int(mesh_structure) - 1);   // both follow RAYCLOCK_TREES
+    static_assert(int(MeshStructure::bvh) == int(Structure::bvh) + 1);   // both follow RAYCLOCK_TREES
+    return Structure(int(mesh_structure) - 1);
 }
 Config Config::upper() const {
     Config level = *this;
@@ -33,10 +34,6 @@ int Config::edge_bits() const {
     const int plain = 2 * coord_bits + dir_bits + 2;
     // A bounce is the first of these, a shadow ray the second: docs/origins.md.
     return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;
-}
-int Config::tri_ray_bits() const {
-    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) +
-           (planes ? 1 : 0) + (spheres ? prim_bits + 1 : 0);
 }
 int Config::ray_bits() const { return index_bits(contexts); }
 int Config::group_bits() const { return index_bits(node_width + 1); }

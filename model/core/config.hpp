@@ -102,7 +102,7 @@ struct Config {
     Config upper() const;
     Config lower() const;
     bool has_boxes() const { return is_walked(Structure::bvh); }
-    /// True if planes that cut space in two are chosen for a level: a primitive may be on both sides.
+    /// True if a level is a kd-tree, octree or bsp. Its planes may put a primitive on both sides.
     bool cuts_space() const { return is_walked(Structure::kd) || is_walked(Structure::bsp); }
     bool is_walked(Structure by) const { return engine() == by || lower_engine() == by; }
     /// Returns the memory outside the chip, or null if it is the ideal memory.
@@ -111,7 +111,6 @@ struct Config {
     int edge_bits() const;   ///< signed edge function, and determinant of a hit
     /// Bits of the numerator of t, signed.
     int num_bits() const { return 3 * coord_bits + 2 + is_sheared() + origin_frac(); }
-    int tri_ray_bits() const;                                         ///< a ray in list, see TriReq
     int origin_frac() const { return shading ? origin_bits : 0; }     ///< fraction bits of a ray's origin
     int origin_width() const { return coord_bits + origin_frac(); }   ///< bits of a ray's origin, signed
     /// Bits of a point in shade, signed.
@@ -141,7 +140,7 @@ struct Config {
     int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
     int map_bits() const { return map_frac() + 2; }   ///< entry of that map, signed; 1 is possible
     int xform_latency() const;
-    int planes_of_node() const { return node_width - 1; }   ///< planes in a node of cells
+    int planes_of_node() const { return node_width - 1; }   ///< planes, or pairs of planes, in a node
     /// Bits of n . x of a slant's plane, signed. The normal has three components of at most 2^6 - 1.
     int offset_of_plane_bits() const { return coord_bits + normal_step_bits + 1; }
     int tri_latency() const;
@@ -177,7 +176,7 @@ void set_parameter(Config& config, const std::string& key, const std::string& va
                    const std::string& where);
 
 /// Throws UserError unless every parameter and every combination is legal. check_config()
-/// (model/engine/check.hpp) also checks that nodes fit their lines.
+/// (model/engine/check.hpp) also checks what depends on nodes.
 void check_parameters(const Config& config, const std::string& where);
 
 /// Returns the smallest number of bits, at least 1, that hold the values 0..n-1.

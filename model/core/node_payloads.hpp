@@ -1,7 +1,6 @@
 #pragma once
-// The answer of a unit that decides nodes, and the resulting leaves. They are the same for all engines; each
-// engine describes its request itself (model/engine/*/node.hpp).
-// payloads.hpp explains the symbols.
+// The links of a unit that decides nodes, as far as engines share them, and the resulting leaves. Nodes are
+// in model/engine/*/node.hpp. payloads.hpp explains the symbols.
 #include <array>
 #include <cstdint>
 
@@ -10,6 +9,22 @@
 #include "model/core/lines.hpp"
 
 namespace rayclock {
+
+/// From trav to a unit that decides nodes: the ray in the form of the slab test, and the node from memory.
+template <class Node> struct BoxRayReq {
+    std::uint32_t ray = 0;
+    Vec3i o{};   ///< with B fraction bits if the chip shades
+    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
+    Node node;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("neg", neg, 1, 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+        node.fields(v, c);
+    }
+};
 
 /// From the unit that decides nodes to trav: the children that the ray's line meets in front of its origin.
 /// Inner children come first, then leaves, each sorted by (t_near, offset). Entries beyond are zero. `count`

@@ -195,8 +195,8 @@ struct Best {
     }
 };
 
-/// list -> tri: ray, triangle and the hit to beat. The tri_ray_bits that tri needs of a ray follow the
-/// context's number, as they do in Ray.
+/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray (tri_ray_t in rc_pkg.sv) follows
+/// the context's number, as they do in Ray.
 struct TriReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};

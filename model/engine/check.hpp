@@ -6,7 +6,8 @@
 
 namespace rayclock {
 
-/// Throws UserError unless every parameter and every combination is legal, and every node fits its line.
+/// Throws UserError unless check_parameters() passes and, with levels=2, every node leaves room for the kind
+/// of its line.
 void check_config(const Config& config, const std::string& where);
 
 }   // namespace rayclock

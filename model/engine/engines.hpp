@@ -1,6 +1,6 @@
 #pragma once
-// The engines that walk a ray through an acceleration structure: one row each. Everything above iterates over
-// these rows, or asks for the descriptor of a structure, and names no engine.
+// The engines that walk a ray through an acceleration structure: one row each. Code above iterates over these
+// rows, or asks for the descriptor of an engine. A new engine needs no other change there.
 //
 // A descriptor has
 // - structure: the value of the parameter that selects the engine;
@@ -12,9 +12,10 @@
 // - request(): the payload of a request;
 // - decide(): the children that a ray meets, one bit each, and t_near of each. Mirror of the unit's RTL;
 // - children(): the places of a node's children in memory;
-// - has_cells: true if its builder makes cells (kd/cell.hpp), which the compiler writes as lines; then
+// - has_cells: true if its builder makes cells (kd/cell.hpp), which the compiler writes as lines. Then
 // build()
-//   returns the cells of a scene, and `put` (kd/exits.hpp) writes a plane of a cell.
+//   returns the cells of a scene. Next to the descriptor, put() and put_none() write a plane of a cell into a
+//   node, and a missing plane.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -22,8 +23,8 @@
 #include "model/engine/bih/engine.hpp"
 #include "model/engine/bsp/engine.hpp"
 #include "model/engine/bvh/engine.hpp"
-#include "model/engine/spheres/engine.hpp"
 #include "model/engine/kd/engine.hpp"
+#include "model/engine/spheres/engine.hpp"
 
 namespace rayclock {
 
@@ -35,12 +36,16 @@ namespace rayclock {
     ENGINE(with, bih, bih, engine::Bih)          \
     ENGINE(with, bsp, slant, engine::Bsp)
 
+#define RAYCLOCK_CHECK(with, tree, unit, Engine) static_assert(Engine::structure == Structure::tree);
+RAYCLOCK_ENGINES(RAYCLOCK_CHECK, )
+#undef RAYCLOCK_CHECK
 #define RAYCLOCK_DESCRIPTOR(with, structure, unit, Engine) , std::tuple<Engine>()
 /// All descriptors, in the order of their rows.
 using Engines = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_ENGINES(RAYCLOCK_DESCRIPTOR, )));
 #undef RAYCLOCK_DESCRIPTOR
 
-/// Calls `work` with the descriptor of a structure's engine; that of bvh if it has none.
+/// Calls `work` with the descriptor of an engine (Config::engine_of(), so never octree). A list has no nodes;
+/// then `work` gets Bvh.
 template <class Work> decltype(auto) with_engine(Structure engine, Work&& work) {
     switch (engine) {
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \
@@ -80,8 +85,8 @@ struct RayForms : PerEngine<FormOf> {
 inline int node_bits(const Config& config, Structure engine) {
     return with_engine(engine, [&]<class E>(E) { return bits_of<typename E::Node>(config); });
 }
-/// Returns the latency of a node's decision: of one engine, or of the machine. With two engines it is that of
-/// the slower one, and the answers of the faster one wait.
+/// Return the latency of a node's decision: of one engine, or of the machine. With two engines both take the
+/// latency of the slower one.
 inline int node_latency(const Config& config, Structure engine) {
     return with_engine(engine, [&]<class E>(E) { return E::latency(config); });
 }
@@ -93,13 +98,13 @@ inline bool has_cells(const Config& config) {
     return !config.is_list() && with_engine(config.engine(), []<class E>(E) { return E::has_cells; });
 }
 
-/// Node memory -> trav or xform.
 template <class Engine> struct NodeOf { typename Engine::Node node{}; };
+/// Node memory -> trav or xform.
 struct NodeRsp : PerEngine<NodeOf> {
     std::uint32_t ray = 0;
     std::uint32_t what = 0;   ///< LineKind, if there are instances
-    /// Bit by bit: the bits of an instance, or of a mesh's node, beyond the width of a node of the scene's
-    /// tree. The node follows.
+    /// The upper bits of a line that is wider than a node of the scene's tree: an instance or a mesh's node.
+    /// One entry per bit. The node's fields follow.
     std::array<std::uint32_t, line_bits> beyond{};
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());

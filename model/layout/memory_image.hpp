@@ -60,8 +60,8 @@ struct LevelLattices {
     std::vector<std::uint32_t> of_instance;   ///< class
 };
 
-/// Memory of the chip: 64-byte lines, with the root node in line 0. core/lines.hpp defines their layout
-/// (Node, PrimData).
+/// Memory of the chip: 64-byte lines, with the root node in line 0. model/engine/*/node.hpp and
+/// core/lines.hpp define their layout (Node, PrimData).
 struct MemoryImage {
     std::vector<std::uint32_t> words;   ///< 16 words per line, little-endian
     Lattice lattice;

@@ -1,5 +1,5 @@
 #pragma once
-// Writes payloads in the form in which memory holds them.
+// Writes payloads as memory words.
 #include "model/core/config.hpp"
 #include "model/core/layout.hpp"
 

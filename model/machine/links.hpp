@@ -131,7 +131,8 @@ constexpr NodeUnit node_unit(Structure engine) {
         default: return node_units[0];
     }
 }
-constexpr const char* unit_name(Structure engine) { return unit_infos[index(node_unit(engine).unit)].name; }
+constexpr const char* unit_name(Unit unit) { return unit_infos[index(unit)].name; }
+constexpr const char* unit_name(Structure engine) { return unit_name(node_unit(engine).unit); }
 constexpr std::size_t link_count = link_infos.size();
 constexpr std::size_t pipeline_links = [] {   // the others are shared by all pipelines
     std::size_t n = 0;

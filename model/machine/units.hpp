@@ -38,7 +38,7 @@ enum class When : std::uint8_t {
 };
 constexpr bool is_there(When when, const Config& config) {
     switch (when) {
-        case When::shading: return config.shading != 0;
+        case When::shading: return config.shading;
         case When::shared_cache: return config.l2_sets > 0;
         case When::nodes: return !config.is_list();
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \

@@ -6,7 +6,7 @@
 
 namespace rayclock {
 
-/// The nodes of one engine, if it walks any.
+/// The decoded nodes of one engine. Empty if no level uses the engine.
 template <class Engine> struct NodeCacheOf {
     typename Engine::Reader read;
     LineCache<typename Engine::Wide> lines;

@@ -26,7 +26,7 @@ struct UnitWay {
         forms.take(ray, box_ray(ray), config.engine(), config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
-    /// Returns the ray in the form of an engine, in the space of the node in a line.
+    /// Returns the ray in the engine's form. `line` selects the space: the scene's or an instance's.
     template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {
         return (in_mesh(line) ? inside.forms : forms).of<E>().form;
     }

@@ -24,8 +24,8 @@ Files inputs, outputs;
 
 std::pair<dev_t, ino_t> key_of(const struct stat& file) { return {file.st_dev, file.st_ino}; }
 
-/// Finds the name of a file. Removes the entry of a file that its name does not lead to any more: the system
-/// gives the inode of a removed file to a new one.
+/// Returns the registered name of a file. Drops a stale entry, whose name now leads to another file: the
+/// system reuses inodes.
 const std::string* name_in(Files& files, const struct stat& file) {
     const auto found = files.find(key_of(file));
     if (found == files.end()) return nullptr;

@@ -91,8 +91,8 @@ std::string tests_table(const Plan& plan, const Outcome& outcome) {
     }
     std::string out =
         "## The tests\n\nLeaks / double hits per million rays, and decisions that differ from the exact "
-        "ones. Baselines and controls get a tenth of the rays of exact and sheared. Each control has a fault "
-        "that must be noticed.\n\n" +
+        "ones. Baselines and controls get a tenth of the rays of exact and sheared. The run must detect the "
+        "fault in each control.\n\n" +
         table.markdown() + "\n";
     for (const std::string& name : plan.tests)
         out += fmt::format("- `{}`: {}\n", name, named_test(name).what);

@@ -101,7 +101,7 @@ Rules:
 
 - {}x{} eye rays. 513x513 means one ray through each corner of 512x512 pixels. No anti-aliasing, no
   threshold.
-- The eye ray has depth 1. A hit at depth 5 sends shadow rays but is neither reflected nor refracted
+- The eye ray has depth 1. A hit at depth 5 sends shadow rays, but no reflected or refracted rays
   (`--depth 4` here).
 - Spheres are native. Cones and cylinders are cut into sides with smooth normals. The last number of their
   scenes' names is the number of sides; doubling it hardly changes the reference's counts. All other

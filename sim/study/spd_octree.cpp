@@ -65,9 +65,9 @@ constexpr const char* intro = R"(
 V. Havran published the composition of octrees over these scenes, and the work of rays in them ("Comparison
 of Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). This page builds trees by his rules over
 the scenes as given, in double precision (`sim/judge/reference/octree.hpp`), and sends the reference's rays
-through them. The machine takes no part. `=` behind a figure means that it equals his; otherwise its
+through them. The model is not involved. `=` after a figure means that it equals his; otherwise its
 deviation follows in brackets. His scenes are spheres, cones and polygons. Here cones and cylinders are cut
-into triangles, so rings and tree cannot be compared. None of his figures for tetra are kept here.
+into triangles, so rings and tree cannot be compared. This page has no published figures for tetra.
 
 His text leaves rules open. They were found from his counts:
 
@@ -88,9 +88,9 @@ With these rules, the largest deviations over all depths are:
 constexpr const char* deviations = R"(
 - **mount:** the cause of the differences is unknown. Rounding the coordinates to single precision or to six
   digits does not change them.
-- **teapot:** the plane in the middle of the root passes through the centres of lid and bottom. Here many
-  triangles meet in a point that lies exactly on it, which makes too many references. With the point moved
-  off the plane by any distance there are too few: rounding has put his points on one side or the other.
+- **teapot:** the plane in the middle of the root passes through the centres of lid and bottom. Many
+  triangles meet at a point exactly on this plane, which gives too many references. If the point moves off
+  the plane, there are too few. His rounded coordinates probably lie on both sides.
 - **gears:** tests a hit and the number of rays differ, and the cause is unknown. No common number of hits
   explains the tests of all depths.
 

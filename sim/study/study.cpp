@@ -49,10 +49,10 @@ Study make_study(int khz) {
     deep.stack_depth = 64;
     maker.add_series(
         "coord_bits=12:20:2",
-        "Bits of a lattice coordinate: the possible positions of the corners of triangles. One bit less "
+        "Bits per lattice coordinate. They limit the positions of triangle corners. One bit less "
         "doubles the lattice's pitch; one bit more widens every product of the triangle test.",
         base);
-    maker.add_series("dir_bits=16:24:2", "Bits of a direction component: the possible directions of rays.",
+    maker.add_series("dir_bits=16:24:2", "Bits per direction component. They limit the directions of rays.",
                      base);
     maker.add_series("box_bits=4:8",
                      "Bits of a child box plane relative to its node. Boxes are rounded outwards, so fewer "

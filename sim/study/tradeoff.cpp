@@ -231,9 +231,10 @@ constexpr const char* what_counts = R"(
 - **Multipliers** and **flip-flops** of `rc_pipeline`, as Yosys maps it to an ECP5. Multipliers are 18x18
   (MULT18X18D). Products are cut into tiles first, and products that never occur in the same cycle share a
   multiplier. Queues, caches and stacks are memories and do not count; neither does anything outside the
-  pipelines. A dash means that there is no such hardware, or no Yosys.
-- **Front**: a point is on the front if no other point of the grid is at least as good in pixels with another
-  primitive, multipliers and frames per second, and better in one of them. Without Yosys, bytes of the memory
+  pipelines. A dash means that the hardware does not exist, or Yosys is missing.
+- **Front**: a point is on the front if no other point of the grid beats it. A point beats another if it is at
+  least as good in pixels with another primitive, multipliers and frames per second, and better in one of them.
+  Without Yosys, bytes of the memory
   image replace the multipliers.
 - **Knee**: on the front of error against cost alone, with both divided by their range, the point farthest
   below the chord between the front's ends.

@@ -154,10 +154,10 @@ except in the table of finished pictures. So this page shows the range of such a
 is faster.
 
 **The machines differ.** Both chips computed in 24-bit floating point with packets of four rays. This machine
-computes in fixed point, ray by ray. The class is the same: a kd-tree with one plane a node (`structure=kd`
-with `node_width=2`, and `references=5`, so that the image of gears:8 fits 64 MB), the clock, the rays in
-flight, one node and one triangle a cycle, cache sizes and memory speed
-([configurations](configurations.md)). A second table has the same machine with a tree of boxes, two children
+computes in fixed point, ray by ray. The class is the same: one node and
+one triangle a cycle, and the clock, rays in flight, cache sizes and memory speed of the chip
+([configurations](configurations.md)). The tree is a kd-tree with one plane a node (`structure=kd` with
+`node_width=2`). With `references=5` the image of gears:8 fits 64 MB. A second table has the same machine with a tree of boxes, two children
 a node, which the program's `saarcor` and `rpu` walk by default.
 )";
 
@@ -166,8 +166,8 @@ constexpr const char* sources = R"(
 
 - SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes
   on an FPGA Chip*, Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its
-  scenes with textures, several lights and several levels of reflection. The abstract was read. The size of
-  the pictures, 512x384, is remembered from the press of the time.
+  scenes with textures, several lights and several levels of reflection. The abstract was read. The size
+  512x384 comes from memory of press reports.
 - RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray
   Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
   shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2. A scholarly
@@ -210,7 +210,7 @@ std::string yardstick_page(const RoutedBoard& board, int threads, const Progress
         "means of {} frames after the first, {:g} in a second of the scene's time. For every frame the host "
         "rebuilds the scene's tree and writes it into the chip's memory; fps includes these writes. In "
         "SaarCOR a unit transforms each ray into an object's space, as in this machine; the D-RPU refitted "
-        "trees of moving vertices. No published figure is of one of these scenes.\n\n",
+        "trees of moving vertices. The papers have no figures for these scenes.\n\n",
         moving_frames, usual_fps);
     page += moving_table(threads, progress);
     const auto cycles_per_pixel = [](double mhz, double fps) { return 1e6 * mhz / fps / (512 * 384); };

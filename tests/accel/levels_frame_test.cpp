@@ -27,7 +27,7 @@ std::uint32_t same_in_reverse(const PlacedScene& scene, std::uint32_t prim) {
 }   // namespace
 
 TEST_CASE("where a map is exact on the lattice, two levels are one, bit for bit", "[levels]") {
-    const Config config = of_structure(format(18, 20), GENERATE(from_range(test::tree_structures())));
+    const Config config = of_structure(format(18, 20), GENERATE(from_range(tree_structures())));
     const glm::dmat4 swapped(glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(1, 0, 0, 0),
                              glm::dvec4(0, 0, 0, 1));
     for (const glm::dmat4& place :
@@ -90,7 +90,7 @@ TEST_CASE("the gearbox in two levels is small, and has the hits of the gears", "
 }
 
 TEST_CASE("the order of instances does not change what is hit", "[levels]") {
-    const Config config = of_structure(format(16, 18), GENERATE(from_range(test::tree_structures())));
+    const Config config = of_structure(format(16, 18), GENERATE(from_range(tree_structures())));
     PlacedScene scene = solids(20, 11, 0.5, 0.5, 0);
     const Camera camera{{9, 7, 8}, {0, 0, 0}, {0, 1, 0}, 60};
     const auto answers = [&](int threads) {

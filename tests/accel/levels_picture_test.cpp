@@ -75,7 +75,7 @@ TEST_CASE("planes and true spheres next to instances match the reference, in eve
     settings.depth = 4;
     const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, settings, 1);
     std::vector<std::array<std::uint32_t, 3>> first;
-    for (const Structure structure : test::tree_structures()) {
+    for (const Structure structure : tree_structures()) {
         const Drawn two = drawn(scene, size, settings, of_structure(format(18, 20), structure), 2);
         INFO(name_of(structure));
         const double with_two = psnr(two.picture, right.pixels);
@@ -89,8 +89,8 @@ TEST_CASE("planes and true spheres next to instances match the reference, in eve
     }
 }
 
-TEST_CASE("what is not placed is drawn by two levels as by one, bit for bit", "[levels][secondary]") {
-    const Structure structure = GENERATE(from_range(test::tree_structures()));
+TEST_CASE("two levels draw a scene without instances as one level does, bit for bit", "[levels][secondary]") {
+    const Structure structure = GENERATE(from_range(tree_structures()));
     const std::string name = GENERATE("spheres", "plane", "mirrors", "balls:1", "gears:1");
     CAPTURE(name, name_of(structure));
     const Scene scene = make_builtin(name, Primitives::native);

@@ -258,7 +258,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
 TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary]") {
     const auto [least, most, shear] =
         GENERATE(values<std::tuple<double, double, double>>({{0.5, 0.5, 0}, {0.1, 3, 0}, {0.3, 2, 3}}));
-    const Structure structure = GENERATE(from_range(test::tree_structures()));
+    const Structure structure = GENERATE(from_range(tree_structures()));
     std::uint64_t rays = 0, hits = 0, wrong = 0, shadows = 0, outside = 0;
     for (const Format& f : formats) {
         const Config config = shaded(f, structure);

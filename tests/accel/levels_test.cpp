@@ -180,7 +180,7 @@ struct Machine {
 Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& eye, int rays,
             std::uint32_t seed) {
     std::deque<Machine> machines;
-    for (const Structure structure : test::tree_structures())
+    for (const Structure structure : tree_structures())
         machines.emplace_back(scene, eye, of_structure(config, structure));
     const LevelsImage& levels = machines[0].levels;
     const Truth truth(scene, levels, config);

@@ -156,8 +156,8 @@ TEST_CASE("the page of gigahertz has every memory at every clock, says where the
     const std::string page = bytes_of(folder.name("gigahertz.md"));
     for (const char* part : {"\n| rpu |", "\n| sdr |", "\n| ddr3 |", "\n| lpddr4 x 2 |", "\n| ddr4 |",
                              "\n| hbm2 x 4 |", "\n| ideal |", "| 66 MHz | 133 MHz |", "| 4000 MHz |",
-                             "All clocks here are assumed", "18.4 to 32.3", "## Where the wall is",
-                             "## The answer to the guess\n\nThe guess is that a chip of 66 MHz",
+                             "All clocks here are assumed", "18.4 to 32.3", "## Where the memory wall is",
+                             "## Do frames follow the clock?\n\nIf frames followed the clock, 66 to 4000 MHz",
                              "--scene tetra:2 --finished tetra:1"})
         CHECK(page.find(part) != std::string::npos);
     const std::string drawing = bytes_of(folder.name("gigahertz.svg"));

@@ -1,9 +1,11 @@
-// What rc_arbiter promises, if an offer that was not taken stays: one grant at most, only to a source that offers, whose
-// data goes out; an offer stays until it is taken; a source that offers is served after Sources - 1 others at most; and after
-// reset the turn begins behind source 0.
+// Properties of rc_arbiter, assuming that each source holds its offer until it is accepted:
+// - at most one grant, only to a source that offers, and that source's data on the output;
+// - the output holds an offer until it is accepted;
+// - a source that offers is served after at most Sources - 1 others;
+// - after reset the round begins behind source 0.
 //
-// One source is followed, any: `whom_i` never changes. Ties to the inside for the last claim: how far the turn is from the
-// followed source, and that an offer on show when it came is the only one that may be out of turn.
+// The proof follows one arbitrary source: `whom_i` is constant. The third property needs two invariants of internal state:
+// the distance of the round from the followed source, and that only an offer already on the output may be out of turn.
 module arbiter #(
   parameter  int unsigned Sources = 4,
   parameter  int unsigned Width   = 2,

@@ -44,13 +44,14 @@ TEST_CASE("a published file replaces the old one, which may be read again under 
     CHECK(read_file(old) == "old");
 }
 
-TEST_CASE("an input that its name does not lead to any more protects no output") {
+TEST_CASE("a stale input entry protects no output") {
     const UnmanagedFolder folder;
     const fs::path input = folder.path / "a.json", output = folder.path / "b.json";
     std::ofstream(input) << "{}";
     CHECK(read_file(input) == "{}");
     CHECK_THROWS_AS(check_writable(input), UserError);
-    fs::rename(input, output);   // the same inode, as the system may give that of a removed file to a new one
+    // A rename keeps the inode. The system may reuse the inode of a removed file in the same way.
+    fs::rename(input, output);
     CHECK_NOTHROW(check_writable(output));
 }
 

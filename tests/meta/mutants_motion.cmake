@@ -19,7 +19,7 @@ mutant(levels_boxes_forget_where_bounces_begin FILE model/compile/levels/fit.cpp
 mutant(levels_boxes_forget_the_longest_edge FILE model/compile/levels/fit.cpp TEST accel [secondary]
   OLD [[+ 2.5 * frac * made.longest;]]
   NEW [[+ 0 * made.longest;]])
-mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST accel "two levels draw a scene without instances as one level does*"
   OLD [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};]]
   NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
 

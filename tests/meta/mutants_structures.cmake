@@ -72,6 +72,6 @@ mutant(model_bih_far_half_starts_at_the_near_plane FILE model/engine/bih/bih.cpp
 mutant(model_bih_without_a_turn FILE model/engine/bih/bih.cpp TEST unit "bih is right for every pair*"
   OLD [[const bool neg = axis < no_axis && ray.neg[axis] != 0;]]
   NEW [[const bool neg = false;]])
-mutant(model_bih_pairs_without_a_gap FILE model/engine/bih/build.cpp TEST system "rays of every family hit the same*"
+mutant(model_bih_bounds_are_swapped FILE model/engine/bih/build.cpp TEST system "rays of every family hit the same*"
   OLD [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left, right);]]
   NEW [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left->bounds, right->bounds);]])

@@ -1,6 +1,8 @@
 # cmake -DSOURCE=folder -DENGINE=name -P rooms.cmake
-# An engine lies in rooms of its own. Outside of these and of generated files at most five lines of
-# code in at most five files name it.
+# Outside its own folders and generated files, at most five lines of code in five files name an engine.
+string(SUBSTRING ${ENGINE} 0 1 first)
+string(SUBSTRING ${ENGINE} 1 -1 rest)
+string(TOUPPER ${first} upper)
 set(lines 0)
 set(files 0)
 set(found "")
@@ -11,9 +13,6 @@ foreach(tree model rtl sim bench tests)
     if(source MATCHES "/engine/${ENGINE}/|rc_pkg\\.sv$")
       continue()
     endif()
-    string(SUBSTRING ${ENGINE} 0 1 first)
-    string(SUBSTRING ${ENGINE} 1 -1 rest)
-    string(TOUPPER ${first} upper)
     file(STRINGS ${SOURCE}/${source} named REGEX "[${first}${upper}]${rest}")
     list(FILTER named EXCLUDE REGEX "^ *//")
     list(LENGTH named count)
@@ -25,6 +24,6 @@ foreach(tree model rtl sim bench tests)
   endforeach()
 endforeach()
 if(lines EQUAL 0 OR lines GREATER 5 OR files GREATER 5)
-  message(FATAL_ERROR "${lines} lines in ${files} files name the engine ${ENGINE} outside its rooms; five in five may.\n${found}")
+  message(FATAL_ERROR "${lines} lines in ${files} files name the engine ${ENGINE} outside its rooms; the limit is 5 lines in 5 files.\n${found}")
 endif()
 message("${lines} lines in ${files} files:\n${found}")

@@ -40,6 +40,7 @@ LEVELS = [
     "small levels=2 structure=bsp timing=fast",
     "small levels=2 structure=spheres shading=1",
 ]
+LEVELS += [f"small levels=2 structure={name}" for name in STRUCTURE_NAMES if name != "none"]
 INTERVALS = [
     "default shading=1 spheres=1 planes=1 tri_interval=2 raygen_interval=2 shade_interval=2 box_lanes=4",
     "default shading=1 spheres=1 planes=1 tri_interval=4 raygen_interval=4 shade_interval=4 box_lanes=1",

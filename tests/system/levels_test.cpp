@@ -33,15 +33,18 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
 
 /// Returns formats, structures, intervals and paths, each with its own RTL.
 const std::vector<Config>& chips() {
-    static const std::vector<Config> all{two("default", 2),
-                                         two("small", 4),
-                                         two("small", 1, fast),
-                                         two("narrow", 4),
-                                         two("broad", 2),
-                                         of("small", Structure::kd, 2),
-                                         of("default", Structure::spheres, 1),
-                                         of("small", Structure::spheres, 4, fast),
-                                         of("small", Structure::bsp, 2)};
+    static const std::vector<Config> all = [] {
+        std::vector<Config> made{two("default", 2),
+                                 two("small", 4),
+                                 two("small", 1, fast),
+                                 two("narrow", 4),
+                                 two("broad", 2),
+                                 of("default", Structure::spheres, 1),
+                                 of("small", Structure::spheres, 4, fast)};
+        for (const Structure s : engines())
+            if (s != Structure::bvh && s != Structure::spheres) made.push_back(of("small", s, 2));
+        return made;
+    }();
     return all;
 }
 

@@ -245,6 +245,7 @@ TEST_CASE("model and RTL agree on finished pictures of every structure", "[struc
     const std::string scene = GENERATE("spheres", "mirrors", "teapot:3");
     for (const Structure structure : tree_structures())
         check_lockstep(finished(scene, {16, 12}, shaded(quick_config("default"), structure)));
+    check_lockstep(finished(scene, {16, 12}, shaded(quick_config("default"), Structure::none)));
 }
 
 TEST_CASE("a structure refuses what it cannot walk", "[structures]") {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/core/parameters.hpp"
+#include "model/machine/links.hpp"
 #include "sim/run/gen/chip_page.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
@@ -52,4 +53,19 @@ TEST_CASE("the package states the configuration's numbers", "[package]") {
           "localparam int unsigned RayBits = 5;", "logic [4:0] ray;", "} tri_rsp_t;",
           "logic signed [49:0] num;"})
         REQUIRE_THAT(text, Catch::Contains(line));
+}
+
+// Waveforms and routed chips find a unit by the name of its instance.
+TEST_CASE("every unit that decides nodes has an instance of its name", "[package]") {
+    std::ostringstream text;
+    text << std::ifstream(rtl_sources() / "unit/trav/rc_node_test.sv").rdbuf();
+    const std::string rtl = text.str();
+    REQUIRE(rtl.find("    rc_``UNIT u_``UNIT (") != std::string::npos);   // of a row
+    for (const NodeUnit& u : node_units) {
+        const std::string name = unit_name(u.unit);
+        CAPTURE(name);
+        const bool has_row = rtl.find("`RC_NODE_UNIT(Structure") != std::string::npos &&
+                             rtl.find(", " + name + ")\n") != std::string::npos;
+        CHECK((has_row || rtl.find("    rc_" + name + " u_" + name + " (") != std::string::npos));
+    }
 }

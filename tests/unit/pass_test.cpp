@@ -97,6 +97,16 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
 }
 
+/// Counts the bits of a state's material: of its fields from diffuse on, which are its lowest bits.
+struct MaterialBits {
+    int bits = 0;
+    bool counts = false;
+    template <class T> void operator()(const std::string_view name, const T&, int width, int count = 1) {
+        counts = counts || name == "diffuse";
+        if (counts) bits += width * count;
+    }
+};
+
 /// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
     const bool looks = in && in->state.event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
@@ -104,8 +114,9 @@ void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Fra
     if (!looks) return;
     REQUIRE(got(rtl, "look_ray")[0] == in->ray);
     const Words wanted = pack(pass(*in, frame, c).state, c), told = got(rtl, "look");
-    const int bits = ShadeState::look_bits(c);   // the lowest bits
-    for (int at = 0; at < bits; ++at) {
+    MaterialBits material;
+    ShadeState{}.fields(material, c);
+    for (int at = 0; at < material.bits; ++at) {
         const auto bit = [&](const Words& words) { return words[std::size_t(at / 32)] >> (at % 32) & 1; };
         if (bit(told) != bit(wanted)) FAIL("bit " << at << " of the material is not the model's");
     }

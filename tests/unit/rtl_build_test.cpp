@@ -1,10 +1,11 @@
 // Builds the RTL that the unit tests load, two modules at a time, before any of them runs.
 #include "tests/support/machine/build_all.hpp"
-#include "model/engine/check.hpp"
 #include "tests/support/dut/cache_dut.hpp"
 #include "tests/support/cases/host_cases.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 #include <catch2/catch.hpp>
+
+#include "model/engine/check.hpp"
 
 using namespace rayclock;
 

@@ -1,10 +1,10 @@
 // Writes the trees of a film's frames, and collects the differences.
-#include "model/engine/engines.hpp"
 #include "model/compile/levels/moving.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/engine/engines.hpp"
 #include "model/layout/words.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/base/stopwatch.hpp"

@@ -1,10 +1,10 @@
 // Writes the scene's tree of two levels.
-#include "model/engine/bvh/encode.hpp"
-#include "model/engine/engines.hpp"
 #include "model/compile/levels/upper.hpp"
 
 #include <algorithm>
 
+#include "model/engine/bvh/encode.hpp"
+#include "model/engine/engines.hpp"
 #include "model/engine/bvh/collapse.hpp"
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"

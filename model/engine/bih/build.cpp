@@ -22,7 +22,7 @@ public:
         cell->count = left->count + right->count;
         cell->axis = widest_gap(left->bounds, right->bounds);
         if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left, right);
-        // Between the pair's planes; only the cost of lines depends on it.
+        // The middle between the two planes. Only the cost of lines uses it.
         cell->at = (left->bounds.hi[cell->axis] + right->bounds.lo[cell->axis]) / 2;
         cell->lower = std::move(left), cell->upper = std::move(right);
         cell->inside = treelets_.inside(*cell);

@@ -5,6 +5,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/lines.hpp"
+#include "model/core/node_payloads.hpp"
 
 namespace rayclock {
 
@@ -35,20 +36,6 @@ struct BihNode {
     }
 };
 
-/// trav -> bih: the ray, and the node from memory.
-struct BihReq {
-    std::uint32_t ray = 0;
-    Vec3i o{};
-    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
-    BihNode node;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("o", o, c.origin_width(), 3);
-        v("neg", neg, 1, 3);
-        v("recip", recip, c.recip_bits + 1, 3);
-        v("len", len, exp_bits, 3);
-        node.fields(v, c);
-    }
-};
+using BihReq = BoxRayReq<BihNode>;
 
 }   // namespace rayclock

@@ -1,10 +1,9 @@
 #pragma once
-// The engine of structure=bsp, as the machine sees it.
-#include "model/core/stages.hpp"
+// The descriptor of structure=bsp.
 #include "model/engine/bsp/slant.hpp"
 #include "model/engine/kd/build.hpp"
 #include "model/engine/kd/exits.hpp"
-#include "model/engine/reader.hpp"
+#include "model/engine/parts.hpp"
 
 namespace rayclock {
 
@@ -19,14 +18,11 @@ inline void put_none(std::size_t, Slant&) {}
 namespace rayclock::engine {
 
 /// Members: model/engine/engines.hpp.
-struct Bsp {
+struct Bsp : OfCells<Slant, WideSlant> {
     static constexpr Structure structure = Structure::bsp;
     using Node = rayclock::Slant;
     using Request = SlantReq;
     using RayForm = SlantRay;
-    using Wide = WideSlant;
-    using Reader = WidenedReader<Node>;
-    static constexpr bool has_cells = true;
     static constexpr const char* node_name = "slant";
 
     static int latency(const Config& config) {
@@ -43,7 +39,6 @@ struct Bsp {
                                 std::uint32_t* t_near) {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
-    static const WideNode& children(const Wide& node) { return node.exits; }
     static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
                              const Config& config) {
         return kd::build(pieces, prims, config);

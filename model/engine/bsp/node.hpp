@@ -35,14 +35,14 @@ struct SlantReq {
     Vec3i o{};
     std::array<std::uint32_t, 3> recip{}, len{};
     Vec3i along{};   ///< direction, shifted up to ray_dir_bits: aligned() in model/engine/bsp/slant.hpp
-    Slant slant;
+    Slant node;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("o", o, c.origin_width(), 3);
         v("recip", recip, c.recip_bits + 1, 3);
         v("len", len, exp_bits, 3);
         v("along", along, c.ray_dir_bits(), 3);
-        slant.fields(v, c);
+        node.fields(v, c);
     }
 };
 

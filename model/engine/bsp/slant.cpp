@@ -75,7 +75,7 @@ std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant
 }
 
 BoxRsp slant(const SlantReq& req, const Config& config) {
-    const WideSlant wide = widen(req.slant, config.node_width);
+    const WideSlant wide = widen(req.node, config.node_width);
     BoxRay ray{req.o, {}, req.recip, req.len};
     for (std::size_t k = 0; k < 3; ++k) ray.neg[k] = req.along[k] < 0;
     std::array<std::uint32_t, max_width> t_near;

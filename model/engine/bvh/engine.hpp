@@ -1,16 +1,13 @@
 #pragma once
-// The engine of structure=bvh, as the machine sees it.
-#include "model/core/stages.hpp"
+// The descriptor of structure=bvh.
+#include "model/engine/parts.hpp"
 #include "model/engine/bvh/box.hpp"
 
 namespace rayclock::engine {
 
 /// Members: model/engine/engines.hpp.
-struct Bvh {
+struct Bvh : OfBoxRay<rayclock::Node> {
     static constexpr Structure structure = Structure::bvh;
-    using Node = rayclock::Node;
-    using Request = BoxReq;
-    using RayForm = BoxRay;
     using Wide = WideNode;
     using Reader = NodeReader;
     static constexpr bool has_cells = false;
@@ -19,10 +16,6 @@ struct Bvh {
     static int latency(const Config& config) {
         const Stages stages(config);
         return stages.cut + stages.slab + stages.meet + stages.rank;
-    }
-    static RayForm form(const Ray&, const BoxRay& ray, const Config&) { return ray; }
-    static Request request(std::uint32_t ray, const RayForm& form, const Node& node) {
-        return {ray, form.o, form.neg, form.recip, form.len, node};
     }
     static std::uint32_t decide(const RayForm& form, const Wide& node, const Config& config,
                                 std::uint32_t* t_near) {

@@ -5,6 +5,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/lines.hpp"
+#include "model/core/node_payloads.hpp"
 
 namespace rayclock {
 
@@ -28,20 +29,6 @@ struct Node {
     }
 };
 
-/// trav -> box: the ray, and the node from memory.
-struct BoxReq {
-    std::uint32_t ray = 0;
-    Vec3i o{};   ///< with B fraction bits if the chip shades
-    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
-    Node node;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("o", o, c.origin_width(), 3);
-        v("neg", neg, 1, 3);
-        v("recip", recip, c.recip_bits + 1, 3);
-        v("len", len, exp_bits, 3);
-        node.fields(v, c);
-    }
-};
+using BoxReq = BoxRayReq<Node>;
 
 }   // namespace rayclock

@@ -19,7 +19,7 @@ constexpr std::size_t parallel = 4096;   // items from which both sides are buil
 class Builder {
 public:
     Builder(const std::vector<PrimData>& prims, const Pieces& pieces, const Config& config)
-        : pieces_(pieces), treelets_(config), slants_(config.is_walked(Structure::bsp)) {
+        : pieces_(pieces), treelets_(config), slants_(config.engine() == Structure::bsp) {
         if (slants_) facets_.emplace(prims, pieces, config);
         for (int width = config.node_width; width > 1; width /= 2) ++levels_;
     }

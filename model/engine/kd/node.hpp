@@ -5,6 +5,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/lines.hpp"
+#include "model/core/node_payloads.hpp"
 
 namespace rayclock {
 
@@ -36,20 +37,6 @@ struct Treelet {
 };
 constexpr std::uint32_t no_axis = 3;   ///< axis of a missing plane
 
-/// trav -> treelet: the ray, and the node of a kd-tree from memory.
-struct TreeletReq {
-    std::uint32_t ray = 0;
-    Vec3i o{};
-    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
-    Treelet treelet;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("o", o, c.origin_width(), 3);
-        v("neg", neg, 1, 3);
-        v("recip", recip, c.recip_bits + 1, 3);
-        v("len", len, exp_bits, 3);
-        treelet.fields(v, c);
-    }
-};
+using TreeletReq = BoxRayReq<Treelet>;
 
 }   // namespace rayclock

@@ -63,7 +63,7 @@ std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const
                             std::uint32_t* t_near);
 /// Returns the unit's answer.
 inline BoxRsp treelet(const TreeletReq& req, const Config& config) {
-    const WideTreelet wide = widen(req.treelet, config.node_width);
+    const WideTreelet wide = widen(req.node, config.node_width);
     std::array<std::uint32_t, max_width> t_near;
     const std::uint32_t hits =
         treelet_exits({req.o, req.neg, req.recip, req.len}, wide, config, t_near.data());

@@ -1,8 +1,7 @@
 #pragma once
-// The engine of structure=spheres, as the machine sees it.
-#include "model/core/stages.hpp"
+// The descriptor of structure=spheres.
 #include "model/engine/spheres/globe.hpp"
-#include "model/engine/reader.hpp"
+#include "model/engine/parts.hpp"
 
 namespace rayclock::engine {
 

@@ -99,10 +99,6 @@ struct ShadeState {
         v_("self", self, c.prim_bits);
         v_("is_inside", inside, 1);
     }
-    /// Returns the bits of the material, from diffuse on.
-    static int look_bits(const Config& c) {
-        return 2 * (share_bits + 1) + 3 * (unit_bits + 1) + shine_bits + ratio_bits + 1 + c.prim_bits + 1;
-    }
 };
 
 /// A refracted ray that waits until the reflected ray's tree is done.

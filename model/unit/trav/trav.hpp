@@ -32,7 +32,6 @@ public:
     /// offers one.
     bool step_valid(bool offered) const { return offered | !leafless_.empty(); }
     bool takes_leafless(bool offered) const { return step_link_.second(offered); }
-    std::uint32_t leafless_ray() const { return leafless_.front(); }
     bool tested_ready(bool offered) const { return step_ready() & !takes_leafless(offered); }
     template <bool levels = false> bool node_valid() const {
         return !nodes_.empty() | !spawn_.empty() | (levels && !changed_.empty());

@@ -1,10 +1,9 @@
-// The exits of a node of a bounding interval hierarchy that a ray meets, conservative, and their
-// order.
+// Finds and sorts the exits of a node of a bounding interval hierarchy that a ray meets.
 //
 // Latency rc_pkg::BihLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
 //
-// No exit is left out that holds a point of the ray, and an exit's t_near is never beyond such a
-// point. Model: model/engine/bih/bih.hpp, which has the formulas.
+// Conservative: it reports every exit that contains a point of the ray, and t_near never exceeds the
+// time of such a point. Model: model/engine/bih/bih.hpp, which has the formulas.
 `default_nettype none
 module rc_bih (
   input  logic                 clk_i,
@@ -18,7 +17,6 @@ module rc_bih (
   input  logic                 rsp_ready_i,
   output rc_pkg::bih_rsp_t     rsp_o
 );
-  localparam int unsigned W  = rc_pkg::NodeWidth;
   localparam int unsigned Q  = rc_pkg::NodePlanes;
   localparam int unsigned N  = rc_pkg::CoordBits;
   localparam int unsigned T  = rc_pkg::TBits;
@@ -42,25 +40,15 @@ module rc_bih (
   // The node, unpacked.
   rc_pkg::bih_req_t           in;
   logic [rc_pkg::BihReqW-1:0] in_flat;
-  logic [2*Q-1:0]                 in_axis;
-  logic [N*Q-1:0]                 in_lower_to, in_upper_from;
+  logic [2*Q-1:0]             in_axis;
+  logic [N*Q-1:0]             in_lower_to, in_upper_from;
 
   rc_path_register #(.Width(rc_pkg::BihReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
 
-  assign in      = in_flat;
-  assign in_axis = in.axis;
-
+  assign in            = in_flat;
+  assign in_axis       = in.axis;
   assign in_lower_to   = in.lower_to;
   assign in_upper_from = in.upper_from;
-
-  // The times at which the ray enters and leaves the box around the node's contents.
-  logic [T-1:0] box_enter, box_leave;
-  logic         box_met;
-
-  rc_bounds u_bounds (
-    .clk_i, .valid_i(valid[Meet+In:In]), .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip),
-    .s0_len_i(in.len), .s0_open_i(in.open), .s0_lo_i(in.lo), .s0_hi_i(in.hi),
-    .enter_o(box_enter), .leave_o(box_leave), .met_o(box_met));
 
   // For each pair: the half that the ray meets first ends at one plane (near), the other half
   // starts at the other plane (far). A ray of negative direction meets the upper half first.
@@ -75,7 +63,7 @@ module rc_bih (
     logic [T-1:0]        first_from, second_to;
 
     assign axis       = in_axis[2*i +: 2];
-    assign neg        = |(in.neg & (3'd1 << axis));   // no axis 3: false
+    assign neg        = |(in.neg & (3'd1 << axis));   // axis 3 is no axis: 0
     assign lower_to   = in_lower_to[N*i +: N];
     assign upper_from = in_upper_from[N*i +: N];
     assign first_at   = neg ? upper_from : lower_to;
@@ -99,26 +87,15 @@ module rc_bih (
     assign unused = ^{first_far, first_from, second_turned, second_near, second_to};
   end
 
-  // The exits that are met.
-  logic [W-1:0]   met;
-  logic [W*T-1:0] near_t;
+  // The box, the exits, and their order.
+  logic [rc_pkg::BoxRspW-1:0] rsp;
 
-  rc_exits u_exits (
-    .clk_i, .valid_i(valid[Meet+In]), .turned_i(turned), .near_i(near), .far_i(far),
-    .near_to_i(near_to), .far_from_i(far_from), .enter_i(box_enter), .leave_i(box_leave),
-    .met_i(box_met), .met_o(met), .near_o(near_t));
-
-  // Their order, and the result queue.
-  logic [rc_pkg::BihRspW-1:0] rsp;
-
-  rc_node_answer #(.Latency(L), .Exits(1'b1)) u_answer (
-    .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
-    .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
-    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+  rc_cell_answer #(.Latency(L), .Meet(Meet)) u_answer (
+    .clk_i, .rst_ni, .valid_i(valid), .ray_i(in.ray), .o_i(in.o), .neg_i(in.neg),
+    .recip_i(in.recip), .len_i(in.len), .open_i(in.open), .lo_i(in.lo), .hi_i(in.hi),
+    .base_i(in.base), .kind_i(in.kind), .turned_i(turned), .near_i(near), .far_i(far),
+    .near_to_i(near_to), .far_from_i(far_from), .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
-
-  logic unused;
-  assign unused = valid[L];
 endmodule
 `default_nettype wire

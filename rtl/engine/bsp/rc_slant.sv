@@ -18,7 +18,6 @@ module rc_slant (
   input  logic                 rsp_ready_i,
   output rc_pkg::slant_rsp_t   rsp_o
 );
-  localparam int unsigned W  = rc_pkg::NodeWidth;
   localparam int unsigned Q  = rc_pkg::NodePlanes;
   localparam int unsigned H  = rc_pkg::RayDirBits;
   localparam int unsigned B  = rc_pkg::NormalStepBits;
@@ -26,11 +25,9 @@ module rc_slant (
   localparam int unsigned T  = rc_pkg::TBits;
   localparam int unsigned L  = rc_pkg::SlantLatency;
 
-  // Stages in which a slant has arrived, its planes' times are ready, and the box's times are
-  // ready.
+  // Stages in which a slant has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::CrossingStages;
-  localparam int unsigned Box  = In + rc_pkg::PlaneStages + 1 + rc_pkg::Cut;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a slant.
   logic         admit;
@@ -56,23 +53,10 @@ module rc_slant (
   assign in_normal = in.normal;
   assign in_at     = in.at;
 
-  // The times at which the ray enters and leaves the box around the content of the slant's cell.
-  // They wait for the planes.
   logic [3*H-1:0] in_along;
-  logic [T-1:0]   enter, leave, box_enter, box_leave;
-  logic           there, box_met;
 
   assign in_along = in.along;
   assign neg      = {in_along[3*H-1], in_along[2*H-1], in_along[H-1]};
-
-  rc_bounds u_bounds (
-    .clk_i, .valid_i(valid[Box-1:In]), .s0_o_i(in.o), .s0_neg_i(neg), .s0_recip_i(in.recip),
-    .s0_len_i(in.len), .s0_open_i(in.open), .s0_lo_i(in.lo), .s0_hi_i(in.hi),
-    .enter_o(enter), .leave_o(leave), .met_o(there));
-
-  rc_shift_register #(.Width(2 * T + 1), .Stages(Meet + 1 + In - Box)) u_wait (
-    .clk_i, .valid_i(valid[Meet+In:Box]), .data_i({enter, leave, there}),
-    .data_o({box_enter, box_leave, box_met}));
 
   // For each plane: the sides that exist, and when the ray changes from one to the other.
   logic [Q-1:0]   turned, near, far;
@@ -89,26 +73,15 @@ module rc_slant (
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end
 
-  // The exits that are met.
-  logic [W-1:0]   met;
-  logic [W*T-1:0] near_t;
+  // The box, the exits, and their order.
+  logic [rc_pkg::BoxRspW-1:0] rsp;
 
-  rc_exits u_exits (
-    .clk_i, .valid_i(valid[Meet+In]), .turned_i(turned), .near_i(near), .far_i(far),
-    .near_to_i(near_to), .far_from_i(far_from), .enter_i(box_enter), .leave_i(box_leave),
-    .met_i(box_met), .met_o(met), .near_o(near_t));
-
-  // Their order, and the result queue.
-  logic [rc_pkg::SlantRspW-1:0] rsp;
-
-  rc_node_answer #(.Latency(L), .Exits(1'b1)) u_answer (
-    .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
-    .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
-    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+  rc_cell_answer #(.Latency(L), .Meet(Meet)) u_answer (
+    .clk_i, .rst_ni, .valid_i(valid), .ray_i(in.ray), .o_i(in.o), .neg_i(neg),
+    .recip_i(in.recip), .len_i(in.len), .open_i(in.open), .lo_i(in.lo), .hi_i(in.hi),
+    .base_i(in.base), .kind_i(in.kind), .turned_i(turned), .near_i(near), .far_i(far),
+    .near_to_i(near_to), .far_from_i(far_from), .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
-
-  logic unused;
-  assign unused = valid[L];
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // The times at which a ray enters and leaves the box around the content of a treelet's or a slant's
 // cell. Its planes come in parallel pairs: the fast case of rc_plane.
 //
-// Part of rc_treelet and rc_slant, which have the valid bits. Operands come with valid_i[0]; the
+// Part of rc_cell_answer, which has the valid bits. Operands come with valid_i[0]; the
 // answer comes rc_pkg::PlaneStages + 1 + Cut cycles later.
 `default_nettype none
 module rc_bounds #(

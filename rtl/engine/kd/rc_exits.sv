@@ -1,5 +1,5 @@
 // The exits that a ray meets, and from which time on. For each exit: the latest entry and the
-// earliest end of the planes on its path and of the box. Part of rc_treelet and rc_slant.
+// earliest end of the planes on its path and of the box. Part of rc_cell_answer.
 //
 // The planes' results come in the cycle of valid_i, the box's (rc_bounds) 1 + Cut cycles later. The
 // answer comes 1 + 2 Cut cycles later.

@@ -306,7 +306,7 @@ module rc_list (
   localparam int unsigned TriRayW = rc_pkg::TriRayW;
   logic               keep, keeps, tri_found;
   logic [I-1:0]       keep_ray, keeps_ray;
-  rc_pkg::tri_ray_t   ray_for_tri;   // a member that the chip does not have is not in the record
+  rc_pkg::tri_ray_t   ray_for_tri;   // the record omits members that this chip does not use
   logic [TriRayW-1:0] keeps_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
 

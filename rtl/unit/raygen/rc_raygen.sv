@@ -85,6 +85,7 @@ module rc_raygen (
   rc_credited_pipeline #(.Credits(rc_pkg::RaygenQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .rests_i(rests_o),
     .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit), .valid_q_o(valid_q));
+
   if (Every > 1) begin : gen_rests
     logic rests_q;   // a register, because the sources that wait are far away
     assign rests_o = rests_q;

@@ -6,7 +6,7 @@
 // Model: place_child() in model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_child_offsets #(
-  parameter  bit          Exits = 1'b0,   // treelets, slants: only existing exits have lines
+  parameter  bit          Exits = 1'b0,   // cells: only existing exits have lines
   localparam int unsigned W     = rc_pkg::NodeWidth,
   localparam int unsigned C     = rc_pkg::CountBits,
   localparam int unsigned O     = rc_pkg::OffsetBits

@@ -1,5 +1,5 @@
 // The fields of a ray that the unit that decides nodes needs:
-// - boxes and treelets: origin, signs and reciprocals;
+// - boxes, treelets and pairs of planes: origin, signs and reciprocals;
 // - globes: the direction that rc_toward makes;
 // - slants: origin, reciprocals and the direction, shifted up to RayDirBits.
 //

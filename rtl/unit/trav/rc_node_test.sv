@@ -29,15 +29,15 @@ module rc_node_test #(
   // A unit that accepts a node in every cycle.
 `define RC_NODE_UNIT(STRUCTURE, UNIT) \
   if (Structure == rc_pkg::STRUCTURE) begin : gen_``UNIT \
-    UNIT u_unit ( \
+    rc_``UNIT u_``UNIT ( \
       .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid), \
       .rsp_ready_i(1'b1), .rsp_o(own)); \
   end
 
-  `RC_NODE_UNIT(StructureKd, rc_treelet)
-  `RC_NODE_UNIT(StructureSpheres, rc_globe)
-  `RC_NODE_UNIT(StructureBsp, rc_slant)
-  `RC_NODE_UNIT(StructureBih, rc_bih)
+  `RC_NODE_UNIT(StructureKd, treelet)
+  `RC_NODE_UNIT(StructureSpheres, globe)
+  `RC_NODE_UNIT(StructureBsp, slant)
+  `RC_NODE_UNIT(StructureBih, bih)
 `undef RC_NODE_UNIT
 
   if (Structure == rc_pkg::StructureBvh) begin : gen_box

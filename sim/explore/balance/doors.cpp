@@ -1,10 +1,10 @@
 // Simulates and synthesises the machines that a search asks about, with a cache for both.
 #include "sim/explore/balance/doors.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <bit>
 
+#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/silicon/area/run.hpp"

@@ -10,8 +10,8 @@ namespace rayclock::fit {
 
 /// Which parameters have which width, why, and what happens one step below.
 std::string parameter_table(const Fit& fit, const Config& base);
-/// Memory that the scene needs, off and on the chip, and the cost of the formats. Ranges without a signal:
-/// nothing was proven.
+/// Memory that the scene needs, off and on the chip, and the cost of the formats. If `ranges` is
+/// empty, fit has proven nothing.
 std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges);
 /// Which units the scene needs, and what the machine leaves out.
 std::string units_text(const Config& config);

@@ -1,5 +1,4 @@
 #include "sim/explore/fit/search.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/scene/folded.hpp"
 #include "model/core/parameters.hpp"

@@ -1,6 +1,5 @@
 // Runs batches of a stress plan on all cores and saves the state.
 #include "sim/explore/stress/run.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/engine/check.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/explore/stress/shadows.hpp"

@@ -1,6 +1,5 @@
 // Parses axes and shards, and builds the grid of points.
 #include "sim/explore/sweep/axes.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"

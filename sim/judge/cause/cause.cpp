@@ -26,8 +26,7 @@ namespace {
 constexpr int stages = 7;
 constexpr int packed_width = 256;
 constexpr std::size_t most_faults = 20;
-constexpr std::size_t lit_stride = 61;   // one pixel of so many has its light checked even if it does not
-                                         // differ
+constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
 /// Triangles as the machine has them, in lattice steps, for the reference.

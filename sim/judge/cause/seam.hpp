@@ -7,8 +7,8 @@
 // the instance that was hit, that of the instance that the ray leaves, and those of the instances that these
 // lines meet first. Then the answer comes from lines that differ, and these are shown to differ by no more
 // than they may: at the place where one line meets an instance that its own ray does not meet, both lie
-// within bound() of that instance's steps. If they are farther apart, they are not a seam and nothing is
-// found.
+// within bound() of that instance's steps. If they are farther apart, the result is
+// `RayFinding::none`.
 //
 // Lines and what they meet are worked out in doubles, in each instance's space, on the corners of its
 // lattice; but what a line meets in its own instance is decided exactly. Where the map is the identity, as of

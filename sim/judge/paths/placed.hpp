@@ -4,8 +4,8 @@
 //
 // Shared with the host are those lattices, and the maps as memory holds them. A map is judged: each of its
 // numbers must be the one that docs/motion.md states for the instance's place, which is in the scene.
-// Corners, normals and materials are made from the scene. If something is left of an
-// instance, memory must place it once.
+// Corners, normals and materials are made from the scene. Memory must contain each
+// instance that is not empty exactly once.
 #include <string>
 #include <unordered_map>
 #include <vector>

@@ -1,4 +1,4 @@
-// Files of other programs (FBX, X3D, LWO, Blender and some fifty more), read by Assimp. The converter of
+// Files of other programs (FBX, X3D, LWO, Blender and some forty more), read by Assimp. The converter of
 // Debian's package assimp-utils turns them into glTF in a process of its own. So its crashes, time and memory
 // cannot harm this program. Formats that this program reads itself do not go to Assimp:
 // docs/decisions/input-files.md has the figures.

@@ -13,11 +13,10 @@ namespace {
 /// Returns the structures that an engine walks: "`structure` is kd or octree".
 std::string walked_text(When when) {
     std::string text;
-    for (const std::string& name : names_of<Structure>()) {
+    for (const Structure structure : tree_structures()) {
         Config config;
-        config.structure = choice_named<Structure>(name);
-        if (!config.is_list() && is_there(when, config))
-            text += (text.empty() ? "`structure` is " : " or ") + name;
+        config.structure = structure;
+        if (is_there(when, config)) text += (text.empty() ? "`structure` is " : " or ") + name_of(structure);
     }
     return text;
 }

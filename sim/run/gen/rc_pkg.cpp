@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,28 @@ private:
                     : fmt::format("    logic {}[{}:0] {};\n", is_signed ? "signed " : "", width - 1, name);
     }
 };
+
+/// Collects the names of a payload's fields.
+struct NameVisitor {
+    std::set<std::string_view> names;
+    template <class T, class... Widths> void operator()(const char* name, const T&, Widths...) {
+        names.insert(name);
+    }
+};
+
+/// Throws unless each name is that of a field, in a chip with all units or in one with the sheared test.
+template <class Payload> void check_names(const std::vector<std::string_view>& names) {
+    NameVisitor known;
+    Config all;
+    all.shading = all.spheres = all.planes = all.smooth = all.refraction = all.supersampling = all.horizon =
+        true;
+    all.panes = max_panes, all.levels = 2;
+    Config sheared;
+    sheared.primitive_test = PrimitiveTest::sheared;
+    for (const Config& config : {all, sheared}) Payload{}.fields(known, config);
+    for (const std::string_view name : names)
+        if (!known.names.count(name)) throw std::logic_error("no payload has a field " + std::string(name));
+}
 
 /// Returns entries as one vector, entry 0 in the lowest bits.
 std::string list_text(const char* name, const std::vector<std::string>& entries, int width) {
@@ -156,6 +179,7 @@ public:
     }
     template <class Payload>
     void part(const char* name, std::vector<std::string_view> fields, const Config& config) {
+        check_names<Payload>(fields);
         StructVisitor v(std::move(fields));
         Payload{}.fields(v, config);
         record(name, v);
@@ -202,9 +226,9 @@ int bits_on(Link link, const Config& config) {
     return bits;
 }
 
-/// Adds records that units store or hand on inside: parts of the payloads above.
+/// Adds records for state inside units: subsets of the payloads above.
 void parts(Package& p, const Config& config) {
-    p.say("Parts of these that list stores: a ray as tri gets it, a node's leaves, the best hit.");
+    p.say("Parts that list stores: the ray for tri, a node's leaves, the best hit.");
     p.part<TriReq>("tri_ray",
                    {"axis", "neg", "size", "slope", "kind", "is_partial", "self", "is_inside", "o", "d"});
     p.part<Leaves>("leaf_group", {"base", "leaves", "t_near", "offset", "count"});
@@ -214,8 +238,8 @@ void parts(Package& p, const Config& config) {
     p.say(
         "Parts that shade stores, and the groups of shade_state_t, in its order: "
         "model/unit/shade/state.hpp.");
-    Config shading = config;   // chips that do not shade do not use these, but tools read the units of shade
-    shading.shading = 1;
+    Config shading = config;   // other chips do not use these records, but tools parse the units of shade
+    shading.shading = true;
     p.part<Closest>("shade_hit", {"found", "back", "prim", "t", "u", "v"}, shading);
     p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});

@@ -1,6 +1,5 @@
 // Reading configuration files, and applying --set.
 #include "sim/run/request/config_file.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/core/parameters.hpp"

@@ -132,7 +132,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     }
     if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
     if (module == "rc_tri" || std::ranges::any_of(node_units, [&](const NodeUnit& u) {
-            return module == std::string("rc_") + unit_infos[index(u.unit)].name;
+            return module == std::string("rc_") + unit_name(u.unit);
         }))
         return {{"req", in}, {"rsp", out}};
     if (module == "rc_list") {

@@ -1,9 +1,9 @@
 // The variants of a configuration, and the table of units.
 #include "sim/silicon/area/variants.hpp"
-#include "model/engine/check.hpp"
 
 #include <algorithm>
 
+#include "model/engine/check.hpp"
 #include "model/core/parameters.hpp"
 #include "model/machine/links.hpp"
 #include "model/core/settled.hpp"
@@ -61,8 +61,8 @@ const std::vector<UnitRow>& unit_rows() {
                                  {"trav", true, has_nodes},
                                  {"node_cache", true, has_nodes}};
         for_each_engine([&]<class E>(E) {
-            all.push_back({unit_infos[index(node_unit(E::structure).unit)].name, true,
-                           [](const Config& c) { return c.is_walked(E::structure); }});
+            all.push_back(
+                {unit_name(E::structure), true, [](const Config& c) { return c.is_walked(E::structure); }});
         });
         const UnitRow rest[] = {{"none", true, lists},      {"xform", true, has_instances},
                                 {"list", true, always},     {"prim_cache", true, always},

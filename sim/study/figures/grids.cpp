@@ -86,7 +86,7 @@ void endless_plane(Page& page) {
     Stage stage(page.studio(), "plane", {.depth = 0, .aa = 4, .jitter = true});
     const std::vector<Sample> all = draw(page, stage, "plane");
     page.say(
-        "\n## The endless plane\n\nA checkered plane without end (`plane`). Towards the horizon its squares "
+        "\n## The endless plane\n\nAn infinite checkered plane (`plane`). Towards the horizon its squares "
         "become smaller than pixels. One sample in the middle of each pixel makes false patterns (aliases). "
         "More samples push them towards the horizon; jitter turns them into noise. Where squares are too far "
         "away for its numbers, the machine takes the average of both colours.\n");
@@ -108,8 +108,8 @@ void edge(Page& page) {
     const std::vector<Sample> all = draw(page, stage, "square");
     page.say(
         fmt::format("\n## An edge\n\nThe left edge of a slightly turned white square (`square`): {}x{} "
-                    "pixels of a picture of {}x{}, magnified {} times. On a regular grid the edge is a stair "
-                    "of n x n grades. Jitter makes the position of the steps random.\n",
+                    "pixels of a picture of {}x{}, magnified {} times. On a regular grid of n x n "
+                    "samples the edge becomes a staircase. Jitter makes the position of the steps random.\n",
                     w, h, size.width, size.height, factor));
     show(page, all, "square", [&](const Picture& p) { return magnified(p, x, y, w, h, factor); });
     page.say("\nError against the reference's picture of 8x8 regular samples, over the whole picture:\n");

@@ -1,9 +1,9 @@
 // Simulates the machine at all clocks, memories and numbers of pipelines.
 #include "sim/study/gigahertz/measure.hpp"
-#include "model/engine/check.hpp"
 
 #include <mutex>
 
+#include "model/engine/check.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "sim/files/process/threads.hpp"

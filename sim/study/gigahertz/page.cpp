@@ -240,7 +240,7 @@ double cure_gain(const Figures& f, Cure cure) {
 std::string answer(const Figures& f) {
     constexpr double nearly = 0.8;   // of the gain that the clock alone would give
     std::string text =
-        fmt::format("The guess is that a chip of {} MHz, made at {} MHz, draws {:.0f} times the frames. ",
+        fmt::format("If frames followed the clock, {} to {} MHz would give {:.0f} times the frames. ",
                     slowest(), fastest(), growth());
     for (const int p : {fewest(), most()}) {
         std::vector<std::string> hold, gains;
@@ -250,17 +250,15 @@ std::string answer(const Figures& f) {
             else
                 gains.push_back(fmt::format("{:.1f} times on {}", gain(f, m, p), memories()[m].name));
         }
-        text +=
-            fmt::format("With {} pipeline{} the guess holds (at least {} of it) on {}. The gain is only {}. ",
-                        p, p == 1 ? "" : "s", percent(nearly), name_list(hold), name_list(gains));
+        text += fmt::format("With {} pipeline{} the gain is at least {} of that on {}. Elsewhere it is {}. ",
+                            p, p == 1 ? "" : "s", percent(nearly), name_list(hold), name_list(gains));
     }
     text += passed_text(f);
     return text + fmt::format(
                       "At {} MHz, {} pipelines and all memories except `ideal`, four times the rays in "
                       "flight draw {:.2f} times the frames, and a shared cache of 1 MB {:.2f} times "
-                      "(geometric means). So the units follow the clock, and the memory decides. A faster "
-                      "clock helps as far as the caches save reads and the memory's bus and rows still carry "
-                      "the rest. Beyond the wall only bandwidth helps.\n",
+                      "(geometric means). A faster clock helps until the memory's bus, rows or latency limit "
+                      "the frame. Then more bandwidth or larger caches help.\n",
                       fastest(), most(), cure_gain(f, Cure::contexts), cure_gain(f, Cure::cache));
 }
 
@@ -268,21 +266,21 @@ constexpr const char* intro = R"(# At the clocks of processors
 
 Made by `{}`, with the model only. All figures of this machine are simulated.
 
-The papers of SaarCOR and RPU compare chips of 66 and 90 MHz with processors of 30 times that clock, and leave
-the reader to multiply. This page simulates instead. **All clocks here are assumed**: no chip of this machine
+The papers of SaarCOR and RPU compare chips of 66 and 90 MHz with processors at 30 times that clock, and do not
+scale the results. This page simulates faster chips. **All clocks here are assumed**: no chip of this machine
 was routed at any of them ([silicon.md](silicon.md) has the routed clocks). The memory keeps its own time
 ([memories](configurations.md#memories)), so a chip with a faster clock waits more cycles for it. "x 2" means
 two channels side by side.
 
 Configuration `{}` with 1 to 16 pipelines, {}x{} camera rays of {} ({} triangles), one frame with
 cold caches. The pipelines share only one port to memory, of 64 bytes a cycle. `ideal` answers after 8 cycles
-at any clock, which no memory does.
+at any clock; real memories cannot.
 )";
 
 constexpr const char* wall_words = R"(
-## Where the wall is, and why
+## Where the memory wall is, and why
 
-The *wall* is the first clock at which a frame takes more than twice the cycles of {} MHz: beyond it a faster
+The *memory wall* is the first clock at which a frame takes more than twice the cycles of {} MHz: beyond it a faster
 clock loses most of its effect. *Times the frames* compares {} MHz with {} MHz, where the clock alone is
 {:.1f} times as fast.
 )";
@@ -302,7 +300,7 @@ std::string page(const Figures& f, const Study& study, const std::string& comman
     for (const int p : {fewest(), most()})
         text += fmt::format("\n{} pipeline{}:\n\n", p, p == 1 ? "" : "s") + wall_table(f, p).markdown();
     text +=
-        fmt::format("\nTwo ways to move the wall: fps at {} MHz with {} pipelines.\n\n", fastest(), most()) +
+        fmt::format("\nTwo changes to the chip: fps at {} MHz with {} pipelines.\n\n", fastest(), most()) +
         cure_table(f).markdown();
     text += fmt::format(
         "\n## Finished pictures\n\n{} with shadows and up to 4 bounces, {}x{}, {:.2f} rays a pixel: fps, and "
@@ -320,7 +318,7 @@ std::string page(const Figures& f, const Study& study, const std::string& comman
         "\nSources: techreport.com 14946 (June 2008); pcgameshardware.com 673899 and tomshardware.fr (August "
         "2008); electronicdesign.com 21764335 (NVIDIA); the abstract of Shih et al. Purcell et al. 2002, the "
         "first ray tracer on a (simulated) graphics processor, is not in the table.\n";
-    return text + "\n## The answer to the guess\n\n" + answer(f);
+    return text + "\n## Do frames follow the clock?\n\n" + answer(f);
 }
 
 }   // namespace rayclock::gigahertz

@@ -116,9 +116,8 @@ bool Study::is_round(const std::string& scene) const {
 
 std::vector<NamedStructure> trees(const Config& base) {
     std::vector<NamedStructure> all;
-    for (const std::string& name : names_of<MeshStructure>()) {   // all but a list
-        if (name == "same") continue;
-        all.push_back(named_structure(name, base, choice_named<Structure>(name), Straddlers::leaves));
+    for (const Structure structure : tree_structures()) {
+        all.push_back(named_structure(name_of(structure), base, structure, Straddlers::leaves));
         if (!all.back().config.is_bvh()) continue;
         all.push_back(all.back());
         all.back().name = "bvh, splits";

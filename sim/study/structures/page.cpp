@@ -148,10 +148,9 @@ Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches. Camera r
 pixels, scenes in triangles unless a scene's heading says otherwise. Finished pictures (`--depth 4`): half as many
 columns and rows, and true spheres where the scene has them. fps are frames a second of these pictures.
 
-All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
-[planes.md](planes.md), [bsp.md](bsp.md)). An octree uses exactly the gates of kd
-([configurations.md](configurations.md#structures)). "bvh, splits" is a bvh that may cut primitives
-(`splits=on`). The `box_queue` of each structure is longer than the latency of its unit.
+All structures give the same picture, bit for bit; the [documentation](README.md) has a page for each. An octree
+uses exactly the gates of kd ([configurations.md](configurations.md#structures)). "bvh, splits" is a bvh that may
+cut primitives (`splits=on`). The `box_queue` of each structure is longer than the latency of its unit.
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
   the host.
@@ -189,8 +188,8 @@ constexpr const char* list_words = R"(
 ## Against a list
 
 These scenes are small enough for a list of all primitives, Whitted's baseline. With the list `tri` is almost
-always busy; trees take this work away. The octree by the textbook's rule (`straddlers=inner`) lies between both:
-every ray tests the primitives that straddle the root's planes.
+always busy. Trees avoid most of these tests. The textbook's octree (`straddlers=inner`) lies between trees and
+list: every ray tests the primitives that straddle the root's planes.
 
 )";
 

@@ -44,7 +44,7 @@ class Comparison {
 public:
     explicit Comparison(const Figures& figures) : figures_(figures), scenes_(triangle_scenes(figures)) {}
 
-    /// Returns the geometric mean of a structure's value divided by that of another structure.
+    /// Returns the ratio of the geometric means of two structures' values.
     double mean(const char* structure, const char* other, Value value) const {
         return mean_of(scenes_, index_of(structure), value) / mean_of(scenes_, index_of(other), value);
     }
@@ -57,7 +57,7 @@ public:
             least = std::min(least, value(*a) / value(*b));
             most = std::max(most, value(*a) / value(*b));
         }
-        return fmt::format("{:.2f} to {:.2f} times", least, most);
+        return least > most ? "-" : fmt::format("{:.2f} to {:.2f} times", least, most);
     }
     /// Returns a count of the smaller pipeline with this structure. Requires areas.
     double area(const char* structure, std::uint64_t (*count)(const area::Count&)) const {
@@ -95,7 +95,7 @@ std::uint64_t multipliers(const area::Count& c) { return c.dsp; }
 /// Names for each structure the scenes on which it needs the fewest cycles a camera ray.
 std::string winners(const Comparison& all) {
     std::vector<std::string> parts;
-    for (const char* name : {"bvh", "spheres", "kd", "octree", "bsp"}) {
+    for (const std::string& name : names_of<Structure>()) {
         const std::vector<std::string> scenes = all.where([&](const SceneCells& scene) {
             return std::all_of(scene.cells.begin(), scene.cells.end(), [&](const Cell& c) {
                 const Cell* best = cell_of(scene, name);
@@ -113,8 +113,8 @@ std::string kd_text(const Comparison& all) {
         fmt::format(R"(
 **kd against boxes.** trav makes one visit a cycle with every structure, so a frame takes at least as many
 cycles as its rays make visits. In the geometric mean of the scenes in triangles, kd makes {} the visits
-of bvh and {} the tests, and draws {} the frames. Where planes save tests, a frame whose bound is trav
-does not become shorter.
+of bvh and {} the tests, and draws {} the frames. If trav limits the frame, saved
+tests do not shorten it.
 )",
                     times(all.mean("kd", "bvh", visits_of)), times(all.mean("kd", "bvh", tests_of)),
                     times(all.mean("kd", "bvh", fps_of)));
@@ -188,7 +188,7 @@ std::string surroundings_text(const Comparison& all) {
     };
     const auto dram = [&](std::size_t i) { return std::string_view(around[i].dram); };
     return fmt::format(R"(
-**Caches and memories.** The size of the caches changes which structure is first on {}. The memory
+**Caches and memories.** The cache size changes which structure is fastest on {}. The memory
 changes it on {}: a slow memory favours the structure with the smallest image.)",
                        differing([&](std::size_t i, std::size_t k) { return dram(i) == dram(k); }),
                        differing([&](std::size_t i, std::size_t k) {
@@ -207,7 +207,7 @@ them apart. But trav is the bound of both structures: the tests that kd saves do
 its additional visits lengthen it. kd refers to each primitive in several leaves, and its larger image lowers
 the hit rate of the primitive cache. In the finished picture rays cross the whole scene, and kd makes about
 as many visits as boxes. The bound on references stops the octree early; its leaves hold many primitives,
-and tri is its bound. A sphere around a long triangle is as large as a sphere around its neighbours too, so
+and tri is its bound. A sphere around one long triangle also encloses its neighbours, so
 tri also limits camera rays with globes.)"},
     {"balls:3",
      R"(Why: small spheres sit on large ones, with empty space between them. A box around each sphere leaves
@@ -242,8 +242,8 @@ the most nodes and the largest image, and memory is the bound. Globes around tet
 as boxes.)"},
     {"teapot:12",
      R"(Why: the scene is small, and its upper nodes stay in the caches. Every structure comes close to its
-bound, trav, so the frames follow the visits. The structures differ little in tests, and tri is idle about
-half of the time with all of them.)"},
+bound, trav, so the frames follow the visits. The structures differ in tests, but tri is idle about
+half of the time or more, so tests do not limit the frame.)"},
     {"tree:8",
      R"(Why: the scene is a large empty ground with a dense crown of thin twigs. Most rays meet the ground at
 once, after few visits. The few rays through the crown make most of the tests, because twigs that lie askew

@@ -124,7 +124,7 @@ nlohmann::ordered_json explanations_json(const PageInput& input) {
 /// Returns the units that decide nodes, for the scripts. They have one place and one colour.
 std::string node_units_script() {
     std::string names;
-    for (const NodeUnit& u : node_units) names += fmt::format("\"{}\",", unit_infos[index(u.unit)].name);
+    for (const NodeUnit& u : node_units) names += fmt::format("\"{}\",", unit_name(u.unit));
     return "const nodeUnits = [" + names +
            "], forNodeUnits = value => Object.fromEntries(nodeUnits.map(unit => [unit, value]));\n";
 }

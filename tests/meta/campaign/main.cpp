@@ -1,14 +1,17 @@
 // rc_campaign: faults by the hundred, drawn at random or from a table, and what notices them.
-//   rc_campaign rtl FOLDER SEED COUNT [ROWS]          draws faults of rtl/ and runs the torture set on each;
-//   with ROWS, where
-//                                                     CMake has written the rows of
-//                                                     tests/meta/mutants_*.cmake, on those as well
-//   rc_campaign model FOLDER SEED COUNT BUILD [ROWS]  the same for the model's arithmetic, compared with the
-//   sound RTL rc_campaign tests FOLDER BUILD PAGE quick|slow    gives what the torture set did not notice to
-//   the tests of the build folder;
-//                                                     PAGE says what changes nothing, and why
-//   rc_campaign report FOLDER PAGE PERCENT            counts
-// FOLDER keeps all that is done; started again, a command goes on where it was.
+//
+// rc_campaign rtl FOLDER SEED COUNT [ROWS]
+//     Draws faults of rtl/ and runs the torture set on each. With ROWS, the file in which CMake writes the
+//     rows of tests/meta/mutants_*.cmake, also on those.
+// rc_campaign model FOLDER SEED COUNT BUILD [ROWS]
+//     The same for the model's arithmetic, compared with the sound RTL.
+// rc_campaign tests FOLDER BUILD PAGE quick|slow
+//     Runs the tests of the build folder on faults that the torture set did not notice. PAGE lists equivalent
+//     faults with reasons.
+// rc_campaign report FOLDER PAGE PERCENT
+//     Counts.
+//
+// FOLDER keeps all results. A command that is started again continues where it stopped.
 #include <fmt/format.h>
 
 #include "tests/meta/campaign/copies.hpp"

@@ -26,6 +26,8 @@ constexpr Fitting fitting[] = {
     {"rtl/engine/bsp/", "slant"},
     {"rtl/engine/bvh/", "box"},
     {"rtl/engine/spheres/", "globe"},
+    {"rtl/engine/kd/", "treelet"},
+    {"rtl/engine/none/", "machine"},
     {"rtl/unit/isect/", "tri"},
     {"rtl/unit/list/", "list"},
     {"rtl/mem/rc_arbiter", "machine"},
@@ -49,6 +51,10 @@ constexpr Fitting fitting[] = {
     {"model/engine/bvh/", "trav"},
     {"model/engine/bsp/", "slant"},
     {"model/engine/spheres/", "globe"},
+    {"model/engine/kd/treelet", "treelet"},
+    {"model/engine/kd/", "machine"},
+    {"model/engine/octree/", "machine"},
+    {"model/engine/none/", "machine"},
     {"model/unit/isect/origin", "origin"},
     {"model/unit/isect/any", "any"},
     {"model/unit/isect/", "tri"},
@@ -65,6 +71,10 @@ constexpr Fitting fitting[] = {
 std::string tag_of(const std::string& file) {
     for (const Fitting& f : fitting)
         if (file.starts_with(f.file)) return f.tags;
+    // The tests of another engine have the tag of its folder.
+    for (const std::string_view rooms : {"rtl/engine/", "model/engine/"})
+        if (file.starts_with(rooms))
+            return file.substr(rooms.size(), file.find('/', rooms.size()) - rooms.size());
     return "machine";
 }
 

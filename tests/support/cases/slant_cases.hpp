@@ -43,7 +43,7 @@ inline SlantCase random_slant_case(Draw& draw, const Config& config) {
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
     const Vec3i near = draw.vector(n);
     const int reach = 1 << draw.below(n);
-    Slant& s = c.req.slant;
+    Slant& s = c.req.node;
     s.base = std::uint32_t(draw.natural(max_addr_bits));
     const auto planes = std::size_t(config.planes_of_node());
     const Vec3i meet = draw.near(near, reach, n);   // common to many planes
@@ -99,7 +99,7 @@ inline SlantCase slant_case_at_ends(Draw& draw, const Config& config) {
     c.is_long = kind == RayKind::shadow;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
     const Vec3i near = vector_at_ends(draw, n);
-    Slant& s = c.req.slant;
+    Slant& s = c.req.node;
     s.base = std::uint32_t(draw.natural(max_addr_bits));
     for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i) {
         const Vec3i normal = vector_at_ends(draw, normal_step_bits);
@@ -122,7 +122,7 @@ inline SlantCase slant_case_at_ends(Draw& draw, const Config& config) {
 inline ExitTimes exit_times(const SlantCase& c, std::size_t exit, const Config& config) {
     using oracle::Int;
     using oracle::Rational;
-    const Slant& s = c.req.slant;
+    const Slant& s = c.req.node;
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
     // 4 parts of a quotient of at least 2^16 - 2, and rounding to whole units.
@@ -141,7 +141,7 @@ inline ExitTimes exit_times(const SlantCase& c, std::size_t exit, const Config& 
     });
 }
 inline void judge(const SlantCase& c, const BoxRsp& rsp, const Config& config) {
-    judge(c, c.req.slant, rsp, config);
+    judge(c, c.req.node, rsp, config);
 }
 
 }   // namespace rayclock::test

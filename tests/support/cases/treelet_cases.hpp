@@ -33,7 +33,7 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
     const Vec3i near = draw.vector(n);
-    Treelet& t = c.req.treelet;
+    Treelet& t = c.req.node;
     t.base = std::uint32_t(draw.natural(max_addr_bits));
     const int reach = 1 << draw.below(n);
     for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
@@ -83,7 +83,7 @@ inline TreeletCase treelet_case_at_ends(Draw& draw, const Config& config) {
     c.is_long = kind == RayKind::shadow;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
     const Vec3i near = vector_at_ends(draw, n);
-    Treelet& t = c.req.treelet;
+    Treelet& t = c.req.node;
     t.base = std::uint32_t(draw.natural(max_addr_bits));
     for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
         t.axis[i] = std::uint32_t(draw.below(3));
@@ -171,7 +171,7 @@ template <class See> void for_each_plane(std::size_t exit, const Config& config,
 }
 
 inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config& config) {
-    const Treelet& t = c.req.treelet;
+    const Treelet& t = c.req.node;
     return exit_times(c, t, config, [&](ExitTimes&, auto&& side) {
         for_each_plane(exit, config, [&](std::size_t plane, bool upper) {
             if (t.axis[plane] != no_axis) side(t.axis[plane], t.at[plane], upper);
@@ -215,7 +215,7 @@ void judge(const Case& c, const Line& t, const BoxRsp& rsp, const Config& config
 }
 
 inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config) {
-    judge(c, c.req.treelet, rsp, config);
+    judge(c, c.req.node, rsp, config);
 }
 
 }   // namespace rayclock::test

@@ -1,5 +1,4 @@
 // Reads an image of globes from its root down.
-#include "model/engine/spheres/node.hpp"
 #include "tests/support/check/globe_check.hpp"
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "model/engine/spheres/node.hpp"
 #include "model/engine/bvh/decode.hpp"
 #include "model/engine/spheres/enclose.hpp"
 #include "model/core/layout.hpp"

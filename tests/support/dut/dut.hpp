@@ -73,41 +73,30 @@ struct RaygenUnit {
         return raygen(slot, frame, c);
     }
 };
-struct BoxUnit {
-    using Req = BoxReq;
+/// The unit that decides an engine's nodes; its name and its answer follow.
+template <class Engine> struct NodeTestUnit {
+    using Req = typename Engine::Request;
     using Rsp = BoxRsp;
-    static constexpr const char *name = "rc_box", *in = "req", *out = "rsp";
+    static constexpr const char *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return engine::Bvh::latency(c); }
-    static int interval(const Config& c) { return c.box_interval(); }
+    static int latency(const Config& c) { return Engine::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
+};
+struct BoxUnit : NodeTestUnit<engine::Bvh> {
+    static constexpr const char* name = "rc_box";
+    static int interval(const Config& c) { return c.box_interval(); }
     static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
 };
-struct TreeletUnit {
-    using Req = TreeletReq;
-    using Rsp = BoxRsp;
-    static constexpr const char *name = "rc_treelet", *in = "req", *out = "rsp";
-    static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return engine::Kd::latency(c); }
-    static int queue(const Config& c) { return c.box_queue; }
+struct TreeletUnit : NodeTestUnit<engine::Kd> {
+    static constexpr const char* name = "rc_treelet";
     static BoxRsp answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
-struct GlobeUnit {
-    using Req = GlobeReq;
-    using Rsp = BoxRsp;
-    static constexpr const char *name = "rc_globe", *in = "req", *out = "rsp";
-    static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return engine::Globes::latency(c); }
-    static int queue(const Config& c) { return c.box_queue; }
+struct GlobeUnit : NodeTestUnit<engine::Globes> {
+    static constexpr const char* name = "rc_globe";
     static BoxRsp answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
-struct SlantUnit {
-    using Req = SlantReq;
-    using Rsp = BoxRsp;
-    static constexpr const char *name = "rc_slant", *in = "req", *out = "rsp";
-    static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return engine::Bsp::latency(c); }
-    static int queue(const Config& c) { return c.box_queue; }
+struct SlantUnit : NodeTestUnit<engine::Bsp> {
+    static constexpr const char* name = "rc_slant";
     static BoxRsp answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };
 struct TriUnit {

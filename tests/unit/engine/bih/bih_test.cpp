@@ -1,5 +1,6 @@
 // bih: compares the exits that a ray meets with exact planes.
 #include "model/engine/engines.hpp"
+#include "tests/support/cases/node_unit.hpp"
 #include "tests/support/cases/treelet_cases.hpp"
 
 using namespace rayclock;
@@ -7,13 +8,8 @@ using namespace rayclock::test;
 
 namespace {
 
-struct BihUnit {
-    using Req = BihReq;
-    using Rsp = BoxRsp;
-    static constexpr const char *name = "rc_bih", *in = "req", *out = "rsp";
-    static constexpr bool has_frame = false;
-    static int latency(const Config& c) { return engine::Bih::latency(c); }
-    static int queue(const Config& c) { return c.box_queue; }
+struct BihUnit : NodeTestUnit<engine::Bih> {
+    static constexpr const char* name = "rc_bih";
     static BoxRsp answer(const BihReq& req, const Frame&, const Config& c) { return bih_answer(req, c); }
 };
 
@@ -32,7 +28,7 @@ Config bih_format(const std::string& name) {
 /// Turns each plane of a treelet into a pair: one plane, an overlap or a gap of any width.
 BihCase pairs_of(const TreeletCase& c, Draw& draw, const Config& config) {
     BihCase made{{c.req.ray, c.req.o, c.req.neg, c.req.recip, c.req.len, {}}, c.d, c.is_long};
-    const Treelet& from = c.req.treelet;
+    const Treelet& from = c.req.node;
     BihNode& node = made.req.node;
     node.open = from.open, node.lo = from.lo, node.hi = from.hi, node.base = from.base, node.kind = from.kind;
     node.axis = from.axis;
@@ -63,34 +59,15 @@ ExitTimes exit_times(const BihCase& c, std::size_t exit, const Config& config) {
         });
     });
 }
-void judge_bih(const BihCase& c, const BoxRsp& rsp, const Config& config) {
-    judge(c, c.req.node, rsp, config);   // finds exit_times() above by its argument
+void judge(const BihCase& c, const BoxRsp& rsp, const Config& config) {
+    rayclock::test::judge(c, c.req.node, rsp, config);   // finds exit_times() above by its argument
 }
-
-BihReq random_req(Draw& draw, const Config& config) { return random_case(draw, config).req; }
 
 }   // namespace
 
 TEMPLATE_TEST_CASE("bih loses no exit that the ray meets and takes few others", "[bih]", Model<BihUnit>,
                    Rtl<BihUnit>) {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow");
-    const Config config = bih_format(name);
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        INFO(name << ", seed " << seed);
-        Draw draw{seed};
-        std::deque<BihCase> cases;
-        TestType dut{config, Frame{}, int(seed)};
-        stream(
-            dut, config, flows[seed - 1], draw, 1500,
-            [&](Draw& from) {
-                cases.push_back(random_case(from, config));
-                return cases.back().req;
-            },
-            [&](const BihReq&, const BoxRsp& rsp) {
-                judge_bih(cases.front(), rsp, config);
-                cases.pop_front();
-            });
-    }
+    check_judged<TestType>(bih_format(GENERATE("default", "shading:narrow")), random_case);
 }
 
 TEST_CASE("bih is right for every pair of planes and origin of one axis, on planes and half-way", "[bih]") {
@@ -118,40 +95,25 @@ TEST_CASE("bih is right for every pair of planes and origin of one axis, on plan
                         set_reciprocals(c, config);
                         for (std::size_t k = 0; k < 3; ++k) c.req.neg[k] = c.d[k] < 0;
                         CAPTURE(d, axis, lower_to, upper_from, o);
-                        judge_bih(c, bih_answer(c.req, config), config);
+                        judge(c, bih_answer(c.req, config), config);
                     }
 }
 
 TEST_CASE("model and rtl of bih make the same moves in every cycle", "[bih][lockstep]") {
-    const Config config = bih_format(GENERATE("default", "shading:narrow", "fast:default"));
-    for (const Flow& flow : flows)
-        check_lockstep<BihUnit>(config, {}, flow, 11, 2000,
-                                [&](Draw& draw) { return random_req(draw, config); });
+    check_moves<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "fast:default")), {11, 12},
+                         random_case);
 }
 
 TEST_CASE("bih is right at both ends of every width", "[bih]") {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
-    INFO(name);
-    const Config config = bih_format(name);
-    Draw draw{7};
-    for (int i = 0; i < 3000; ++i) {
-        const BihCase c = case_at_ends(draw, config);
-        judge_bih(c, bih_answer(c.req, config), config);
-    }
+    check_answers<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "broad")), case_at_ends);
 }
 
 TEST_CASE("model and rtl of bih make the same moves at both ends of every width", "[bih][lockstep]") {
-    const Config config = bih_format(GENERATE("default", "shading:narrow", "fast:default"));
-    for (unsigned seed = 21; seed <= 22; ++seed)
-        check_lockstep<BihUnit>(config, {}, flows[0], seed, 4000,
-                                [&](Draw& draw) { return case_at_ends(draw, config).req; });
+    check_moves_at_ends<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "fast:default")),
+                                 case_at_ends);
 }
 
 TEMPLATE_TEST_CASE("bih answers after exactly its latency, and takes one in every cycle", "[bih]",
                    Model<BihUnit>, Rtl<BihUnit>) {
-    const Config config = bih_format(GENERATE("default", "fast:default"));
-    TestType dut{config};
-    check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
-    TestType again{config};
-    check_throughput(again, config, [&](Draw& draw) { return random_req(draw, config); });
+    check_pace<TestType>(bih_format(GENERATE("default", "fast:default")), random_case);
 }

@@ -1,4 +1,5 @@
 // slant: compares the exits that a ray meets with exact planes.
+#include "tests/support/cases/node_unit.hpp"
 #include "tests/support/cases/slant_cases.hpp"
 
 using namespace rayclock;
@@ -14,15 +15,13 @@ Config bsp_format(const std::string& name) {
     return config;
 }
 
-SlantReq random_req(Draw& draw, const Config& config) { return random_slant_case(draw, config).req; }
-
 /// Returns a case with one plane and a ray that nothing else limits.
 SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d, const Config& config) {
     SlantCase c;
-    for (std::size_t k = 0; k < 3; ++k) c.req.slant.normal[k] = normal[k];
-    c.req.slant.at[0] = at;
-    c.req.slant.kind = {2, 1};
-    c.req.slant.open = 1;
+    for (std::size_t k = 0; k < 3; ++k) c.req.node.normal[k] = normal[k];
+    c.req.node.at[0] = at;
+    c.req.node.kind = {2, 1};
+    c.req.node.open = 1;
     c.req.o = o;
     set_direction(c, d, config);
     return c;
@@ -32,24 +31,7 @@ SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d,
 
 TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and takes few others", "[slant]", Model<SlantUnit>,
                    Rtl<SlantUnit>) {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow");
-    const Config config = bsp_format(name);
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        INFO(name << ", seed " << seed);
-        Draw draw{seed};
-        std::deque<SlantCase> cases;
-        TestType dut{config, Frame{}, int(seed)};
-        stream(
-            dut, config, flows[seed - 1], draw, 1500,
-            [&](Draw& from) {
-                cases.push_back(random_slant_case(from, config));
-                return cases.back().req;
-            },
-            [&](const SlantReq&, const BoxRsp& rsp) {
-                judge(cases.front(), rsp, config);
-                cases.pop_front();
-            });
-    }
+    check_judged<TestType>(bsp_format(GENERATE("default", "shading:narrow")), random_slant_case);
 }
 
 TEST_CASE("slant is right for every small plane, origin and direction", "[slant]") {
@@ -92,43 +74,23 @@ TEST_CASE("a ray in a plane is on both of its sides, one from a plane only on th
 }
 
 TEST_CASE("model and rtl of slant make the same moves in every cycle", "[slant][lockstep]") {
-    const Config config = bsp_format(GENERATE("default", "shading:narrow"));
-    for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 12; ++seed)
-            check_lockstep<SlantUnit>(config, {}, flow, seed, 2000,
-                                      [&](Draw& draw) { return random_req(draw, config); });
+    check_moves<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow")), {11, 12}, random_slant_case);
 }
 
 TEST_CASE("model and rtl of a fast slant make the same moves in every cycle", "[slant][lockstep][fast]") {
-    const Config config = bsp_format("fast:default");
-    for (const Flow& flow : flows)
-        check_lockstep<SlantUnit>(config, {}, flow, 11, 2000,
-                                  [&](Draw& draw) { return random_req(draw, config); });
+    check_moves<SlantUnit>(bsp_format("fast:default"), {11}, random_slant_case);
 }
 
 TEST_CASE("slant is right at both ends of every width", "[slant]") {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
-    INFO(name);
-    const Config config = bsp_format(name);
-    Draw draw{7};
-    for (int i = 0; i < 3000; ++i) {
-        const auto c = slant_case_at_ends(draw, config);
-        judge(c, slant(c.req, config), config);
-    }
+    check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "broad")), slant_case_at_ends);
 }
 
 TEST_CASE("model and rtl of slant make the same moves at both ends of every width", "[slant][lockstep]") {
-    const Config config = bsp_format(GENERATE("default", "shading:narrow", "fast:default"));
-    for (unsigned seed = 21; seed <= 22; ++seed)
-        check_lockstep<SlantUnit>(config, {}, flows[0], seed, 4000,
-                                  [&](Draw& draw) { return slant_case_at_ends(draw, config).req; });
+    check_moves_at_ends<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "fast:default")),
+                                   slant_case_at_ends);
 }
 
 TEMPLATE_TEST_CASE("slant answers after exactly its latency, and takes one in every cycle", "[slant]",
                    Model<SlantUnit>, Rtl<SlantUnit>) {
-    const Config config = bsp_format(GENERATE("default", "fast:default"));
-    TestType dut{config};
-    check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
-    TestType again{config};
-    check_throughput(again, config, [&](Draw& draw) { return random_req(draw, config); });
+    check_pace<TestType>(bsp_format(GENERATE("default", "fast:default")), random_slant_case);
 }

@@ -1,4 +1,5 @@
 // globe: compares the bounding spheres that a ray meets with exact geometry.
+#include "tests/support/cases/node_unit.hpp"
 #include "tests/support/cases/globe_cases.hpp"
 
 #include "model/engine/spheres/tables.hpp"
@@ -16,8 +17,6 @@ Config globe_format(const std::string& name) {
     return config;
 }
 
-GlobeReq random_req(Draw& draw, const Config& config) { return random_globe_case(draw, config).req; }
-
 }   // namespace
 
 TEST_CASE("the RTL of globe builds", "[.build]") {
@@ -28,24 +27,7 @@ TEST_CASE("the RTL of globe builds", "[.build]") {
 
 TEMPLATE_TEST_CASE("globe loses no child that the ray meets and takes few others", "[globe]",
                    Model<GlobeUnit>, Rtl<GlobeUnit>) {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow");
-    const Config config = globe_format(name);
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        INFO(name << ", seed " << seed);
-        Draw draw{seed};
-        std::deque<GlobeCase> cases;
-        TestType dut{config, Frame{}, int(seed)};
-        stream(
-            dut, config, flows[seed - 1], draw, 1500,
-            [&](Draw& from) {
-                cases.push_back(random_globe_case(from, config));
-                return cases.back().req;
-            },
-            [&](const GlobeReq&, const BoxRsp& rsp) {
-                judge(cases.front(), rsp, config);
-                cases.pop_front();
-            });
-    }
+    check_judged<TestType>(globe_format(GENERATE("default", "shading:narrow")), random_globe_case);
 }
 
 TEST_CASE("globe is right in every format", "[globe]") {
@@ -116,18 +98,11 @@ TEST_CASE("globe's tables are on their side, and near", "[globe]") {
 }
 
 TEST_CASE("model and rtl of globe make the same moves in every cycle", "[globe][lockstep]") {
-    const Config config = globe_format(GENERATE("default", "shading:narrow"));
-    for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 12; ++seed)
-            check_lockstep<GlobeUnit>(config, {}, flow, seed, 2000,
-                                      [&](Draw& draw) { return random_req(draw, config); });
+    check_moves<GlobeUnit>(globe_format(GENERATE("default", "shading:narrow")), {11, 12}, random_globe_case);
 }
 
 TEST_CASE("model and rtl of a fast globe make the same moves in every cycle", "[globe][lockstep][fast]") {
-    const Config config = globe_format("fast:default");
-    for (const Flow& flow : flows)
-        check_lockstep<GlobeUnit>(config, {}, flow, 11, 2000,
-                                  [&](Draw& draw) { return random_req(draw, config); });
+    check_moves<GlobeUnit>(globe_format("fast:default"), {11}, random_globe_case);
 }
 
 TEST_CASE("globe is right at both ends of every width", "[globe]") {
@@ -143,17 +118,11 @@ TEST_CASE("globe is right at both ends of every width", "[globe]") {
 }
 
 TEST_CASE("model and rtl of globe make the same moves at both ends of every width", "[globe][lockstep]") {
-    const Config config = globe_format(GENERATE("default", "shading:narrow", "fast:default"));
-    for (unsigned seed = 21; seed <= 22; ++seed)
-        check_lockstep<GlobeUnit>(config, {}, flows[0], seed, 4000,
-                                  [&](Draw& draw) { return globe_case_at_ends(draw, config).req; });
+    check_moves_at_ends<GlobeUnit>(globe_format(GENERATE("default", "shading:narrow", "fast:default")),
+                                   globe_case_at_ends);
 }
 
 TEMPLATE_TEST_CASE("globe answers after exactly its latency, and takes one in every cycle", "[globe]",
                    Model<GlobeUnit>, Rtl<GlobeUnit>) {
-    const Config config = globe_format(GENERATE("default", "fast:default"));
-    TestType dut{config};
-    check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
-    TestType again{config};
-    check_throughput(again, config, [&](Draw& draw) { return random_req(draw, config); });
+    check_pace<TestType>(globe_format(GENERATE("default", "fast:default")), random_globe_case);
 }
