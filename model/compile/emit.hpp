@@ -15,7 +15,7 @@ namespace rayclock {
 /// sentence.
 void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
-/// Does the same, and gives each child the globe around everything below it (globe/enclose.hpp).
+/// Does the same, and gives each child the globe around everything below it (spheres/enclose.hpp).
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image);
 

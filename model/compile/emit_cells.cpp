@@ -8,7 +8,7 @@ namespace rayclock {
 
 namespace {
 
-using kd::Place;
+using kd::CellPart;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
@@ -21,7 +21,7 @@ public:
 
     void run() {
         image_.words.assign(words_per_line, 0);
-        pending_.push_back({Place(&root_), 0, 0});
+        pending_.push_back({CellPart(&root_), 0, 0});
         while (!pending_.empty()) {   // depth-first, as for the box tree
             const Pending next = pending_.back();
             pending_.pop_back();
@@ -32,14 +32,14 @@ public:
 
 private:
     struct Pending {
-        Place place;
+        CellPart place;
         std::uint32_t line = 0, parent = 0;
     };
 
     void emit(const Pending& at) {
         const auto width = std::size_t(config_.node_width);
         Line node;
-        const std::array<Place, max_width> exits = exits_.of(at.place, config_.node_width, node);
+        const std::array<CellPart, max_width> exits = exits_.of(at.place, config_.node_width, node);
         std::uint32_t inner = 0;
         std::size_t primitives = 0;
         for (std::size_t i = 0; i < width; ++i) {

@@ -43,8 +43,8 @@ inline std::vector<std::string> words_of(std::string_view list) {
 RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
 
 // Structures of nodes: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), cells cut in the
-// middle of all axes (engine/octree; the engine of kd walks them), bounding spheres (engine/spheres), space cut
-// by planes in any direction (engine/bsp).
+// middle of all axes (engine/octree; the engine of kd walks them), bounding spheres (engine/spheres), space
+// cut by planes in any direction (engine/bsp), bounding intervals on one axis (engine/bih).
 #define RAYCLOCK_TREES bvh, kd, octree, spheres, bsp, bih
 
 /// Acceleration structures. none is a list of all primitives (engine/none).

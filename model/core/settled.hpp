@@ -1,6 +1,5 @@
 #pragma once
 #include "model/core/config.hpp"
-#include "model/engine/check.hpp"
 
 namespace rayclock {
 

@@ -66,7 +66,7 @@ struct LinkInfo {
     constexpr bool of_pipeline() const { return is_of_pipeline(from) || is_of_pipeline(to); }
     /// True if the link lies within the engine that walks a ray. No other unit sees it.
     constexpr bool of_engine() const {
-        return place_of(from) == Place::engine || place_of(to) == Place::engine;
+        return place_of(from) == UnitPlace::engine || place_of(to) == UnitPlace::engine;
     }
 };
 template <class Payload> constexpr bool names_ray = requires(Payload p) { p.ray; }
@@ -111,12 +111,12 @@ constexpr bool same_causes(Unit a, Unit b) {
 static_assert(std::ranges::all_of(node_units, [](const NodeUnit& u) {
     return same_causes(u.unit, node_units[0].unit);   // the same wiring drives them: rtl/unit/trav/rc_tree.sv
 }));
-constexpr bool asks_of_node(Link link) {
+constexpr bool is_node_request(Link link) {
     for (const NodeUnit& u : node_units)
         if (u.req == link) return true;
     return false;
 }
-constexpr bool tells_of_node(Link link) {
+constexpr bool is_node_answer(Link link) {
     for (const NodeUnit& u : node_units)
         if (u.rsp == link) return true;
     return false;

@@ -121,7 +121,7 @@ private:
         bool step = false;      // trav accepts a step of a ray that was tested or has no leaves
         bool read = false;      // node_cache's answer is accepted
         bool placing = false;   // surf_cache's answer is an instance
-        bool low_asks = false, low_tells = false;   // box's links belong to the lower engine's unit
+        bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -133,12 +133,12 @@ private:
     /// box's links stand for those of the unit that decides nodes. With two such units, at most one gets a
     /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
     static constexpr Link inside(Link link) {
-        return asks_of_node(link) ? Link::box_req : tells_of_node(link) ? Link::box_rsp : link;
+        return is_node_request(link) ? Link::box_req : is_node_answer(link) ? Link::box_rsp : link;
     }
     /// Returns the link's own name for the outside.
     Link outside(Link link) const {
-        return link == Link::box_req   ? (moves_.low_asks ? lower_ : upper_).req
-               : link == Link::box_rsp ? (moves_.low_tells ? lower_ : upper_).rsp
+        return link == Link::box_req   ? (moves_.lower_request ? lower_ : upper_).req
+               : link == Link::box_rsp ? (moves_.lower_answer ? lower_ : upper_).rsp
                                        : link;
     }
     /// True if the lower engine walks the ray's node; false with one engine.
@@ -146,7 +146,7 @@ private:
     /// Returns the cause of the deciding unit: of the only one, or of the upper or lower one.
     std::uint32_t decide_code(const Moves& m, bool low) const {
         const LinkInside& req = m[Link::box_req];
-        const bool own = m.low_asks == low;
+        const bool own = m.lower_request == low;
         if (box_rest_ > 0 && box_is_low_ == low) return 0;
         return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
     }

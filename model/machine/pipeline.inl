@@ -16,9 +16,9 @@ template <bool shades, bool levels>
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
-    m.low_asks = levels && is_low(read);
+    m.lower_request = levels && is_low(read);
     m.offer(Link::box_req, node_cache_.valid() & !enters,
-            box_.ready() & ((box_rest_ == 0) | (m.low_asks != box_is_low_)), read);
+            box_.ready() & ((box_rest_ == 0) | (m.lower_request != box_is_low_)), read);
     if constexpr (levels) m.lower_code = decide_code(m, true);
     m.read = m[Link::box_req].fires;
     if constexpr (levels) {
@@ -29,7 +29,7 @@ template <bool shades, bool levels>
         m.xform_code = (m[Link::xform_req].valid | (xform_rest_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
     }
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
-    m.low_tells = levels && is_low(boxed.ray);
+    m.lower_answer = levels && is_low(boxed.ray);
     m.boxed = late_ ? boxed_.answer(now) : boxed;
     if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tried = late_ ? tried_.answer(now) : tried;
@@ -146,7 +146,7 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
     box_rest_ =
-        select(m[Link::box_req].fires & (m.low_asks == box_is_low_), box_rests_, box_rest_ - (box_rest_ > 0));
+        select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_rests_, box_rest_ - (box_rest_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 

@@ -11,19 +11,19 @@
 
 namespace rayclock {
 
-enum class Kind : std::uint8_t { none, busy, starved, stalled };
+enum class CauseKind : std::uint8_t { none, busy, starved, stalled };
 
 /// A cause: the unit was busy, starved (by the unit that did not deliver), or stalled (by the unit for which
 /// it waited).
 struct Cause {
-    Kind kind = Kind::none;
+    CauseKind kind = CauseKind::none;
     const char* name = "";
 };
 constexpr int cause_bits = 3;   ///< bits of the code that a unit drives in each cycle
 constexpr std::size_t cause_count = 1 << cause_bits;
-constexpr Cause busy(const char* what = "work") { return {Kind::busy, what}; }
-constexpr Cause starved(const char* by) { return {Kind::starved, by}; }
-constexpr Cause stalled(const char* by) { return {Kind::stalled, by}; }
+constexpr Cause busy(const char* what = "work") { return {CauseKind::busy, what}; }
+constexpr Cause starved(const char* by) { return {CauseKind::starved, by}; }
+constexpr Cause stalled(const char* by) { return {CauseKind::stalled, by}; }
 
 /// When a part of the machine exists.
 enum class When : std::uint8_t {
@@ -52,7 +52,7 @@ constexpr bool is_there(When when, const Config& config) {
 
 /// The place of a unit: in a pipeline, within a pipeline's engine, shared by all pipelines, or outside the
 /// chip.
-enum class Place : std::uint8_t { pipeline, engine, shared, beside };
+enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
 
 // Columns: name, place, when it exists, then its causes by the code that the unit drives in each cycle. Units
 // of a pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
@@ -78,7 +78,7 @@ enum class Place : std::uint8_t { pipeline, engine, shared, beside };
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
     UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \
-    UNIT(memory, beside, always, busy(), stalled("latency"), stalled("refresh"), starved("memport"))
+    UNIT(memory, outside, always, busy(), stalled("latency"), stalled("refresh"), starved("memport"))
 
 #define RAYCLOCK_NAME(name, ...) name,
 enum class Unit : std::uint8_t { RAYCLOCK_UNITS(RAYCLOCK_NAME) };
@@ -86,11 +86,11 @@ enum class Unit : std::uint8_t { RAYCLOCK_UNITS(RAYCLOCK_NAME) };
 
 struct UnitInfo {
     const char* name;
-    Place place;
+    UnitPlace place;
     When when;
     std::array<Cause, cause_count> causes;
 };
-#define RAYCLOCK_INFO(name, place, when, ...) UnitInfo{#name, Place::place, When::when, {{__VA_ARGS__}}},
+#define RAYCLOCK_INFO(name, place, when, ...) UnitInfo{#name, UnitPlace::place, When::when, {{__VA_ARGS__}}},
 constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 #undef RAYCLOCK_UNITS
@@ -100,7 +100,7 @@ constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
 constexpr std::size_t unit_count = unit_infos.size();
 constexpr std::size_t pipeline_units = [] {
     std::size_t n = 0;
-    for (const UnitInfo& unit : unit_infos) n += unit.place <= Place::engine;
+    for (const UnitInfo& unit : unit_infos) n += unit.place <= UnitPlace::engine;
     return n;
 }();
 constexpr std::size_t index(Unit u) { return std::size_t(u); }
@@ -109,12 +109,12 @@ constexpr std::size_t index(Unit u) { return std::size_t(u); }
 constexpr bool is_there(Unit u, const Config& config) { return is_there(unit_infos[index(u)].when, config); }
 
 /// Returns the place of the unit with this name; an unknown name counts as outside the chip.
-constexpr Place place_of(std::string_view unit) {
+constexpr UnitPlace place_of(std::string_view unit) {
     for (const UnitInfo& info : unit_infos)
         if (info.name == unit) return info.place;
-    return Place::beside;
+    return UnitPlace::outside;
 }
-constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= Place::engine; }
+constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= UnitPlace::engine; }
 
 using CauseCounts = std::array<std::uint64_t, cause_count>;
 

@@ -2,7 +2,7 @@
 // valid_i was set then, and arbitrary otherwise.
 //
 // Like rc_shift_register, but the data stays in place in a small memory (rc_ram) and only the
-// address moves. Proof: tests/formal/wait_ring.sv.
+// address moves. Proof: tests/formal/delay_ram.sv.
 `default_nettype none
 module rc_delay_ram #(
   parameter  int unsigned Width  = 1,

@@ -4,8 +4,8 @@
 
 #include "model/base/stopwatch.hpp"
 #include "sim/judge/reference/reference.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/run/rtl/builder.hpp"

@@ -9,7 +9,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/clock.hpp"
 
 namespace rayclock {

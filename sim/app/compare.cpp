@@ -4,9 +4,9 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/app/command_line.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/command_line.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/view/compare/compare.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"

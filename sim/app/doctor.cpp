@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "model/base/error.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/view/plot/pdf.hpp"

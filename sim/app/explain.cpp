@@ -3,10 +3,10 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
-#include "sim/app/command_line.hpp"
-#include "sim/app/commands.hpp"
+#include "sim/app/options/command_line.hpp"
+#include "sim/app/options/commands.hpp"
 #include "sim/app/explained.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/view/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"

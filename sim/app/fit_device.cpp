@@ -6,7 +6,7 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/explore/balance/doors.hpp"
 #include "sim/explore/balance/report.hpp"
 #include "sim/silicon/chip/report.hpp"

@@ -1,4 +1,5 @@
-// rayclock: the command line. Every command's options and work are in the file of its name.
+// rayclock: the command line. A command's options and work are in the file of its name; those of scenes,
+// config and rtl are in info.cpp.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -17,9 +18,9 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
-#include "sim/app/command_line.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/manual.hpp"
+#include "sim/app/options/command_line.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/manual.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/report/builds.hpp"
@@ -109,8 +110,8 @@ constexpr const char* manual_footer =
     "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's libjs-vega\n"
     "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete";
 
-/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
-/// end.
+/// Prints one sentence to standard error, and returns the exit code. A sentence about user input is
+/// truncated, and its control characters are escaped.
 int complain(const std::string& sentence, int code) {
     constexpr std::size_t longest = 1000;
     std::fprintf(stderr, "rayclock: %s\n",
@@ -118,14 +119,14 @@ int complain(const std::string& sentence, int code) {
     return code;
 }
 
-/// The library of threads tells of a thread that the system does not give in its own words.
+/// Returns true if the system could not create a thread. oneTBB reports this with its own exception text.
 bool is_lack_of_threads(const std::exception& error) {
     const auto* const system = dynamic_cast<const std::system_error*>(&error);
     return (system && system->code() == std::errc::resource_unavailable_try_again) ||
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
-/// The exception at hand as one sentence; the exit code. No other library's words are among it.
+/// Prints the current exception as one sentence without any library's own text, and returns the exit code.
 int complain_of_exception() {
     try {
         throw;
@@ -260,8 +261,7 @@ int run(int argc, char** argv) {
     return 2;
 }
 
-/// What is thrown where nothing may be thrown, as in a thread that the library of threads begins, ends here
-/// instead of in a core file.
+/// The terminate handler. An exception in a thread of oneTBB ends here instead of in a core file.
 [[noreturn]] void end_badly() noexcept {
     int code = 2;
     if (std::current_exception())

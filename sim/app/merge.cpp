@@ -1,7 +1,7 @@
 // rayclock merge: joins the parts of a sweep that several machines computed.
 #include <fmt/format.h>
 
-#include "sim/app/commands.hpp"
+#include "sim/app/options/commands.hpp"
 #include "sim/app/swept.hpp"
 
 namespace rayclock {

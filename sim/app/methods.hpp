@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/app/parser.hpp"
+#include "sim/app/options/parser.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 
 namespace rayclock {

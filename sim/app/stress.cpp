@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/study/hard_cases.hpp"

@@ -4,7 +4,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
-#include "sim/app/commands.hpp"
+#include "sim/app/options/commands.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/text.hpp"

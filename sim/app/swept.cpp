@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/base/nearest.hpp"
-#include "sim/app/command_line.hpp"
+#include "sim/app/options/command_line.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/page/frame.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // The outputs of sweep and merge.
-#include "sim/app/options.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/explore/sweep/merge.hpp"
 
 namespace rayclock {

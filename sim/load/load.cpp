@@ -9,9 +9,9 @@
 #include "model/scene/folded.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/image/average.hpp"
-#include "sim/load/json_scene.hpp"
+#include "sim/load/json/scene.hpp"
 #include "sim/load/lights.hpp"
-#include "sim/load/mesh_file.hpp"
+#include "sim/load/mesh/mesh_file.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {

@@ -131,10 +131,10 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     REQUIRE(outcome.code == 0);
     const std::string page = bytes_of(folder.name("structures.md"));
     for (const char* part :
-         {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished † |",
+         {"\n| bvh |", "\n| bih |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished † |",
           "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist --min-psnr 200",
           "\n| kd, finished † |", "| octree, inner † |", "\n† FAR FROM THE REFERENCE: PSNR ",
-          "(limit 200 dB, --min-psnr) (", " of 12 pictures are far)"}) {
+          "(limit 200 dB, --min-psnr) (", " of 14 pictures are far)"}) {
         INFO(part);
         CHECK(page.find(part) != std::string::npos);
     }

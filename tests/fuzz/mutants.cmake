@@ -1,6 +1,6 @@
 # Faults in parsers that the fuzzing must notice: TARGET is what is run, RUNS how many inputs it may take. As in tests/meta,
 # the text must stand in the file exactly once.
-fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/read_ply.cpp TARGET ply RUNS 20000
+fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/mesh/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])
 fuzz_mutant(cache_key_not_compared QUICK FILE sim/files/cache/results.cpp TARGET cache RUNS 20000
@@ -9,16 +9,16 @@ fuzz_mutant(cache_key_not_compared QUICK FILE sim/files/cache/results.cpp TARGET
 fuzz_mutant(mtl_more_light_than_came FILE sim/load/surface.cpp TARGET mtl RUNS 100000
   OLD [[std::min(fraction(out.mirror), 1 - out.transmit)]]
   NEW [[fraction(out.mirror)]])
-fuzz_mutant(obj_index_one_beyond FILE sim/load/read_obj.cpp TARGET obj RUNS 100000
+fuzz_mutant(obj_index_one_beyond FILE sim/load/mesh/read_obj.cpp TARGET obj RUNS 100000
   OLD [[            if (index > count_)]]
   NEW [[            if (index > count_ + 1)]])
-fuzz_mutant(stl_one_triangle_beyond FILE sim/load/read_stl.cpp TARGET stl RUNS 100000
+fuzz_mutant(stl_one_triangle_beyond FILE sim/load/mesh/read_stl.cpp TARGET stl RUNS 100000
   OLD [[if (bytes.size() < needed)]]
   NEW [[if (bytes.size() + facet_bytes < needed)]])
-fuzz_mutant(gltf_accessor_beyond_its_view FILE sim/load/gltf_buffers.cpp TARGET gltf RUNS 100000
+fuzz_mutant(gltf_accessor_beyond_its_view FILE sim/load/gltf/buffers.cpp TARGET gltf RUNS 100000
   OLD [[if (needed > length)]]
   NEW [[if (needed > 2 * length)]])
-fuzz_mutant(scene_index_one_beyond FILE sim/load/json_parts.cpp TARGET scene RUNS 100000
+fuzz_mutant(scene_index_one_beyond FILE sim/load/json/parts.cpp TARGET scene RUNS 100000
   OLD [[corners[k].whole(mesh.vertices.size())]]
   NEW [[corners[k].whole(mesh.vertices.size() + 1)]])
 fuzz_mutant(config_value_above_its_range FILE model/core/check.cpp TARGET config RUNS 100000
@@ -27,6 +27,6 @@ fuzz_mutant(config_value_above_its_range FILE model/core/check.cpp TARGET config
 fuzz_mutant(state_of_other_rays FILE sim/explore/stress/state.cpp TARGET state RUNS 100000
   OLD [[if (c.rays != rays)]]
   NEW [[if (c.rays > 2 * rays)]])
-fuzz_mutant(options_clock_of_any_rate FILE sim/app/values.cpp TARGET options RUNS 100000
+fuzz_mutant(options_clock_of_any_rate FILE sim/app/options/values.cpp TARGET options RUNS 100000
   OLD [[ || mhz > 100000)]]
   NEW [[)]])

@@ -266,7 +266,7 @@ TEST_CASE("dae: colours come by parameters, a missing one is black, a glowing on
     CHECK_THAT(
         load(drawn_with("<lambert>" + emission + "<diffuse><color>0 1 0 1</color></diffuse></lambert>"))
             .notes,
-        Contains("1 material with emission beside"));
+        Contains("1 material with emission and a diffuse colour"));
     const Told lost = load(document("<node>" + instance + "</node>"));
     CHECK_THAT(lost.notes, Contains("1 primitive whose material is not in the file, drawn grey"));
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/scene/placed.hpp"
-#include "sim/load/json_scene.hpp"
+#include "sim/load/json/scene.hpp"
 #include "tests/load/files.hpp"
 
 using namespace rayclock;

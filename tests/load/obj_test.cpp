@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/load/triangulate.hpp"
+#include "sim/load/mesh/triangulate.hpp"
 #include "tests/load/files.hpp"
 
 using namespace rayclock;

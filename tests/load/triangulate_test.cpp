@@ -5,7 +5,7 @@
 #include <ctime>
 #include <random>
 
-#include "sim/load/triangulate.hpp"
+#include "sim/load/mesh/triangulate.hpp"
 
 using namespace rayclock;
 

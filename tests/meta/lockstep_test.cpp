@@ -273,7 +273,7 @@ TEST_CASE("every field that a unit before a cache sends is a field of a link beh
     sheared.primitive_test = PrimitiveTest::sheared;
     for (const Config& config : {whole, sheared}) add(of_tri, Link::tri_req, config);
     for (std::size_t i = 0; i < link_count; ++i)
-        if (const Link link = Link(i); asks_of_node(link) || link == Link::xform_req) {
+        if (const Link link = Link(i); is_node_request(link) || link == Link::xform_req) {
             Config config = whole;
             config.levels = 2;
             add(of_trav, link, config);

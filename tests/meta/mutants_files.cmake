@@ -10,10 +10,10 @@ mutant(files_long_number_is_read FILE sim/files/text.cpp TEST load "a word of te
 mutant(files_name_written_raw FILE model/base/quote.cpp TEST load "what is odd*"
   OLD [[first >= 0x20 && first != 0x7f]]
   NEW [[first != 0x7f]])
-mutant(turns_are_not_counted FILE sim/load/json_motion.cpp TEST cli "few bytes*"
+mutant(turns_are_not_counted FILE sim/load/json/motion.cpp TEST cli "few bytes*"
   OLD [[if (!loading.may_make(all * (sizeof(double) + sizeof(glm::dquat)))) keyframes.refuse(loading.too_much());]]
   NEW [[]])
-mutant(load_buffer_from_anywhere FILE sim/load/gltf_buffers.cpp TEST load "a glTF file reads*"
+mutant(load_buffer_from_anywhere FILE sim/load/gltf/buffers.cpp TEST load "a glTF file reads*"
   OLD [[if (leaves_folder(name))]]
   NEW [[if (name.empty())]])
 
@@ -21,13 +21,13 @@ mutant(load_buffer_from_anywhere FILE sim/load/gltf_buffers.cpp TEST load "a glT
 mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
   OLD [[            is_open = false;]]
   NEW [[            return out;]])
-mutant(files_off_index_one_beyond FILE sim/load/read_off.cpp TEST load "off: what makes*"
+mutant(files_off_index_one_beyond FILE sim/load/mesh/read_off.cpp TEST load "off: what makes*"
   OLD [[static_cast<std::uint64_t>(vertex) >= vertices_]]
   NEW [[static_cast<std::uint64_t>(vertex) > vertices_]])
-mutant(load_header_takes_a_byte_of_data FILE sim/load/ply_header.cpp TEST load "ply: of binary data*"
+mutant(load_header_takes_a_byte_of_data FILE sim/load/mesh/ply_header.cpp TEST load "ply: of binary data*"
   OLD [[    if (!ends_in_return) return take_line(rest);]]
   NEW [[    if (!rest.empty()) return take_line(rest);]])
-mutant(load_used_faults_are_drawn FILE sim/load/indexed.cpp TEST load "ply: what no face uses*"
+mutant(load_used_faults_are_drawn FILE sim/load/mesh/indexed.cpp TEST load "ply: what no face uses*"
   OLD [[fault->vertex == i]]
   NEW [[fault->vertex + 1 == i]])
 mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"

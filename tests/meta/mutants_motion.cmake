@@ -34,11 +34,11 @@ mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system 
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
 mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike"
-  OLD [[((box_rest_ == 0) | (m.low_asks != box_is_low_))]]
+  OLD [[((box_rest_ == 0) | (m.lower_request != box_is_low_))]]
   NEW [[(box_rest_ == 0)]])
 
 # ---- Keyframes, shapes and skins.
-mutant(keyframes_may_stand_still FILE sim/load/json_motion.cpp TEST motion [motion]
+mutant(keyframes_may_stand_still FILE sim/load/json/motion.cpp TEST motion [motion]
   OLD [[!(t > times.back())]]
   NEW [[!(t >= times.back())]])
 mutant(shapes_jump_at_the_last_key FILE model/scene/deform.cpp TEST motion [deform]
@@ -47,10 +47,10 @@ mutant(shapes_jump_at_the_last_key FILE model/scene/deform.cpp TEST motion [defo
 mutant(deform_takes_corners_that_are_not_finite FILE model/scene/deform.cpp TEST motion [deform]
   OLD [[if (!(std::abs(mesh.vertices[i][k]) <= most))]]
   NEW [[if (false)]])
-mutant(gltf_joints_may_be_out_of_range FILE sim/load/gltf_deform.cpp TEST motion [deform]
+mutant(gltf_joints_may_be_out_of_range FILE sim/load/gltf/deform.cpp TEST motion [deform]
   OLD [[is_joint = joint < double(to.joints.size());]]
   NEW [[is_joint = joint <= double(to.joints.size());]])
-mutant(gltf_sparse_indices_may_fall FILE sim/load/gltf_buffers.cpp TEST motion [deform]
+mutant(gltf_sparse_indices_may_fall FILE sim/load/gltf/buffers.cpp TEST motion [deform]
   OLD [[(i > 0 && !(at[i] > at[i - 1]))]]
   NEW [[false]])
 

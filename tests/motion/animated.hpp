@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/scene/placed.hpp"
-#include "sim/load/mesh_file.hpp"
+#include "sim/load/mesh/mesh_file.hpp"
 #include "tests/load/files.hpp"
 
 namespace rayclock::test {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/load/json_scene.hpp"
+#include "sim/load/json/scene.hpp"
 #include "tests/motion/animated.hpp"
 #include "tests/motion/shapes.hpp"
 

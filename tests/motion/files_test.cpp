@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "model/scene/placed.hpp"
-#include "sim/load/json_scene.hpp"
-#include "sim/load/mesh_file.hpp"
+#include "sim/load/json/scene.hpp"
+#include "sim/load/mesh/mesh_file.hpp"
 #include "tests/load/files.hpp"
 #include "tests/motion/animated.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/load/json_scene.hpp"
+#include "sim/load/json/scene.hpp"
 #include "tests/load/files.hpp"
 
 namespace rayclock::test {

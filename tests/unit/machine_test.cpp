@@ -105,7 +105,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
         const std::uint64_t all = u < pipeline_units ? cycles * std::uint64_t(job.config.pipelines) : cycles;
         REQUIRE(sum(accounts.units[u]) == (is_there(Unit(u), job.config) ? all : 0));
         for (std::size_t c = 0; c < cause_count; ++c)
-            if (unit_infos[u].causes[c].kind == Kind::none) REQUIRE(accounts.units[u][c] == 0);
+            if (unit_infos[u].causes[c].kind == CauseKind::none) REQUIRE(accounts.units[u][c] == 0);
     }
     // Everything that enters a loop leaves it, and a unit works whenever its link moves.
     const auto count = [&](Link c) { return moved[index(c)]; };

@@ -11,10 +11,10 @@ public:
     CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
 
     /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
-    int write(const kd::Place& place, std::uint32_t at, int depth) {
+    int write(const kd::CellPart& place, std::uint32_t at, int depth) {
         Line line;
         const int width = lines_.config().node_width;
-        const std::array<kd::Place, max_width> exits = kd::Exits<Line>(1).of(place, width, line);
+        const std::array<kd::CellPart, max_width> exits = kd::Exits<Line>(1).of(place, width, line);
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < std::size_t(width); ++i) {
             line.kind[i] = !exits[i].is_empty();   // an instance takes the place of an inner child
@@ -50,7 +50,7 @@ UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std:
         if constexpr (E::has_cells) {
             const kd::CellPtr cells = E::build(pieces, {}, config);
             CellWriter<typename E::Node> writer(lines, totals);
-            totals.report.stack_need = writer.write(kd::Place(cells.get()), root, 1);
+            totals.report.stack_need = writer.write(kd::CellPart(cells.get()), root, 1);
         }
     });
     return totals.report;

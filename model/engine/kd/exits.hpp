@@ -6,18 +6,21 @@
 namespace rayclock::kd {
 
 /// A cell, or some of a leaf's primitives. A leaf too large for one exit is walked in parts.
-struct Place {
+struct CellPart {
     const Cell* cell = nullptr;
     std::size_t first = 0, count = 0;   ///< range of a leaf's primitives
-    explicit Place(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
-    Place(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
+    explicit CellPart(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
+    CellPart(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
     bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
     /// True if it fits an exit of `most` primitives.
     bool is_leaf(std::size_t most) const { return is_empty() || (cell->is_leaf() && count <= most); }
     std::uint32_t prim(std::size_t i) const { return cell->prims[first + i]; }
-    Place lower() const { return cell->is_leaf() ? Place(cell, first, count / 2) : Place(cell->lower.get()); }
-    Place upper() const {
-        return cell->is_leaf() ? Place(cell, first + count / 2, count - count / 2) : Place(cell->upper.get());
+    CellPart lower() const {
+        return cell->is_leaf() ? CellPart(cell, first, count / 2) : CellPart(cell->lower.get());
+    }
+    CellPart upper() const {
+        return cell->is_leaf() ? CellPart(cell, first + count / 2, count - count / 2)
+                               : CellPart(cell->upper.get());
     }
 };
 
@@ -33,7 +36,7 @@ template <class Line> class Exits {
 public:
     explicit Exits(std::size_t most) : most_(most) {}
 
-    std::array<Place, max_width> of(const Place& place, int node_width, Line& line) {
+    std::array<CellPart, max_width> of(const CellPart& place, int node_width, Line& line) {
         const LatticeBox& bounds = place.cell->bounds;
         line.open = bounds.lo[0] > bounds.hi[0];
         if (!line.open) line.lo = bounds.lo, line.hi = bounds.hi;
@@ -43,7 +46,7 @@ public:
 
 private:
     /// Fills the part of the node under plane `plane`, whose exits start at `exit`.
-    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
+    void fill(const CellPart& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
         if (exits == 1 || plane + 1 >= max_width) {   // the second condition is for GCC 14's analysis
             exits_[exit] = place;
             return;
@@ -54,11 +57,11 @@ private:
         else
             put_none(plane, line);
         fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, line);
-        fill(cut ? place.upper() : Place(), 2 * plane + 2, exit + exits / 2, exits / 2, line);
+        fill(cut ? place.upper() : CellPart(), 2 * plane + 2, exit + exits / 2, exits / 2, line);
     }
 
     std::size_t most_;
-    std::array<Place, max_width> exits_;
+    std::array<CellPart, max_width> exits_;
 };
 
 }   // namespace rayclock::kd

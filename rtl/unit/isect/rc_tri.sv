@@ -57,6 +57,10 @@ module rc_tri (
   localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
   localparam int unsigned HitW   = TailW + T + 2 * V;
 
+  if (L < Core) begin : gen_refuse
+    $error("rc_tri: TriLatency must be at least Core");
+  end
+
   // ---- Admission: an answer has a place in the result queue. valid[i]: stage i holds a primitive.
   logic         admit;
   logic [L-1:0] valid_q;

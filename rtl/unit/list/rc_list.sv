@@ -92,26 +92,34 @@ module rc_list (
 
   // Results of an answer, stored one cycle later in a fast chip (it), because a few hundred cells
   // hold them. They are read with the ray's next primitive at the earliest.
-  localparam int unsigned BestW  = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
-  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1 - (rc_pkg::Homes == 1 ? A : 0);
+  localparam int unsigned BestW    = rc_pkg::BestW;
+  localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
 
-  logic              it_fires, it_closer;
-  logic [I-1:0]      it_ray;
-  logic [TB-1:0]     it_came_t;
-  logic [BestW-1:0]  it_best;
-  logic [FoundW-1:0] came_found, it_found;
+  logic                it_fires, it_closer;
+  logic [I-1:0]        it_ray;
+  logic [TB-1:0]       it_came_t;
+  rc_pkg::best_t       came_best;
+  logic [BestW-1:0]    it_best;
+  rc_pkg::kept_hit_t   came_hit;
+  logic [KeptHitW-1:0] it_hit;
 
-  if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
-    assign came_found = {came.back, came.prim, came.t, came.u, came.v};
-  end else begin : gen_no_side
-    assign came_found = {came.prim, came.t, came.u, came.v};
+  assign came_best.best_num  = came.num;
+  assign came_best.best_det  = came.det;
+  assign came_best.best_prim = came.prim;
+
+  if (rc_pkg::Shading != 0) begin : gen_side
+    assign came_hit.back = came.back;
   end
+  assign came_hit.prim = came.prim;
+  assign came_hit.t    = came.t;
+  assign came_hit.u    = came.u;
+  assign came_hit.v    = came.v;
 
   rc_pulse_register u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
   rc_pulse_register u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
-  rc_path_register #(.Width(I + TB + BestW + FoundW)) u_it_kept (
-    .clk_i, .data_i({came.ray, came.t, came.num, came.det, came.prim, came_found}),
-    .data_o({it_ray, it_came_t, it_best, it_found}));
+  rc_path_register #(.Width(I + TB + BestW + KeptHitW)) u_it_kept (
+    .clk_i, .data_i({came.ray, came.t, came_best, came_hit}),
+    .data_o({it_ray, it_came_t, it_best, it_hit}));
 
   // ---- Best hits. found: the memories hold a hit of the ray.
   logic [I-1:0] start_ray;
@@ -150,12 +158,19 @@ module rc_list (
     .read_ray_i(came.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
 
   // ---- Leaves in flight per ray: written by trav's leaves, read by tri's answer.
-  localparam int unsigned GroupW = rc_pkg::LeavesW - I;
-  logic [GroupW-1:0] tri_group;
+  localparam int unsigned GroupW = rc_pkg::LeafGroupW;
+  rc_pkg::leaf_group_t in_group;
+  logic [GroupW-1:0]   tri_group;
+
+  assign in_group.base   = in.base;
+  assign in_group.leaves = in.leaves;
+  assign in_group.t_near = in.t_near;
+  assign in_group.offset = in.offset;
+  assign in_group.count  = in.count;
 
   rc_ram_prefetch #(.Width(GroupW), .Depth(T)) u_group (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
-    .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}), .head_addr_i(came.ray),
+    .write_data_i(in_group), .head_addr_i(came.ray),
     .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
 
   // ---- Cursors: leaf and triangle in flight per ray. They are 0, 0 until tri has answered once.
@@ -183,7 +198,7 @@ module rc_list (
   // chip reads the ray's state in two cycles, compares in one, and sends in one.
   logic            end_blocked;
   logic [TB-1:0]   it_t, end_t;
-  logic [A-1:0]    group_base, end_base;
+  logic [A-1:0]    end_base;
   logic [G-1:0]    group_leaves;
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
@@ -194,9 +209,16 @@ module rc_list (
   assign it_t = it_closer ? it_came_t : old_t;
   assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
 
+  rc_pkg::leaf_group_t group;
+  logic [GroupW-1:0]   group_flat;
+
   rc_path_register #(.Width(GroupW)) u_it_group (
-    .clk_i, .data_i(tri_group),
-    .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
+    .clk_i, .data_i(tri_group), .data_o(group_flat));
+  assign group        = group_flat;
+  assign group_leaves = group.leaves;
+  assign group_near   = group.t_near;
+  assign group_offset = group.offset;
+  assign group_count  = group.count;
 
   logic [S-1:0] at_next, it_leaf, it_next, end_leaf;
   logic [C-1:0] leaf_count, end_triangle;
@@ -233,7 +255,7 @@ module rc_list (
 
   rc_path_register #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
     .clk_i,
-    .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group_base, cursor_leaf,
+    .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group.base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
     .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
              end_triangle, end_this_offset, end_next_offset}));
@@ -268,78 +290,72 @@ module rc_list (
     .valid_o(prim_req_valid_o), .ready_i(prim_req_ready_i), .data_o(prim_req_o));
 
   // ---- Rays whose leaves are tested, back to trav.
-  logic [rc_pkg::TestedW-1:0] ended;
+  rc_pkg::tested_t ended;
 
+  assign ended.ray    = end_ray;
+  assign ended.t_best = end_t;
   if (rc_pkg::Shading != 0) begin : gen_stop   // the first hit of a ray that any hit ends
-    assign ended = {end_ray, end_blocked, end_t};
-  end else begin : gen_go_on
-    assign ended = {end_ray, end_t};
+    assign ended.stop = end_blocked;
   end
 
   rc_queue #(.Width(rc_pkg::TestedW), .Depth(T)) u_tested (
     .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i(ended),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i), .data_o(tested_o));
 
-  // ---- To tri: triangle, ray (fields with the same names as in ray_t) and hit to beat.
-  localparam int unsigned TriRayW = rc_pkg::TriRayBits;
+  // ---- To tri: the ray, the primitive and the hit to beat.
+  localparam int unsigned TriRayW = rc_pkg::TriRayW;
   logic               keep, keeps, tri_found;
   logic [I-1:0]       keep_ray, keeps_ray;
-  logic [TriRayW-1:0] ray_for_tri, keeps_for_tri, tri_ray;
+  rc_pkg::tri_ray_t   ray_for_tri;   // a member that the chip does not have is not in the record
+  logic [TriRayW-1:0] keeps_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
 
+  // Where it is. With two levels that is in the space of an instance.
   if (rc_pkg::Levels == 1) begin : gen_ray
-    assign keep     = ray_fires_i;
-    assign keep_ray = ray_i.ray;
+    assign keep          = ray_fires_i;
+    assign keep_ray      = ray_i.ray;
+    assign ray_for_tri.o = ray_i.o;
   end else begin : gen_change
-    assign keep     = change_fires_i;
-    assign keep_ray = change_i.ray;
+    assign keep          = change_fires_i;
+    assign keep_ray      = change_i.ray;
+    assign ray_for_tri.o = change_i.o;
   end
 
-  if (rc_pkg::Homes == 1) begin : gen_changed_ray_with_kind
-    // The set of primitives that the ray tests does not change: it is stored as it came.
-    localparam int unsigned MovedW = 3 * rc_pkg::OriginWidth + 3 * rc_pkg::RayDirBits;
-    localparam int unsigned AsksW  = TriRayW - MovedW - 2;
-    localparam int unsigned Whole  = AsksW == 0 ? 1 : AsksW;
-    logic [Whole-1:0]    asks, kept_asks;
-    logic [MovedW+2-1:0] there;
-
-    if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_asks_all
-      assign asks = {ray_i.is_partial, ray_i.self, ray_i.is_inside};
-    end else if (rc_pkg::Planes != 0) begin : gen_asks_planes
-      assign asks = ray_i.is_partial;
-    end else if (rc_pkg::Spheres != 0) begin : gen_asks_spheres
-      assign asks = {ray_i.self, ray_i.is_inside};
-    end else begin : gen_asks_triangles
-      assign asks = '0;
-    end
-
-    rc_ram #(.Width(Whole), .Depth(T)) u_asks (
-      .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(asks),
-      .read_addr_i(change_i.ray), .read_data_o(kept_asks));
-
-    assign there = {change_i.kind, change_i.o, change_i.d};
-    if (AsksW == 0) begin : gen_moved
-      assign ray_for_tri = there;
-      logic unused;
-      assign unused = ^kept_asks;
-    end else begin : gen_moved_asks
-      assign ray_for_tri = {there[MovedW +: 2], kept_asks, there[MovedW-1:0]};
-    end
-  end else if (rc_pkg::Levels != 1) begin : gen_changed_ray
-    assign ray_for_tri = {change_i.o, change_i.d};
+  if (rc_pkg::Levels != 1) begin : gen_changed_d
+    assign ray_for_tri.d = change_i.d;
   end else if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes
-    assign ray_for_tri = {ray_i.axis, ray_i.neg, ray_i.size, ray_i.slope, ray_i.o};
-  end else if (rc_pkg::Shading == 0) begin : gen_camera_ray
-    assign ray_for_tri = {ray_i.o, ray_i.d};
-  end else if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_ray_of_all
-    assign ray_for_tri = {ray_i.kind, ray_i.is_partial, ray_i.self, ray_i.is_inside, ray_i.o,
-                          ray_i.d};
-  end else if (rc_pkg::Planes != 0) begin : gen_ray_of_planes
-    assign ray_for_tri = {ray_i.kind, ray_i.is_partial, ray_i.o, ray_i.d};
-  end else if (rc_pkg::Spheres != 0) begin : gen_ray_of_spheres
-    assign ray_for_tri = {ray_i.kind, ray_i.self, ray_i.is_inside, ray_i.o, ray_i.d};
-  end else begin : gen_ray_of_triangles
-    assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
+    assign ray_for_tri.axis  = ray_i.axis;
+    assign ray_for_tri.neg   = ray_i.neg;
+    assign ray_for_tri.size  = ray_i.size;
+    assign ray_for_tri.slope = ray_i.slope;
+  end else begin : gen_d
+    assign ray_for_tri.d = ray_i.d;
+  end
+
+  // Its kind, and the set of primitives that it tests. With two levels the set does not change from
+  // space to space, so it is stored as the ray came.
+  if (rc_pkg::Homes == 1) begin : gen_changed_kind
+    assign ray_for_tri.kind = change_i.kind;
+  end else if (rc_pkg::Shading != 0) begin : gen_kind
+    assign ray_for_tri.kind = ray_i.kind;
+  end
+
+  if (rc_pkg::Planes != 0 && rc_pkg::Homes == 1) begin : gen_kept_partial
+    rc_ram #(.Width(1), .Depth(T)) u_partial (
+      .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_i.is_partial),
+      .read_addr_i(change_i.ray), .read_data_o(ray_for_tri.is_partial));
+  end else if (rc_pkg::Planes != 0) begin : gen_partial
+    assign ray_for_tri.is_partial = ray_i.is_partial;
+  end
+
+  if (rc_pkg::Spheres != 0 && rc_pkg::Homes == 1) begin : gen_kept_self
+    rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(T)) u_self (
+      .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
+      .write_data_i({ray_i.self, ray_i.is_inside}), .read_addr_i(change_i.ray),
+      .read_data_o({ray_for_tri.self, ray_for_tri.is_inside}));
+  end else if (rc_pkg::Spheres != 0) begin : gen_self
+    assign ray_for_tri.self      = ray_i.self;
+    assign ray_for_tri.is_inside = ray_i.is_inside;
   end
 
   // A fast chip stores the ray one cycle later. Its first primitive comes much later.
@@ -387,8 +403,8 @@ module rc_list (
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
 
-  logic [rc_pkg::PrimBits-1:0]   prim_number;
-  logic [rc_pkg::PrimitiveW-1:0] prim_data;
+  logic [rc_pkg::PrimBits-1:0] prim_number;
+  rc_pkg::primitive_t          prim_data;
 
   if (rc_pkg::Levels == 1) begin : gen_own_number
     assign prim_number = prim_rsp_i.prim;
@@ -403,31 +419,46 @@ module rc_list (
     assign prim_number = prim_rsp_i.prim + first_number;
   end
 
-  if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
-    assign prim_data = {prim_rsp_i.prim_kind, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
-                        prim_number};
-  end else begin : gen_triangles
-    assign prim_data = {prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_number};
+  if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kind_of_primitive
+    assign prim_data.prim_kind = prim_rsp_i.prim_kind;
   end
+  assign prim_data.a    = prim_rsp_i.a;
+  assign prim_data.b    = prim_rsp_i.b;
+  assign prim_data.c    = prim_rsp_i.c;
+  assign prim_data.prim = prim_number;
 
+  // tri_req_t has the members of these records, in this order.
   assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_data, tri_found,
                       tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
   // placed far from the other state of a hit.
-  logic              kept, is_found;
-  logic [I-1:0]      kept_ray;
-  logic [FoundW-1:0] kept_found, end_found;
+  logic                kept, is_found;
+  logic [I-1:0]        kept_ray;
+  logic [KeptHitW-1:0] kept_hit, end_hit;
+  rc_pkg::kept_hit_t   closest_hit;
 
   rc_pulse_register #(.Stages(rc_pkg::FarCut)) u_is_kept (
     .clk_i, .rst_ni, .fires_i(it_closer), .fires_o(kept));
-  rc_path_register #(.Width(I + FoundW), .Stages(rc_pkg::FarCut)) u_kept (
-    .clk_i, .data_i({it_ray, it_found}), .data_o({kept_ray, kept_found}));
+  rc_path_register #(.Width(I + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
+    .clk_i, .data_i({it_ray, it_hit}), .data_o({kept_ray, kept_hit}));
 
-  rc_ram_prefetch #(.Width(FoundW), .Depth(T)) u_found (
-    .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_found),
+  rc_ram_prefetch #(.Width(KeptHitW), .Depth(T)) u_hit (
+    .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_hit),
     .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
-    .read_data_o(end_found));
+    .read_data_o(end_hit));
+
+  assign closest_hit     = is_found ? end_hit : '0;
+  assign closest_o.ray   = done_i.ray;
+  assign closest_o.found = is_found;
+  assign closest_o.prim  = closest_hit.prim;
+  assign closest_o.t     = closest_hit.t;
+  assign closest_o.u     = closest_hit.u;
+  assign closest_o.v     = closest_hit.v;
+
+  if (rc_pkg::Shading != 0) begin : gen_side_of_hit
+    assign closest_o.back = closest_hit.back;
+  end
 
   if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in
     logic [A-1:0] here, it_here, end_place;
@@ -441,10 +472,7 @@ module rc_list (
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
       .read_data_o(end_place));
 
-    assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,
-                        is_found ? end_found : {FoundW{1'b0}}};
-  end else begin : gen_no_place
-    assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
+    assign closest_o.place = is_found ? end_place : '0;
   end
 
   rc_bit_prefetch #(.Flags(T)) u_was_best (

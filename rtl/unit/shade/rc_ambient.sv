@@ -4,6 +4,7 @@
 `default_nettype none
 module rc_ambient #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned CB    = rc_pkg::ColourBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic             clk_i,
@@ -13,55 +14,56 @@ module rc_ambient #(
   input  logic [VB-1:0]    s0_weight_i,
   input  logic             s0_odd_i,   // odd square of a checker
   input  logic             s0_ends_i,  // beyond the range in which squares are distinct
-  output logic [38:0]      s6_albedo_o,
+  output logic [3*CB-1:0]  s6_albedo_o,
   output logic [3*VB-1:0]  s7_ambient_o
 );
 
-  logic        s0_checkered, s5_checkered, s5_ends, s5_odd;
-  logic [38:0] s0_colour, s0_other, s5_colour, s5_other;
-  logic [29:0] s0_weighted, s6_weighted;
+  logic            s0_checkered, s5_checkered, s5_ends, s5_odd;
+  logic [3*CB-1:0] s0_colour, s0_other, s5_colour, s5_other;
+  logic [VB+CB-1:0] s0_weighted, s6_weighted;
 
   assign s0_checkered = s0_surface_i.checkered;
   assign s0_colour    = s0_surface_i.colour;
   assign s0_other     = s0_surface_i.other;
 
   // The ray's weight times the ambient share.
-  logic [12:0] s0_ambient;
+  logic [CB-1:0] s0_ambient;
   assign s0_ambient = s0_surface_i.ambient;
 
-  rc_mul_held #(.AW(VB), .BW(13), .Signed(1'b0)) u_weigh (
+  rc_mul_held #(.AW(VB), .BW(CB), .Signed(1'b0)) u_weigh (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
 
-  rc_shift_register #(.Width(81), .Stages(5)) u_colour (
+  rc_shift_register #(.Width(3 + 6 * CB), .Stages(5)) u_colour (
     .clk_i, .valid_i(valid_i[4:0]),
     .data_i({s0_ends_i, s0_odd_i, s0_checkered, s0_colour, s0_other}),
     .data_o({s5_ends, s5_odd, s5_checkered, s5_colour, s5_other}));
 
-  rc_shift_register #(.Width(30), .Stages(6)) u_weighted (
+  rc_shift_register #(.Width(VB + CB), .Stages(6)) u_weighted (
     .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
 
-  logic [3*43-1:0] s6_product;
+  localparam int unsigned Q = VB + 2 * CB;   // a product
+  logic [3*Q-1:0] s6_product;
 
-  rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_products (
+  rc_mul_held #(.AW(VB + CB), .BW(CB), .Signed(1'b0), .Products(3)) u_products (
     .clk_i, .turn_i(turn_i[6*Every +: Every]), .a_i({3{s6_weighted}}), .b_i(s6_albedo_o),
     .p_o(s6_product));
 
   // s6: the albedo; a checker has two colours, and their mean in the distance. s7: albedo times
   // weight.
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [12:0] colour, other;
-    logic [13:0] between;
-    logic [42:0] s7_ambient_q, rounded;
+    logic [CB-1:0] colour, other;
+    logic [CB:0] between;
+    logic [Q-1:0] s7_ambient_q, rounded;
 
-    assign colour  = s5_colour[k*13 +: 13];
-    assign other   = s5_other[k*13 +: 13];
+    assign colour  = s5_colour[k*CB +: CB];
+    assign other   = s5_other[k*CB +: CB];
     assign between = {1'b0, colour} + {1'b0, other};
 
     always_ff @(posedge clk_i) begin
       if (valid_i[5])
-        s6_albedo_o[k*13 +: 13] <= !s5_checkered ? colour : s5_ends ? between[13:1]
+        s6_albedo_o[k*CB +: CB] <= !s5_checkered ? colour : s5_ends ? between[CB:1]
                                  : s5_odd ? other : colour;
-      if (valid_i[6]) s7_ambient_q <= s6_product[k*43 +: 43];
+      if (valid_i[6]) s7_ambient_q <= s6_product[k*Q +: Q];
     end
 
     assign rounded = s7_ambient_q + 43'h800000;

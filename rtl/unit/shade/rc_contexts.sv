@@ -14,10 +14,8 @@ module rc_contexts #(
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned P  = rc_pkg::OriginWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
-  localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits,
-  localparam int unsigned PlaceW = rc_pkg::AddrBits + 9 * rc_pkg::MapBits
-                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac)
+  localparam int unsigned HitW   = rc_pkg::ShadeHitW,
+  localparam int unsigned PlaceW = rc_pkg::ShadePlaceW
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -47,7 +45,7 @@ module rc_contexts #(
   // From rc_pass: a pass has begun with a surface that has this material
   input  logic                         look_i,
   input  logic [I-1:0]                 look_ray_i,
-  input  logic [rc_pkg::LookW-1:0]     look_state_i,
+  input  logic [rc_pkg::MaterialW-1:0] look_state_i,
   // From rc_pass: a pass has ended. It has changed these groups, and the group that every pass
   // changes
   input  logic                         write_i,
@@ -74,11 +72,11 @@ module rc_contexts #(
   rc_pulse_register #(.Stages(rc_pkg::ShadeRead)) u_there (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(there_o));
 
-  logic                     looks, writes;
-  logic [I-1:0]             look_ray;
-  logic [rc_pkg::LookW-1:0] look_state;
+  logic                         looks, writes;
+  logic [I-1:0]                 look_ray;
+  logic [rc_pkg::MaterialW-1:0] look_state;
 
-  rc_path_register #(.Width(I + rc_pkg::LookW), .Stages(rc_pkg::ShadeCut)) u_look_state (
+  rc_path_register #(.Width(I + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_look_state (
     .clk_i, .data_i({look_ray_i, look_state_i}), .data_o({look_ray, look_state}));
 
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_looks (
@@ -141,20 +139,18 @@ module rc_contexts #(
   end
 
   // ---- State, in the groups of model/unit/shade/state.hpp.
-  localparam int unsigned VB      = rc_pkg::ValueBits;
-  localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
-  localparam int unsigned EveryW  = 3 + 2 + 1 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits + 4 * VB
-                                  + rc_pkg::DepthBits + 7 + 2 * rc_pkg::Panes;
-  localparam int unsigned PointW  = 3 * rc_pkg::PointWidth + 6 * rc_pkg::AxisBits + VB;
+  localparam int unsigned PixelW  = rc_pkg::ShadePixelW;
+  localparam int unsigned EveryW  = rc_pkg::ShadeEveryW;
+  localparam int unsigned PointW  = rc_pkg::ShadePointW;
   localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * P : 0;
-  localparam int unsigned FaceW   = 3 * rc_pkg::NormalBits + 2 + 3 * (rc_pkg::ShareBits + 1);
-  localparam int unsigned ShareW  = 3 * VB;
-  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
-  localparam int unsigned WaitsW  = rc_pkg::DepthBits + 1;
-  localparam int unsigned BendW   = VB + rc_pkg::RatioBits + 1 + VB;
-  localparam int unsigned SelfW   = PB + 1;
-  localparam int unsigned LookW   = rc_pkg::LookW - BendW - SelfW;   // of all materials
-  localparam int unsigned PlaceAt = FaceW + ShareW + SampleW + WaitsW + rc_pkg::LookW;
+  localparam int unsigned FaceW   = rc_pkg::ShadeFaceW;
+  localparam int unsigned ShareW  = rc_pkg::ShadeShareW;
+  localparam int unsigned SampleW = rc_pkg::ShadeSamplesW;
+  localparam int unsigned WaitsW  = rc_pkg::ShadeWaitsW;
+  localparam int unsigned LookW   = rc_pkg::ShadeLookW;   // of all materials
+  localparam int unsigned BendW   = rc_pkg::ShadeBendW;
+  localparam int unsigned SelfW   = rc_pkg::ShadeSelfW;
+  localparam int unsigned PlaceAt = FaceW + ShareW + SampleW + WaitsW + rc_pkg::MaterialW;
 
   logic [PixelW-1:0]  pixel, new_pixel;
   logic [EveryW-1:0]  every, new_every;
@@ -167,7 +163,7 @@ module rc_contexts #(
   logic [BendW-1:0]   bend, new_bend;
   logic [SelfW-1:0]   self, new_self;
   logic [rc_pkg::ShadeStateW-1:0] new_state, kept_state;
-  logic [rc_pkg::LookW-1:0]       end_look;   // was written when the pass began
+  logic [rc_pkg::MaterialW-1:0]   end_look;   // was written when the pass began
   logic                           writes_point, writes_inner, writes_face, writes_share;
 
   assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{writes}};

@@ -4,6 +4,7 @@
 `default_nettype none
 module rc_finish #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned SB    = rc_pkg::SumBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic                 clk_i,
@@ -13,7 +14,7 @@ module rc_finish #(
   input  rc_pkg::shade_state_t s0_state_i,
   input  logic [3*VB-1:0]      s0_colour_i,
   output logic                 s4_more_o,
-  output logic [68:0]          s4_sum_o,
+  output logic [3*SB-1:0]      s4_sum_o,
   output logic [3*VB-1:0]      s4_least_o,
   output logic [3*VB-1:0]      s4_most_o,
   output logic [3*VB-1:0]      s4_colour_o
@@ -23,7 +24,7 @@ module rc_finish #(
   logic [6:0] s0_done, all;
   logic       s0_some, s0_fourth, s3_some, s3_fourth, s3_same;
   logic [2:0] s2_same;
-  logic [68:0] s0_sum, s3_sum;
+  logic [3*SB-1:0] s0_sum, s3_sum;
   logic [3*VB-1:0] s0_least, s0_most, s3_least, s3_most;
 
   assign all       = {3'd0, frame_i.side} * {3'd0, frame_i.side};
@@ -46,31 +47,32 @@ module rc_finish #(
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
-  logic [3*23-1:0] s1_sum;
-  logic [3*40-1:0] s1_product;
+  localparam int unsigned Q = SB + VB;   // a product
+  logic [3*SB-1:0] s1_sum;
+  logic [3*Q-1:0]  s1_product;
 
-  rc_mul_held #(.AW(23), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
+  rc_mul_held #(.AW(SB), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
     .clk_i, .turn_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [22:0] s1_sum_q, s2_sum_q, s3_sum_q;
+    logic [SB-1:0] s1_sum_q, s2_sum_q, s3_sum_q;
     logic [VB-1:0] colour, least, most;
     logic [VB-1:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
     logic [VB-1:0] s1_apart;
     logic        s2_same_q;
-    logic [39:0] s2_mean_q, s2_rounded;
+    logic [Q-1:0] s2_mean_q, s2_rounded;
     logic [VB-1:0] s3_mean_q;
 
     assign colour   = s0_colour_i[k*VB +: VB];
     assign least    = s0_least[k*VB +: VB];
     assign most     = s0_most[k*VB +: VB];
-    assign s1_sum[k*23 +: 23] = s1_sum_q;
+    assign s1_sum[k*SB +: SB] = s1_sum_q;
     assign s1_apart = s1_most_q - s1_least_q;
     assign s2_rounded = s2_mean_q + 40'h8000;
 
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
-        s1_sum_q   <= s0_sum[k*23 +: 23] + {6'd0, colour};
+        s1_sum_q   <= s0_sum[k*SB +: SB] + SB'(colour);
         s1_least_q <= colour < least ? colour : least;
         s1_most_q  <= colour > most ? colour : most;
       end
@@ -79,19 +81,19 @@ module rc_finish #(
         s2_least_q <= s1_least_q;
         s2_most_q  <= s1_most_q;
         s2_same_q  <= s1_apart <= contrast && contrast != '0;
-        s2_mean_q  <= s1_product[k*40 +: 40];
+        s2_mean_q  <= s1_product[k*Q +: Q];
       end
       if (valid_i[2]) begin
         s3_sum_q   <= s2_sum_q;
         s3_least_q <= s2_least_q;
         s3_most_q  <= s2_most_q;
-        s3_mean_q  <= s2_rounded[39:32] != '0 ? 17'h10000 : {1'b0, s2_rounded[31:16]};
+        s3_mean_q  <= s2_rounded[Q-1:32] != '0 ? 17'h10000 : {1'b0, s2_rounded[31:16]};
       end
       if (valid_i[3]) s4_colour_o[k*VB +: VB] <= s3_mean_q;
     end
 
     assign s2_same[k]             = s2_same_q;
-    assign s3_sum[k*23 +: 23]     = s3_sum_q;
+    assign s3_sum[k*SB +: SB]     = s3_sum_q;
     assign s3_least[k*VB +: VB]   = s3_least_q;
     assign s3_most[k*VB +: VB]    = s3_most_q;
 

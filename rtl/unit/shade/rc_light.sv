@@ -186,21 +186,23 @@ module rc_light #(
 
   // Fields of the surface are delayed.
   logic [VB-1:0] s15_cosine;
-  logic [12:0] s15_diffuse, s15_highlight, s24_highlight;
-  logic [13:0] s15_shine, s17_shine;
-  logic [38:0] s15_albedo, s16_albedo;
+  localparam int unsigned CB = rc_pkg::ColourBits;
+  localparam int unsigned SB = rc_pkg::ShineBits;
+  logic [CB-1:0]   s15_diffuse, s15_highlight, s24_highlight;
+  logic [SB-1:0]   s15_shine, s17_shine;
+  logic [3*CB-1:0] s15_albedo, s16_albedo;
 
-  rc_stage_delay #(.Width(VB + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
+  rc_stage_delay #(.Width(VB + 2 * CB + SB + 3 * CB), .Stages(15)) u_surface (
     .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[15]),
     .data_i({s0_state_i.cosine, s0_state_i.diffuse, s0_state_i.highlight, s0_state_i.shine,
              s0_state_i.albedo}),
     .data_o({s15_cosine, s15_diffuse, s15_highlight, s15_shine, s15_albedo}));
 
-  rc_stage_delay #(.Width(13), .Stages(9)) u_highlight (
+  rc_stage_delay #(.Width(CB), .Stages(9)) u_highlight (
     .clk_i, .rst_ni, .come_i(valid_i[15]), .leave_i(valid_i[24]), .data_i(s15_highlight),
     .data_o(s24_highlight));
 
-  rc_shift_register #(.Width(14), .Stages(2)) u_shine (
+  rc_shift_register #(.Width(SB), .Stages(2)) u_shine (
     .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
   // s17: R . V = 2 (N . L) (N . V) - L . V, clamped to 0..1. s24: that to the power of shine.
@@ -221,11 +223,11 @@ module rc_light #(
     .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_cosine_i), .b_i(s15_cosine),
     .p_o(s15_double));
 
-  rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_lit (
+  rc_mul_held #(.AW(CB), .BW(VB), .Signed(1'b0)) u_lit (
     .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_diffuse), .b_i(s15_cosine_i),
     .p_o(s15_matte));
 
-  rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_gloss (
+  rc_mul_held #(.AW(CB), .BW(VB), .Signed(1'b0)) u_gloss (
     .clk_i, .turn_i(turn_i[24*Every +: Every]), .a_i(s24_highlight), .b_i(s24_phong),
     .p_o(s24_gloss));
 

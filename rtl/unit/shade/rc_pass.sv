@@ -20,11 +20,8 @@ module rc_pass #(
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned U  = rc_pkg::UvBits,
   localparam int unsigned TB = rc_pkg::TBits,
-  localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned HitW = 2 + PB + TB + 2 * U,
-  localparam int unsigned MapW   = 9 * rc_pkg::MapBits
-                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac),
-  localparam int unsigned PlaceW = rc_pkg::AddrBits + MapW
+  localparam int unsigned CB = rc_pkg::ColourBits,
+  localparam int unsigned SB = rc_pkg::SumBits
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
@@ -33,18 +30,18 @@ module rc_pass #(
   input  logic                 valid_i,
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t state_i,
-  input  logic [HitW-1:0]      hit_i,      // found, back, prim, t, u, v of the last ray
+  input  rc_pkg::shade_hit_t   hit_i,      // of the last ray
   input  logic [3*P-1:0]       o_i,        // of the last camera ray or bounce
   input  logic [3*M-1:0]       d_i,
   input  rc_pkg::surface_t     surface_i,  // if the ray arrives now and has hit something
   // Top of the waiting rays. If a pass stays for more than one cycle, it comes one cycle later.
   input  rc_pkg::waiting_t     top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
-  input  logic [PlaceW-1:0]    place_i,
+  input  rc_pkg::shade_place_t place_i,
   // To rc_contexts: at the begin of a pass the material of the surface that was hit; its end
   output logic                        look_valid_o,
   output logic [I-1:0]                look_ray_o,
-  output logic [rc_pkg::LookW-1:0]    look_o,
+  output rc_pkg::material_t           look_o,
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
@@ -75,12 +72,12 @@ module rc_pass #(
   logic                 valid;
   logic [I-1:0]         ray;
   rc_pkg::shade_state_t state;
-  logic [HitW-1:0]      hit;
+  rc_pkg::shade_hit_t   hit;
   logic [3*P-1:0]       o;
   logic [3*M-1:0]       d;
   rc_pkg::surface_t     surface;
   rc_pkg::waiting_t     top_came;
-  logic [PlaceW-1:0]    place;
+  rc_pkg::shade_place_t place;
 
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
@@ -93,7 +90,8 @@ module rc_pass #(
     assign top_came = top_i;
     assign place    = place_i;
   end else begin : gen_held
-    localparam int unsigned RayW = I + HitW + 3 * P + 3 * M + PlaceW;
+    localparam int unsigned RayW = I + rc_pkg::ShadeHitW + 3 * P + 3 * M
+                                 + rc_pkg::ShadePlaceW;
 
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
 
@@ -115,10 +113,12 @@ module rc_pass #(
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
-  logic                 hit_found, looks;
-  logic [PB-1:0]        hit_prim;
+  logic                 looks;
 
-  assign {hit_found, back, hit_prim, t, u, v} = hit;
+  assign back = hit.back;
+  assign t    = hit.t;
+  assign u    = hit.u;
+  assign v    = hit.v;
 
   rc_pass_begin u_begin (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
@@ -198,7 +198,7 @@ module rc_pass #(
   logic [3*AB-1:0] s13_normal, s13_view;
   logic [3*NB-1:0] side_n;
 
-  rc_stage_delay #(.Width(108), .Stages(13)) u_vectors (
+  rc_stage_delay #(.Width(6 * AB), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
 
@@ -211,7 +211,7 @@ module rc_pass #(
   logic [3*NB-1:0]    s5_n, surf_n;
   logic [3*UnitW-1:0] s5_toward, s5_target, s5_turned;
   logic               s5_far, surf_far, s5_lost, surf_lost;
-  logic [38:0]        s6_albedo, surf_albedo;
+  logic [3*CB-1:0]    s6_albedo, surf_albedo;
   logic [3*VB-1:0]    s7_ambient, surf_ambient;
 
   rc_surf #(.UnitW(UnitW)) u_surf (
@@ -228,7 +228,7 @@ module rc_pass #(
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
-  rc_stage_delay #(.Width(39), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
+  rc_stage_delay #(.Width(3 * CB), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
     .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
@@ -255,7 +255,7 @@ module rc_pass #(
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
 
-  rc_stage_delay #(.Width(108), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
+  rc_stage_delay #(.Width(6 * AB), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
     .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
@@ -346,7 +346,9 @@ module rc_pass #(
     logic [9*E-1:0]              map_a;
     logic [3*H-1:0]              map_b;
 
-    assign {here, map_a, map_b} = place;
+    assign here  = place.here;
+    assign map_a = place.a;
+    assign map_b = place.b;
 
     rc_homes #(.UnitW(UnitW)) u_homes (
       .clk_i, .rst_ni, .turn_valid_i(turn_at[4:0]), .s0_turn_i(turn[Every-1:0]), .s0_o_i(o),
@@ -435,12 +437,12 @@ module rc_pass #(
 
   // ---- End of the sample.
   logic            end_more;
-  logic [68:0]     end_sum;
+  logic [3*SB-1:0] end_sum;
   logic [3*VB-1:0] end_least, end_most, end_mean;
 
   if (rc_pkg::Supersampling == 1) begin : gen_samples
     logic         s4_more;
-    logic [68:0]  s4_sum;
+    logic [3*SB-1:0] s4_sum;
     logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
 
     rc_finish u_finish (
@@ -449,7 +451,7 @@ module rc_pass #(
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
 
-    rc_stage_delay #(.Width(1 + 69 + 3 * 3 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts))
+    rc_stage_delay #(.Width(1 + 3 * SB + 9 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts))
       u_end (
       .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
@@ -481,6 +483,6 @@ module rc_pass #(
     .pushed_o);
 
   logic unused;
-  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, face_at};
+  assign unused = ^{hit, turn, ends, surf_at, light_at, bounce_at, end_at, face_at};
 endmodule
 `default_nettype wire

@@ -5,13 +5,12 @@ module rc_pass_begin #(
   localparam int unsigned VB = rc_pkg::ValueBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
   localparam int unsigned TB = rc_pkg::TBits,
-  localparam int unsigned U  = rc_pkg::UvBits,
-  localparam int unsigned HitW = 2 + PB + TB + 2 * U
+  localparam int unsigned U  = rc_pkg::UvBits
 ) (
   // Context, and the last ray's answer
   input  logic                 valid_i,
   input  rc_pkg::shade_state_t state_i,
-  input  logic [HitW-1:0]      hit_i,
+  input  rc_pkg::shade_hit_t   hit_i,
   input  rc_pkg::surface_t     surface_i,
   // Purpose
   output logic                 surf_o,     // a camera ray or bounce has hit a surface
@@ -23,7 +22,7 @@ module rc_pass_begin #(
   // State
   output logic [3*VB-1:0]      colour_o,   // including what was pending
   output logic                 looks_o,    // a surface has been hit, even without valid_i:
-  output logic [rc_pkg::LookW-1:0] look_o, // its material, as in shade_state_t
+  output rc_pkg::material_t    look_o,     // its material
   output rc_pkg::shade_state_t known_o
 );
 
@@ -33,7 +32,12 @@ module rc_pass_begin #(
   logic [TB-1:0] t;
   logic [U-1:0]  u, v;
 
-  assign {found, back, prim, t, u, v} = hit_i;
+  assign found = hit_i.found;
+  assign back  = hit_i.back;
+  assign prim  = hit_i.prim;
+  assign t     = hit_i.t;
+  assign u     = hit_i.u;
+  assign v     = hit_i.v;
 
   assign arrives   = state_i.purpose == rc_pkg::EventArrive;
   assign looks_o   = arrives && found;
@@ -105,9 +109,16 @@ module rc_pass_begin #(
     assign known_o = known;
   end
 
-  assign look_o = {known.diffuse, known.highlight, known.mirror, known.shine,
-                   known.transmit, known.ratio, known.schlick, known.r0, known.self,
-                   known.is_inside};
+  assign look_o.diffuse   = known.diffuse;
+  assign look_o.highlight = known.highlight;
+  assign look_o.mirror    = known.mirror;
+  assign look_o.shine     = known.shine;
+  assign look_o.transmit  = known.transmit;
+  assign look_o.ratio     = known.ratio;
+  assign look_o.schlick   = known.schlick;
+  assign look_o.r0        = known.r0;
+  assign look_o.self      = known.self;
+  assign look_o.is_inside = known.is_inside;
 
   logic unused;
   assign unused = ^surface_i;

@@ -38,7 +38,7 @@ module rc_pass_end #(
   input  logic [VB-1:0]   surf_cosine_i,
   input  logic            surf_far_i,
   input  logic            surf_lost_i,
-  input  logic [38:0]     surf_albedo_i,
+  input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
   input  logic [3*VB-1:0] surf_ambient_i,
   input  logic [3*VB-1:0] background_i,
   // With two levels, from rc_homes: a surface was transformed; the ray in the mesh's space
@@ -65,7 +65,7 @@ module rc_pass_end #(
   input  logic          total_i,
   // From rc_finish
   input  logic            more_i,  // another sample follows
-  input  logic [68:0]     sum_i,
+  input  logic [3*rc_pkg::SumBits-1:0] sum_i,
   input  logic [3*VB-1:0] least_i,
   input  logic [3*VB-1:0] most_i,
   input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several samples
@@ -316,39 +316,28 @@ module rc_pass_end #(
                                                        : d_i[k*D +: D];
   end
 
-  localparam int unsigned TailW   = rc_pkg::Panes + rc_pkg::Horizon;   // its cell; planes only
-  localparam int unsigned RestW   = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
-  localparam int unsigned PushedW = RestW + TailW;
-  logic [RestW-1:0]            rest;
-  logic [PushedW-1:0]          pushed;
-  logic [rc_pkg::WaitingW-1:0] waiting;
+  rc_pkg::waiting_t waiting;
 
-  if (rc_pkg::Panes != 0 && rc_pkg::Horizon == 1) begin : gen_both
-    assign pushed = {rest, was_i.across, beyond};
-  end else if (rc_pkg::Panes != 0) begin : gen_cell_alone
-    assign pushed = {rest, was_i.across};
-  end else if (rc_pkg::Horizon == 1) begin : gen_beyond
-    assign pushed = {rest, beyond};
-  end else begin : gen_rest
-    assign pushed = rest;
+  assign waiting.o         = start;
+  assign waiting.d         = short_d;
+  assign waiting.weight    = weight_i;
+  assign waiting.depth     = was_i.depth + 4'd1;
+  assign waiting.self      = was_i.self;
+  assign waiting.is_inside = !was_i.is_inside;
+
+  if (rc_pkg::Panes != 0) begin : gen_waiting_cell
+    assign waiting.in_cell = was_i.across;
   end
 
-  assign rest = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+  if (rc_pkg::Horizon == 1) begin : gen_waiting_partial   // planes only
+    assign waiting.is_partial = beyond;
+  end
 
   // The ray that starts: a camera ray, a bounce, a shadow ray, a ray away to a light.
   logic [1:0]                 kind;
-  logic [rc_pkg::PrimBits:0]  self;
-  logic [rc_pkg::PixelBits-1:0] x, y;
-  logic [5:0]                 sample;
 
   assign kind   = is_next ? rc_pkg::RayCamera : !is_light ? rc_pkg::RayBounce
                 : to_point ? rc_pkg::RayShadow : rc_pkg::RayAway;
-  assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
-                                        : {was_i.self, was_i.is_inside};
-  assign x      = was_i.x;
-  assign y      = was_i.y;
-
-  assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
   assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
 
   logic top_partial, partial;   // tests no planes; a bounce tests planes only
@@ -361,18 +350,31 @@ module rc_pass_end #(
   assign partial = is_light ? !to_point && light_clear_i : is_pop ? top_partial
                  : is_reflect && beyond;
 
-  localparam int unsigned GivenW = 3 * P + 3 * D;
-  localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
-  localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
-  localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  rc_pkg::spawn_t spawn;
 
-  logic [rc_pkg::SpawnW-1:0] spawn;
-  logic [FromW-1:0]       from;
-  logic [FromW+SelfW-1:0] given;
+  assign spawn.ray    = ray_i;
+  assign spawn.kind   = kind;
+  assign spawn.x      = was_i.x;
+  assign spawn.y      = was_i.y;
+  assign spawn.sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
+  assign spawn.o      = spawn_place;
+  assign spawn.d      = spawn_way;
+
+  if (rc_pkg::Planes == 1) begin : gen_partial
+    assign spawn.is_partial = partial;
+  end else begin : gen_no_planes
+    logic unused;
+    assign unused = partial;
+  end
+
+  if (rc_pkg::Spheres == 1) begin : gen_self
+    assign spawn.self      = is_next ? '0 : is_pop ? top_i.self : was_i.self;
+    assign spawn.is_inside = is_next ? 1'b0 : is_pop ? top_i.is_inside : was_i.is_inside;
+  end
 
   if (rc_pkg::Homes == 1) begin : gen_home
     logic [3*M-1:0] short_home_d, top_home_d;
-    logic [3*D-1:0] top_way, home_d;
+    logic [3*D-1:0] top_way;
 
     assign top_home_d = top_i.home_d;
     for (genvar k = 0; k < 3; k++) begin : gen_axis
@@ -380,48 +382,34 @@ module rc_pass_end #(
       assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
     end
 
-    assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
-    assign waiting  = {pushed, home_i, home_o_i, short_home_d};
-    assign from     = {is_next ? '0 : is_pop ? top_i.home : home_i,
-                       is_next ? '0 : is_pop ? top_i.home_o : home_o_i, home_d,
-                       spawn_place, spawn_way};
+    assign waiting.home   = home_i;
+    assign waiting.home_o = home_o_i;
+    assign waiting.home_d = short_home_d;
+    assign spawn.home     = is_next ? '0 : is_pop ? top_i.home : home_i;
+    assign spawn.home_o   = is_next ? '0 : is_pop ? top_i.home_o : home_o_i;
+    assign spawn.home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
   end else begin : gen_no_home
-    assign waiting  = pushed;
-    assign from     = {spawn_place, spawn_way};
-
     logic unused;
     assign unused = ^{home_i, home_o_i, home_d_i};
   end
 
-  if (rc_pkg::Spheres == 1) begin : gen_self
-    assign given = {self, from};
-  end else begin : gen_no_self
-    assign given = from;
-
-    logic unused;
-    assign unused = ^self;
-  end
-
-  if (rc_pkg::Planes == 1) begin : gen_partial
-    assign spawn   = {ray_i, kind, x, y, sample, partial, given};
-  end else begin : gen_no_planes
-    assign spawn   = {ray_i, kind, x, y, sample, given};
-
-    logic unused;
-    assign unused = partial;
-  end
-
   // ---- The finished pixel.
-  logic [3*VB-1:0]           end_colour;
-  logic [rc_pkg::PixelW-1:0] pixel;
+  rc_pkg::pixel_t pixel;
 
-  assign end_colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+  assign pixel.ray   = ray_i;
+  assign pixel.found = was_i.found;
+  assign pixel.prim  = was_i.prim;
+  assign pixel.t     = was_i.t;
+  assign pixel.u     = was_i.u;
+  assign pixel.v     = was_i.v;
+
+  if (rc_pkg::Shading == 1) begin : gen_colour   // always, but tools read this without
+    assign pixel.back   = 1'b0;
+    assign pixel.colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+  end
 
   if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
-    assign pixel   = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
-                      was_i.u, was_i.v, end_colour};
-  end else begin : gen_pixel
-    assign pixel   = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, end_colour};
+    assign pixel.place = '0;
   end
 
   // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand

@@ -4,7 +4,6 @@
 `default_nettype none
 module rc_pass_state #(
   localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned VB = rc_pkg::ValueBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
   localparam int unsigned DB = rc_pkg::DepthBits
 ) (
@@ -23,19 +22,21 @@ module rc_pass_state #(
 );
   localparam int unsigned L      = rc_pkg::ShadeStages;
   localparam int unsigned StateW = rc_pkg::ShadeStateW;
-  localparam int unsigned FrontW = 2 * rc_pkg::PixelBits + 6 + PB + rc_pkg::TBits
-                                 + 2 * rc_pkg::UvBits + 4 * VB + DB + 7 + 2 * rc_pkg::Panes
+  localparam int unsigned FrontW = rc_pkg::ShadePixelW + rc_pkg::ShadeEveryW
                                  + 3 * rc_pkg::PointWidth;   // from x to o
-  localparam int unsigned ManyW  = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
 
   logic [StateW-1:0] known;
   logic [FrontW-1:0] front;
-  logic [ManyW-1:0]  many;
+  rc_pkg::shade_samples_t known_many, many;
   logic              is_far, is_lost, total, is_inside;
   logic [DB-1:0]     waiting;
   logic [PB-1:0]     self;
 
-  assign known = known_i;
+  assign known             = known_i;
+  assign known_many.sample = known_i.sample;
+  assign known_many.sum    = known_i.sum;
+  assign known_many.least  = known_i.least;
+  assign known_many.most   = known_i.most;
 
   rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_all (
     .clk_i, .rst_ni, .come_i, .leave_i,
@@ -46,9 +47,9 @@ module rc_pass_state #(
              self}));
 
   if (rc_pkg::Supersampling == 1) begin : gen_many
-    rc_stage_delay #(.Width(ManyW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_many (
-      .clk_i, .rst_ni, .come_i, .leave_i,
-      .data_i({known_i.sample, known_i.sum, known_i.least, known_i.most}), .data_o(many));
+    rc_stage_delay #(
+      .Width(rc_pkg::ShadeSamplesW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_many (
+      .clk_i, .rst_ni, .come_i, .leave_i, .data_i(known_many), .data_o(many));
   end else begin : gen_one
     assign many = '0;
   end
@@ -61,12 +62,12 @@ module rc_pass_state #(
     was_o.is_inside = is_inside;
     was_o.waiting   = waiting;
     was_o.self      = self;
-    was_o.sample    = many[ManyW-1 -: rc_pkg::SampleBits];
-    was_o.sum       = many[6*VB +: 69];
-    was_o.least     = many[3*VB +: 3*VB];
-    was_o.most      = many[0 +: 3*VB];
+    was_o.sample    = many.sample;
+    was_o.sum       = many.sum;
+    was_o.least     = many.least;
+    was_o.most      = many.most;
   end
   logic unused;
-  assign unused = ^known;
+  assign unused = ^{known, known_many};
 endmodule
 `default_nettype wire

@@ -47,7 +47,6 @@ module rc_shade (
   localparam int unsigned T    = rc_pkg::Contexts;
   localparam int unsigned A    = rc_pkg::AddrBits;
   localparam int unsigned PB   = rc_pkg::PrimBits;
-  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits;
   localparam int unsigned Every = rc_pkg::ShadeInterval;
   localparam int unsigned SpawnDataW = rc_pkg::SpawnW - I;
   localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
@@ -60,13 +59,11 @@ module rc_shade (
 
   // ---- Answers: a hit of a camera ray or bounce waits for its surface (A); others enter a pass
   // (B).
-  logic [rc_pkg::ClosestW-1:0] closest;
   logic [I-1:0]                closest_ray;
   logic [PB-1:0]               closest_prim;
   logic                        wants_surface, ends_at_any, any_hit;   // any_hit: any hit ends it
   logic [1:0]                  kind;
 
-  assign closest         = closest_i;
   assign closest_ready_o = 1'b1;
 
   // In a fast chip the answer is one cycle in flight, and then one cycle here.
@@ -117,10 +114,7 @@ module rc_shade (
 `endif
 
   // ---- Surfaces, and with two levels the instances before them.
-  localparam int unsigned MapW   = 9 * rc_pkg::MapBits
-                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
-  localparam int unsigned PlaceW = A + MapW;
-  localparam int unsigned MaterialW = 9 * (rc_pkg::ShareBits + 1)
+  localparam int unsigned LentW = 9 * (rc_pkg::ShareBits + 1)
                                     + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
                                     + 2 * rc_pkg::RatioBits;
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
@@ -132,7 +126,7 @@ module rc_shade (
   logic [rc_pkg::SurfaceW-1:0] surface_found;
   rc_pkg::surface_t            surface_came;    // the line that comes, if it is a surface,
   rc_pkg::placement_t          instance_came;   // or an instance
-  logic [PlaceW-1:0] place_data, place;
+  rc_pkg::shade_place_t place_data, place;
 
   assign surf_rsp      = surf_rsp_i;
   assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
@@ -182,8 +176,9 @@ module rc_shade (
     assign taken         = surf_rsp_valid_i && placing;
 
     // Line 0: the ray is the same in the instance.
-    assign place_data    = {instance_came.is_same ? {A{1'b0}} : instance_came.here,
-                            MapW'(rc_pkg::PlacementW'(surf_rsp))};
+    assign place_data.here = instance_came.is_same ? '0 : instance_came.here;
+    assign place_data.a    = instance_came.a;
+    assign place_data.b    = instance_came.b;
 
     always_ff @(posedge clk_i) begin
       if (placed)  placing_q[came_ray]    <= 1'b0;
@@ -201,19 +196,19 @@ module rc_shade (
       .read_addr_i(came_ray), .read_data_o(kept_line));
 
     // A material for all primitives of the instance replaces the surface's own.
-    logic [MaterialW:0] material;
+    logic [LentW:0] material;
 
-    rc_ram #(.Width(MaterialW + 1), .Depth(T)) u_material (
+    rc_ram #(.Width(LentW + 1), .Depth(T)) u_material (
       .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
-      .write_data_i({surface_came.schlick, surf_rsp[MaterialW-1:0]}), .read_addr_i(came_ray),
+      .write_data_i({surface_came.schlick, surf_rsp[LentW-1:0]}), .read_addr_i(came_ray),
       .read_data_o(material));
 
     logic [rc_pkg::SurfaceW-1:0] lent;
 
     always_comb begin
       lent = rc_pkg::SurfaceW'(surf_rsp);
-      if (lent_q[came_ray]) lent[MaterialW-1:0] = material[MaterialW-1:0];
-      if (lent_q[came_ray]) lent[SchlickAt]     = material[MaterialW];
+      if (lent_q[came_ray]) lent[LentW-1:0] = material[LentW-1:0];
+      if (lent_q[came_ray]) lent[SchlickAt]     = material[LentW];
     end
 
     assign surface_found = lent;
@@ -288,14 +283,14 @@ module rc_shade (
 
   // ---- Pass. Every payload begins with the context's number, so its data lies lowest. rc_contexts
   // answers ShadeRead cycles after a pass enters; the surface of that cycle is held until then.
-  logic [HitW-1:0]                   hit;
+  rc_pkg::shade_hit_t                hit, closest_hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
   logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
   logic [rc_pkg::WaitingW-1:0]       top, pushed;
   logic [I-1:0]                      end_ray, look_ray;
   logic                              look_valid;
-  logic [rc_pkg::LookW-1:0]          look;
+  rc_pkg::material_t                 look;
   logic [3:0]                        changes;
   logic [1:0]                        leave;
   logic                              push;
@@ -320,10 +315,20 @@ module rc_shade (
     assign surface  = surface_q;
   end
 
+  assign closest_hit.found = closest_i.found;
+  assign closest_hit.prim  = closest_i.prim;
+  assign closest_hit.t     = closest_i.t;
+  assign closest_hit.u     = closest_i.u;
+  assign closest_hit.v     = closest_i.v;
+
+  if (rc_pkg::Shading == 1) begin : gen_side   // always, but tools read this without
+    assign closest_hit.back = closest_i.back;
+  end
+
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
-    .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray), .there_o(passes),
+    .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .there_o(passes),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
     .look_i(look_valid), .look_ray_i(look_ray), .look_state_i(look), .write_i(end_valid),
@@ -408,6 +413,6 @@ module rc_shade (
 `endif
 
   logic unused;
-  assign unused = ^{frame_flat, closest_prim, out_ready, closest, spawn, pixel, surf_rsp};
+  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp};
 endmodule
 `default_nettype wire

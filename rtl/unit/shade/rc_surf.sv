@@ -35,7 +35,7 @@ module rc_surf #(
   output logic [3*UnitW-1:0] s5_toward_o,
   output logic               s5_far_o,   // beyond the lattice,
   output logic               s5_lost_o,  // and beyond the range of o
-  output logic [38:0]        s6_albedo_o,
+  output logic [3*rc_pkg::ColourBits-1:0] s6_albedo_o,
   output logic [3*VB-1:0]    s7_ambient_o
 );
   localparam int unsigned C    = rc_pkg::CornerBits;

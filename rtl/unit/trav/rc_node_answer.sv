@@ -1,5 +1,5 @@
 // The common end of all units that decide nodes: sorts the children that are met, and queues the
-// answers for trav. Part of rc_box, rc_treelet, rc_globe and rc_slant.
+// answers for trav. Part of every such unit.
 //
 // Stages count like the unit's valid bits. A node's ray, base and kinds come with stage In. The
 // children that are met, and their distances, come with stage Latency - RankStages - 1. Model:

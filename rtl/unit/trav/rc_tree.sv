@@ -14,8 +14,7 @@
 // before a cell; this follows from the exits' t_near.
 //
 // In traces, decide_req, decide_rsp, mesh_req and mesh_rsp have the names of the unit's links
-// (model/machine/links.hpp). Model: model/engine/bvh, model/engine/kd, model/engine/spheres,
-// model/engine/bsp.
+// (model/machine/links.hpp). Model: model/engine.
 `default_nettype none
 module rc_tree (
   input  logic              clk_i,

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/study/gigahertz/page.hpp"
 #include "sim/study/typed.hpp"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/study/tradeoff.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"

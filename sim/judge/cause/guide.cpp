@@ -415,9 +415,10 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
     return look(path) || any_moved(path, look);
 }
 
-/// Beyond the lattice the machine knows a plane only by the side on which the camera's eye lies, and of a
-/// pane the path: what is seen through another plane that transmits may have another light (docs/origins.md,
-/// Points of a plane beyond the lattice).
+/// Returns true if the machine may miss a light because the point lies beyond the lattice. There the machine
+/// knows only on which side of a plane the camera's eye lies, and for a pane which side the path is on. Seen
+/// through another transmitting plane, a point may have another light (docs/origins.md, Points of a plane
+/// beyond the lattice).
 bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
                                      const MachineVisit& at) const {
     const Scene& scene = rules_.scene;

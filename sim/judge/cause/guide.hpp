@@ -1,7 +1,7 @@
 #pragma once
 // Leads the reference tracer along a machine's path through one pixel, and says where the two disagree.
 //
-// The last rung of the ladder (ladder.hpp). The reference has the scene as the machine has it: corners,
+// The last rung of the ladder (finished.hpp). The reference has the scene as the machine has it: corners,
 // spheres, planes and lights on the lattice, colours and weights with the machine's bits. Each ray is the
 // machine's, after it was found to lie within a bound of the ray that the reference would have sent. Every
 // decision is the reference's own: what a ray meets, on which side, which normal counts there, which lights

@@ -172,9 +172,10 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     demand(s.albedo == expected_albedo(surface), "the colour is another square's");
 }
 
-/// Of a plane the square's, which is found from the scene and not from what memory says; that between the two
-/// where u and v tell no squares: they are saturated, or squares are finer than they are. A square that is
-/// longer than u and v reach is the one around a.
+/// Returns the surface's colour. A checkered plane has the colour of the hit's square, which follows from the
+/// scene and not from the memory image. If u and v cannot tell squares apart (they are saturated, or coarser
+/// than the squares), it is the average of both colours. If one square is longer than the range of u and v,
+/// it is the square around the plane's point a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
     if (PrimKind(surface.kind) != PrimKind::plane || !surface.checkered) return surface.colour;
     const Scene& scene = rules_.asked.scene;

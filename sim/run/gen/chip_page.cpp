@@ -100,10 +100,10 @@ std::string counter_table() {
         const bool shared = u >= pipeline_units;
         std::string causes;
         for (const Cause& cause : unit_infos[u].causes) {
-            if (cause.kind == Kind::none) continue;
-            const char* kind = cause.kind == Kind::busy      ? "busy: "
-                               : cause.kind == Kind::starved ? "starved by "
-                                                             : "stalled by ";
+            if (cause.kind == CauseKind::none) continue;
+            const char* kind = cause.kind == CauseKind::busy      ? "busy: "
+                               : cause.kind == CauseKind::starved ? "starved by "
+                                                                  : "stalled by ";
             causes += fmt::format("{}{}{}", causes.empty() ? "" : "; ", kind, cause.name);
         }
         text += fmt::format("| {} | {} | {} | {} |\n", unit_infos[u].name, shared ? "0" : "p + 1",

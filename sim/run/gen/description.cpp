@@ -33,15 +33,15 @@ std::string when_text(When when) {
     }
 }
 
-const char* place_text(Place place) {
-    return place == Place::pipeline ? "a pipeline"
-           : place == Place::engine ? "a pipeline's engine"
-           : place == Place::shared ? "the chip"
-                                    : "(beside the chip)";
+const char* place_text(UnitPlace place) {
+    return place == UnitPlace::pipeline ? "a pipeline"
+           : place == UnitPlace::engine ? "a pipeline's engine"
+           : place == UnitPlace::shared ? "the chip"
+                                        : "(outside the chip)";
 }
 
 /// Returns the causes of one kind, in the order of their codes.
-std::string causes_text(const UnitInfo& unit, Kind kind) {
+std::string causes_text(const UnitInfo& unit, CauseKind kind) {
     std::string text;
     for (const Cause& cause : unit.causes)
         if (cause.kind == kind) text += (text.empty() ? "" : ", ") + std::string(cause.name);
@@ -63,8 +63,9 @@ template <std::size_t i = 0> void add_links(Table& table) {
 std::string units_table() {
     Table table({"unit", "one in", "exists", "busy with", "starved by", "stalled by"}, Table::words_only);
     for (const UnitInfo& unit : unit_infos)
-        table.add({unit.name, place_text(unit.place), when_text(unit.when), causes_text(unit, Kind::busy),
-                   causes_text(unit, Kind::starved), causes_text(unit, Kind::stalled)});
+        table.add({unit.name, place_text(unit.place), when_text(unit.when),
+                   causes_text(unit, CauseKind::busy), causes_text(unit, CauseKind::starved),
+                   causes_text(unit, CauseKind::stalled)});
     return table.markdown();
 }
 

@@ -36,7 +36,7 @@ inline const char* driver_of(Link link, std::string_view field, const Config& co
     if (link == Link::hit && !end.pixel_is_right) return config.shading ? "shade" : last;
     // A cache adds the line that it read to the ray that requested it.
     if (link == Link::tri_req && is_one_of(sent_by_list)) return "list";
-    if ((asks_of_node(link) || link == Link::xform_req) && is_one_of(sent_by_trav)) return "trav";
+    if ((is_node_request(link) || link == Link::xform_req) && is_one_of(sent_by_trav)) return "trav";
     return link_infos[index(link)].from;
 }
 
@@ -45,7 +45,7 @@ inline std::string port_of(Link link, std::string_view unit, const Config& confi
     if (link == Link::hit && unit == "shade") return "pixel";
     if (link == Link::hit && unit == "list") return "closest";
     if ((link == Link::hit || link == Link::closest) && unit == "trav") return "done";
-    if (asks_of_node(link) && unit == "trav")
+    if (is_node_request(link) && unit == "trav")
         return link == node_unit(config.engine()).req ? "decide_req" : "mesh_req";
     return link_infos[index(link)].name;
 }

@@ -34,15 +34,15 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
             const std::uint64_t m = model.units[u][c], r = rtl.units[u][c];
             if (m == r) continue;
             const Cause& cause = unit_infos[u].causes[c];
-            const char* kind = cause.kind == Kind::busy      ? "busy with"
-                               : cause.kind == Kind::starved ? "starved by"
-                                                             : "stalled by";
+            const char* kind = cause.kind == CauseKind::busy      ? "busy with"
+                               : cause.kind == CauseKind::starved ? "starved by"
+                                                                  : "stalled by";
             if (first)
                 ++first->others;
             else
                 first = {unit_infos[u].name,
-                         cause.kind == Kind::none ? fmt::format("in the unused state {}", c)
-                                                  : fmt::format("{} {}", kind, cause.name),
+                         cause.kind == CauseKind::none ? fmt::format("in the unused state {}", c)
+                                                       : fmt::format("{} {}", kind, cause.name),
                          m, r, 0};
         }
     return first;

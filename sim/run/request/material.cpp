@@ -11,7 +11,7 @@
 #include "model/scene/placed.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
-#include "sim/load/json_parts.hpp"
+#include "sim/load/json/parts.hpp"
 
 namespace rayclock {
 namespace {

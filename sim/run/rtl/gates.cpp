@@ -31,7 +31,7 @@ const std::vector<std::string>& wiring() {
 std::vector<std::string> units() {
     std::vector<std::string> names{"host", "counters", "none", "arbiter"};
     for (const UnitInfo& unit : unit_infos)
-        if (unit.place != Place::beside) names.emplace_back(unit.name);
+        if (unit.place != UnitPlace::outside) names.emplace_back(unit.name);
     return names;
 }
 

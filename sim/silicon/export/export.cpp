@@ -116,10 +116,10 @@ Account account_of(const Machine& machine, const Config& config) {
         if (!is_there(Unit(u), config)) return;
         for (std::size_t c = 0; c < cause_count; ++c) {
             const Cause& cause = unit_infos[u].causes[c];
-            const char* kind = cause.kind == Kind::none      ? "never"
-                               : cause.kind == Kind::busy    ? "busy:"
-                               : cause.kind == Kind::starved ? "starved by"
-                                                             : "stalled by";
+            const char* kind = cause.kind == CauseKind::none      ? "never"
+                               : cause.kind == CauseKind::busy    ? "busy:"
+                               : cause.kind == CauseKind::starved ? "starved by"
+                                                                  : "stalled by";
             expect(counter_address(Unit(u), pipeline, c), accounts.units[u][c],
                    fmt::format("{}{} {} {}", unit_infos[u].name,
                                u < pipeline_units ? fmt::format("[{}]", pipeline) : "", kind, cause.name));

@@ -36,7 +36,7 @@ bool decides(const Step& step) {
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
     if (step.phase != phase_of(stay)) return true;
     if (stay.place == index(Unit::trav) && decides(step)) {
-        const bool answered = tells_of_node(stay.by);
+        const bool answered = is_node_answer(stay.by);
         return !answered || !next || next->by != Link::leaves;
     }
     return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;

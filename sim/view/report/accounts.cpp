@@ -61,9 +61,9 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameResult& 
                 sum += cycles;
                 parts.push_back({cause.name, cycles});
             };
-            if (cause.kind == Kind::busy) add(account.busy, account.busy_by);
-            if (cause.kind == Kind::starved) add(account.starved, account.starved_by);
-            if (cause.kind == Kind::stalled) add(account.stalled, account.stalled_by);
+            if (cause.kind == CauseKind::busy) add(account.busy, account.busy_by);
+            if (cause.kind == CauseKind::starved) add(account.starved, account.starved_by);
+            if (cause.kind == CauseKind::stalled) add(account.stalled, account.stalled_by);
         }
         accounts.push_back(std::move(account));
     }

@@ -85,7 +85,7 @@ void Timeline::note_accounts(const Machine& machine, bool seen) {
     for (std::size_t p = 0; p <= shared; ++p) {
         const Accounts now = p == shared ? machine.accounts() : machine.accounts(int(p));
         for (std::size_t u = 0; seen && u < unit_count; ++u) {
-            const bool of_pipeline = unit_infos[u].place <= Place::engine;
+            const bool of_pipeline = unit_infos[u].place <= UnitPlace::engine;
             if (is_there(Unit(u), config_) && of_pipeline == (p != shared))
                 see_unit(p == shared ? -1 : int(p), Unit(u), now.units[u], before_[p].units[u]);
         }
@@ -113,9 +113,9 @@ void Timeline::finish() {
 
 std::string cause_name(Unit unit, std::size_t code) {
     const Cause& cause = unit_infos[index(unit)].causes[code];
-    return cause.kind == Kind::busy      ? std::string("busy: ") + cause.name
-           : cause.kind == Kind::starved ? std::string("starved by ") + cause.name
-                                         : std::string("stalled by ") + cause.name;
+    return cause.kind == CauseKind::busy      ? std::string("busy: ") + cause.name
+           : cause.kind == CauseKind::starved ? std::string("starved by ") + cause.name
+                                              : std::string("stalled by ") + cause.name;
 }
 
 std::function<std::string(const Timeline&)> timeline_writer(const std::string& path) {

@@ -1,6 +1,6 @@
 // Fuzzes OBJ with MTL, PLY, STL, glTF and the other mesh formats.
 #include "sim/load/gunzip.hpp"
-#include "sim/load/mesh_file.hpp"
+#include "sim/load/mesh/mesh_file.hpp"
 #include "tests/fuzz/program/scenes.hpp"
 #include "tests/fuzz/program/targets.hpp"
 

@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/builtin.hpp"
-#include "sim/app/commands.hpp"
-#include "sim/app/options.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/report/builds.hpp"

@@ -1,5 +1,5 @@
 // Fuzzes scenes in JSON, with the files to which they refer.
-#include "sim/load/json_scene.hpp"
+#include "sim/load/json/scene.hpp"
 #include "tests/fuzz/program/scenes.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
