@@ -44,11 +44,11 @@ private:
     std::vector<GlobeChild> children_;
 };
 
-template <class Children> class Emitter {
+template <class Children> class TreeEmitter {
 public:
-    Emitter(const Collapse& collapse, std::uint32_t root, Children children,
-            const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
-            MemoryImage& image)
+    TreeEmitter(const Collapse& collapse, std::uint32_t root, Children children,
+                const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
+                MemoryImage& image)
         : root_(root),
           triangles_(triangles),
           config_(config),
@@ -146,7 +146,7 @@ void check_lines(std::uint64_t lines, const Config& config, const std::string& n
 void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image) {
     const Collapse collapse(tree, config);
-    Emitter(collapse, tree.root, Boxes(tree, config), triangles, config, name, image).run();
+    TreeEmitter(collapse, tree.root, Boxes(tree, config), triangles, config, name, image).run();
 }
 
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
@@ -155,7 +155,7 @@ void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, con
     const GlobesAround around(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
         add_beads(prims[i], config, beads);
     });
-    Emitter(collapse, tree.root, Globes(around, config), prims, config, name, image).run();
+    TreeEmitter(collapse, tree.root, Globes(around, config), prims, config, name, image).run();
 }
 
 }   // namespace rayclock

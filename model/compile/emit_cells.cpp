@@ -13,10 +13,10 @@ using kd::CellPart;
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
 /// Writes a tree of cells. `Line` is the type of a node.
-template <class Line> class Emitter {
+template <class Line> class CellEmitter {
 public:
-    Emitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
-            const std::string& name, MemoryImage& image)
+    CellEmitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
+                const std::string& name, MemoryImage& image)
         : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
 
     void run() {
@@ -83,7 +83,7 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
             const kd::CellPtr root = E::build(kd::Pieces(prims, config), prims, config);
-            Emitter<typename E::Node>{*root, prims, config, name, image}.run();
+            CellEmitter<typename E::Node>{*root, prims, config, name, image}.run();
         }
     });
 }

@@ -141,12 +141,13 @@ std::vector<std::uint32_t> panes_of(const Scene& scene, const Config& config, co
 }
 
 /// The planes between the camera's eye and a lattice point, exactly. An eye in a plane sees both sides of it.
-struct Between {
+struct PlanesBetween {
     bool clear = true;        ///< only panes lie between, and no plane holds the eye
     std::uint32_t cell = 0;   ///< the panes between them
 };
-Between between(const Scene& scene, const Config& config, const Lattice& lattice, const std::int32_t* place) {
-    Between found;
+PlanesBetween between(const Scene& scene, const Config& config, const Lattice& lattice,
+                      const std::int32_t* place) {
+    PlanesBetween found;
     if (!scene.camera) return found;
     const Vec3i eye = lattice.snap(scene.camera->eye);
     const std::vector<std::uint32_t> panes = panes_of(scene, config, lattice);
@@ -333,7 +334,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
             frame.colour[3 * i + k] =
                 fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
         }
-        const Between planes = between(scene, config, image.lattice, &frame.place[3 * i]);
+        const PlanesBetween planes = between(scene, config, image.lattice, &frame.place[3 * i]);
         frame.cell[i] = planes.cell;
         frame.clear[i] =
             planes.clear && !(frame.near[i] && is_walled_in(scene, image.lattice, &frame.place[3 * i]));

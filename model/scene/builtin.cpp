@@ -36,7 +36,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 19> all{{
+constexpr std::array<Builtin, 19> built_in_scenes{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -91,7 +91,7 @@ std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.fin
 
 /// Returns the scene of a spec. Throws UserError with the nearest known name.
 const Builtin& named(std::string_view spec) {
-    return by_name(all, name_of(spec), "no built-in scene", " (`rayclock scenes` lists them)");
+    return by_name(built_in_scenes, name_of(spec), "no built-in scene", " (`rayclock scenes` lists them)");
 }
 
 /// Scenes whose cones and cylinders may have another number of sides.
@@ -140,10 +140,11 @@ Spec parsed(const Builtin& builtin, std::string_view spec) {
 
 }   // namespace
 
-std::span<const Builtin> builtins() { return all; }
+std::span<const Builtin> builtins() { return built_in_scenes; }
 
 bool is_builtin(std::string_view spec) {
-    return std::any_of(all.begin(), all.end(), [&](const Builtin& b) { return b.name == name_of(spec); });
+    return std::any_of(built_in_scenes.begin(), built_in_scenes.end(),
+                       [&](const Builtin& b) { return b.name == name_of(spec); });
 }
 
 PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {

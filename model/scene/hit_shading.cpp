@@ -16,7 +16,7 @@ namespace rayclock {
 namespace {
 
 /// The point of a hit on the scene as given, and the normal there, on the eye's side.
-struct SurfacePoint {
+struct ShadedPoint {
     glm::dvec3 position;
     glm::dvec3 normal;
     glm::dvec3 to_eye;
@@ -31,7 +31,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 }
 
 /// Sets the direction to the eye, and the normal: `outside` turned to the eye.
-void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outside) {
+void finish(ShadedPoint& point, const glm::dvec3& eye, const glm::dvec3& outside) {
     point.to_eye = unit_or(eye - point.position, {0, 0, 1});
     point.normal = unit_or(outside, point.to_eye);
     if (glm::dot(point.normal, point.to_eye) < 0) point.normal = -point.normal;
@@ -40,11 +40,11 @@ void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outsid
 /// Returns a point on a triangle. Smooth normals can face away from the eye near a silhouette although the
 /// triangle faces it. So the triangle decides which side is seen, and its normal replaces a smooth one that
 /// vanishes.
-SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
-                         const glm::dvec3& eye) {
+ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
+                        const glm::dvec3& eye) {
     const auto& [a, b, c] = triangle.vertices;
     const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
-    SurfacePoint point;
+    ShadedPoint point;
     point.material = &scene.materials.at(triangle.material);
     point.colour = point.material->colour;
     point.position = v0 * a + v1 * b + v2 * c;
@@ -59,9 +59,9 @@ SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, con
 }
 
 /// Returns a point on a sphere: at the hit's depth along the pixel's ray.
-SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
-                       const glm::dvec3& direction) {
-    SurfacePoint point;
+ShadedPoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
+                      const glm::dvec3& direction) {
+    ShadedPoint point;
     point.material = &scene.materials.at(sphere.material);
     point.colour = point.material->colour;
     point.position = eye + static_cast<double>(hit.depth) * glm::normalize(direction);
@@ -70,8 +70,8 @@ SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit,
 }
 
 /// Returns a point on a plane: the hit counts squares from the plane's point.
-SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
-    SurfacePoint point;
+ShadedPoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
+    ShadedPoint point;
     point.material = &scene.materials.at(plane.material);
     const bool is_other =
         point.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2.0f) != 0;
@@ -95,8 +95,8 @@ PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
     return out;
 }
 
-SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit,
-                           const glm::dvec3& eye, const glm::dvec3& direction) {
+ShadedPoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit, const glm::dvec3& eye,
+                          const glm::dvec3& direction) {
     if (unfolder) return on_triangle(scene, (*unfolder)(hit.primitive), hit, eye);
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
     if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
@@ -108,7 +108,7 @@ SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const H
 /// Phong 1975, "Illumination for computer generated pictures", in Haines' terms. It sums the ambient term and
 /// two terms per light: Lambert's cosine, and the cosine between the light's mirrored direction and the eye
 /// to the power `shine`.
-glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
+glm::dvec3 colour_at(const Scene& scene, const ShadedPoint& point) {
     const Material& material = *point.material;
     glm::dvec3 sum = material.ambient * point.colour;
     for (const Light& light : scene.lights) {

@@ -31,7 +31,7 @@ template <class Work> double best_seconds(Work work) {
     return best;
 }
 
-struct Options {
+struct BenchOptions {
     std::string scene, size = default_size;
     ConfigChoice config;
     ViewChoice view;
@@ -39,7 +39,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_bench(Parser& parser, BenchOptions& o) {
     scene_option(parser, o.scene).required();
     view_options(parser, o.view);
     size_option(parser, o.size);
@@ -103,7 +103,7 @@ nlohmann::ordered_json json_of(const Scene& scene, const Job& job, const FrameRe
         {"compile", {{"seconds", s.compile}}}};
 }
 
-int run(const Options& o) {
+int run_bench(const BenchOptions& o) {
     const FrameSize size = parse_size(o.size);
     const Config config = load_config(o.config);
     check_rtl(config);
@@ -128,7 +128,7 @@ int run(const Options& o) {
 
 Command bench_command() {
     return command("bench", "measure the simulator itself: model, RTL and reference",
-                   "rayclock bench gears:8", declare, run);
+                   "rayclock bench gears:8", declare_bench, run_bench);
 }
 
 }   // namespace rayclock

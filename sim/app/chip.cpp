@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ChipOptions {
     ConfigChoice config;
     std::vector<std::string> units;
     std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
@@ -35,7 +35,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_chip(Parser& parser, ChipOptions& o) {
     config_options(parser, o.config);
     parser.option("--unit", o.units, "route each of these units alone, separated by commas; all: every one")
         .by_commas();
@@ -54,7 +54,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-std::vector<std::string> tops_of(const Options& o, const Config& config) {
+std::vector<std::string> tops_of(const ChipOptions& o, const Config& config) {
     if (o.units.empty()) return {"chip"};
     std::vector<std::string> names = chip::tops(config);
     names.erase(names.begin());   // the first is the chip itself
@@ -113,7 +113,7 @@ nlohmann::ordered_json json_of(const Config& config, const std::vector<chip::Res
     return json;
 }
 
-void write_files(const Options& o, const std::vector<chip::Result>& all, const std::string& text,
+void write_files(const ChipOptions& o, const std::vector<chip::Result>& all, const std::string& text,
                  const nlohmann::ordered_json& json) {
     const fs::path folder = o.output;
     write_file((folder / "report.txt").string(), text);
@@ -129,13 +129,13 @@ void write_files(const Options& o, const std::vector<chip::Result>& all, const s
 }
 
 /// The requested machine, and the scene to render, if one was given.
-struct Asked {
+struct ChipRequest {
     Config config;
     std::optional<Request> scene;
     FrameSize size;
 };
-Asked asked_of(const Options& o, const Progress& progress) {
-    Asked asked{{}, {}, parse_size(o.size)};
+ChipRequest asked_of(const ChipOptions& o, const Progress& progress) {
+    ChipRequest asked{{}, {}, parse_size(o.size)};
     if (o.scene.empty()) {
         asked.config = load_config(o.config);
     } else {
@@ -151,7 +151,7 @@ Asked asked_of(const Options& o, const Progress& progress) {
 }
 
 /// Returns the model's frames per second on the scene at a clock.
-double frames_per_second(const Asked& asked, double mhz, const Progress& progress) {
+double frames_per_second(const ChipRequest& asked, double mhz, const Progress& progress) {
     const Request& request = *asked.scene;
     const Job job = make_job(request.scene, *request.scene.camera, asked.size, request.config, progress,
                              request.settings);
@@ -164,8 +164,8 @@ double frames_per_second(const Asked& asked, double mhz, const Progress& progres
 }
 
 /// Prints the report of the routed chip, and of the scene at its clock.
-int tell(const Options& o, const Asked& asked, const std::vector<chip::Result>& all,
-         const Progress& progress) {
+int print_chips(const ChipOptions& o, const ChipRequest& asked, const std::vector<chip::Result>& all,
+                const Progress& progress) {
     nlohmann::ordered_json json = json_of(asked.config, all);
     std::string text = text_of(all);
     if (asked.scene && o.units.empty() && all[0].fits()) {
@@ -182,7 +182,7 @@ int tell(const Options& o, const Asked& asked, const std::vector<chip::Result>& 
     return std::all_of(all.begin(), all.end(), [](const chip::Result& r) { return r.fits(); }) ? 0 : 1;
 }
 
-int tell_estimate(const Options& o, const chip::Request& request, jobs::Cache& cache,
+int tell_estimate(const ChipOptions& o, const chip::Request& request, jobs::Cache& cache,
                   const Progress& progress) {
     const chip::Estimate estimate = chip::estimate(request, cache, progress);
     if (!o.json.is_alone()) fmt::print("{}", chip::text(estimate, request));
@@ -190,7 +190,7 @@ int tell_estimate(const Options& o, const chip::Request& request, jobs::Cache& c
     return 0;
 }
 
-int run(const Options& o) {
+int run_chip(const ChipOptions& o) {
     const chip::Device& device = chip::device_of(o.device);
     const std::vector<int> seeds = seeds_of(o.seeds);
     if (o.fast && !o.units.empty())
@@ -202,7 +202,7 @@ int run(const Options& o) {
     const chip::Methods of_chip = methods_of(o.methods, "chip");   // throws UserError for wrong methods
     o.json.check();
     const Progress progress = terminal_progress();
-    const Asked asked = asked_of(o, progress);
+    const ChipRequest asked = asked_of(o, progress);
     const std::vector<std::string> tops = tops_of(o, asked.config);
     const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);
@@ -211,7 +211,7 @@ int run(const Options& o) {
     for (const std::string& top : tops)
         all.push_back(
             chip::run({asked.config, top, device, seeds, methods_of(o.methods, top)}, cache, progress));
-    const int code = tell(o, asked, all, progress);
+    const int code = print_chips(o, asked, all, progress);
     if (!cache.trouble().empty())
         fmt::print(stderr, "rayclock: warning: nothing is kept for the next run: {}\n", cache.trouble());
     return code;
@@ -221,7 +221,7 @@ int run(const Options& o) {
 
 Command chip_command() {
     return command("chip", "place and route a chip on an ECP5: area, clock, critical paths",
-                   "rayclock chip --config small --device lfe5u-85 -o chip", declare, run);
+                   "rayclock chip --config small --device lfe5u-85 -o chip", declare_chip, run_chip);
 }
 
 }   // namespace rayclock

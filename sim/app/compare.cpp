@@ -16,7 +16,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::vector<std::string> reports, figures;
     std::optional<std::string> max_worse;
     bool all = false;
@@ -24,7 +24,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_compare(Parser& parser, CompareOptions& o) {
     parser
         .option("REPORT", o.reports,
                 "reports that simulate or verify wrote with --json, or simulate with --report; two or more")
@@ -42,7 +42,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-int run(const Options& o) {
+int run_compare(const CompareOptions& o) {
     if (o.reports.size() < 2) throw UserError("compare needs two reports or more");
     if (!o.figures.empty() && !o.max_worse) throw UserError("--figure needs --max-worse");
     const double share = o.max_worse ? parse_percent("--max-worse", *o.max_worse, true) / 100 : 0;
@@ -93,7 +93,7 @@ int run(const Options& o) {
 
 Command compare_command() {
     return command("compare", "compare reports: what is better, what is worse",
-                   "rayclock compare before.json after.json --max-worse 1%", declare, run);
+                   "rayclock compare before.json after.json --max-worse 1%", declare_compare, run_compare);
 }
 
 }   // namespace rayclock

@@ -114,13 +114,13 @@ std::vector<std::string> remarks() {
     return all;
 }
 
-struct Options {
+struct DoctorOptions {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) { json_option(parser, o.json); }
+void declare_doctor(Parser& parser, DoctorOptions& o) { json_option(parser, o.json); }
 
-int run(const Options& o) {
+int run_doctor(const DoctorOptions& o) {
     o.json.check();
     Table table({"part", "found"}, 2);
     nlohmann::ordered_json json, missing = nlohmann::ordered_json::object();
@@ -182,7 +182,7 @@ int run(const Options& o) {
 
 Command doctor_command() {
     return command("doctor", "list what is installed, and what a missing part disables", "rayclock doctor",
-                   declare, run);
+                   declare_doctor, run_doctor);
 }
 
 }   // namespace rayclock

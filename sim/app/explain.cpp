@@ -19,7 +19,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct ExplainOptions {
     std::string scene, pixel, size = default_size, clock = "66";
     ConfigChoice config;
     Finish finish;
@@ -33,7 +33,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_explain(Parser& parser, ExplainOptions& o) {
     scene_option(parser, o.scene).required();
     parser.option("PIXEL", o.pixel, "column and row of the pixel from the top left corner: 255,190")
         .required();
@@ -69,7 +69,7 @@ nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, co
             {"limits", limits}};
 }
 
-int run(const Options& o) {
+int run_explain(const ExplainOptions& o) {
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
     const Traffic traffic = traffic_of(o.traffic);
@@ -122,7 +122,7 @@ int run(const Options& o) {
 
 Command explain_command() {
     return command("explain", "follow one pixel ray by ray, cycle by cycle, and say why it differs",
-                   "rayclock explain gears:8 255,190 --steps", declare, run);
+                   "rayclock explain gears:8 255,190 --steps", declare_explain, run_explain);
 }
 
 }   // namespace rayclock

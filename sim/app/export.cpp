@@ -16,7 +16,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct ExportOptions {
     std::string scene, size = "128x96", output;
     ConfigChoice config;
     Finish finish;
@@ -24,7 +24,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_export(Parser& parser, ExportOptions& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -35,14 +35,14 @@ void declare(Parser& parser, Options& o) {
 }
 
 /// Returns the command with the options that affect the export.
-std::string command_of(const Options& o) {
+std::string command_of(const ExportOptions& o) {
     std::string text = fmt::format("rayclock export {} --size {} --config {}", told_path(o.scene), o.size,
                                    told_path(o.config.name));
     for (const std::string& set : o.config.set) text += " --set " + set;
     return printable(text);
 }
 
-int run(const Options& o) {
+int run_export(const ExportOptions& o) {
     const FrameSize size = parse_size(o.size);
     o.json.check();
     NewFolder folder(o.output);
@@ -77,7 +77,7 @@ int run(const Options& o) {
 
 Command export_command() {
     return command("export", "write a chip, a frame and a test bench for other simulators",
-                   "rayclock export gears:4 --config small -o gears_chip", declare, run);
+                   "rayclock export gears:4 --config small -o gears_chip", declare_export, run_export);
 }
 
 }   // namespace rayclock

@@ -22,11 +22,11 @@ using nlohmann::ordered_json;
 namespace {
 
 /// The model's picture of the current frame, and the hits of its pixels.
-struct Drawn {
+struct DrawnFrame {
     HitFrame hits;
     Picture picture;
 };
-Drawn drawn(const Request& request, const Job& job, const RecordedFrame& trace) {
+DrawnFrame drawn(const Request& request, const Job& job, const RecordedFrame& trace) {
     HitFrame hits = hits_of(job, trace);
     Picture picture =
         request.finished ? picture_from_colours(job.size, trace.trace.colours) : shade(request.scene, hits);
@@ -51,7 +51,7 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
                    is_compared = o.compares && film.frames() > 1 && !film.is_still();
         if (!is_written && !is_compared) continue;
         const Request& request = film.request();
-        const Drawn model = drawn(request, film.job(), traces.back());
+        const DrawnFrame model = drawn(request, film.job(), traces.back());
         if (is_written) write_pictures(*strip.staged, {{frame_name(f), model.picture, model.hits}});
         if (!is_compared) continue;
         const ReferencePicture reference =

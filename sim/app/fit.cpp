@@ -24,7 +24,7 @@ namespace {
 
 using namespace fit;
 
-struct Options {
+struct FitOptions {
     std::string scene, size = default_size, max_error = "0.1%", max_work = "2%", output;
     std::optional<double> min_psnr;
     ConfigChoice config;
@@ -37,7 +37,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_fit(Parser& parser, FitOptions& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -61,7 +61,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-Goal goal_of(const Options& o) {
+Goal goal_of(const FitOptions& o) {
     Goal goal;
     goal.max_error = parse_percent("--max-error", o.max_error, false);
     goal.max_work = parse_percent("--max-work", o.max_work, true);
@@ -87,7 +87,7 @@ std::string goal_text(const Goal& b) {
 }
 
 /// Returns one sentence: the best error reached, the cause of the scene's size, and a remedy.
-std::string hopeless(const Options& o, const Goal& goal, const Config& base, Measure& measure,
+std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, Measure& measure,
                      const Config& closest) {
     const Outcome& best = measure(closest);
     std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ",
@@ -117,7 +117,7 @@ constexpr const char* no_proof =
     "every ray of this one";
 
 /// Returns the options of the picture as typed, for the command that verifies it.
-std::string picture_words(const Options& o) {
+std::string picture_words(const FitOptions& o) {
     std::string words;
     const auto add = [&](const char* option, const auto& value) {
         if (value) words += fmt::format(" {} {}", option, *value);
@@ -150,7 +150,7 @@ struct Found {
     double seconds = 0;
 };
 
-void print(const Options& o, const Found& f) {
+void print(const FitOptions& o, const Found& f) {
     const Outcome& result = f.fit.outcome;
     fmt::print("{}, {}, {}x{}: {}\n\n", f.scene.name, primitives_text(f.scene), f.size.width, f.size.height,
                goal_text(f.goal));
@@ -198,7 +198,7 @@ nlohmann::ordered_json json_of(const Found& f) {
 }
 
 /// Runs the search. If it finds nothing, throws with a sentence.
-Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& measure,
+Fit search_for(const FitOptions& o, const Goal& goal, const Config& base, Measure& measure,
                const Progress& progress) {
     measure.tell = [&](const Config& c, std::size_t done) {
         constexpr std::size_t expected = 40;
@@ -214,7 +214,7 @@ Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& 
     throw std::runtime_error(sentence);
 }
 
-int run(const Options& o) {
+int run_fit(const FitOptions& o) {
     const Stopwatch watch;
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
@@ -264,7 +264,7 @@ Command fit_command() {
     return command(
         "fit", "find the smallest formats that draw a scene within an error",
         "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json",
-        declare, run);
+        declare_fit, run_fit);
 }
 
 }   // namespace rayclock

@@ -8,12 +8,12 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct MergeOptions {
     std::vector<std::string> reports;
     SweepOutputs outputs;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_merge(Parser& parser, MergeOptions& o) {
     parser
         .option("REPORT", o.reports,
                 "reports that sweep --shard wrote with --json, of all parts and in any order; or one of a "
@@ -22,7 +22,7 @@ void declare(Parser& parser, Options& o) {
     sweep_outputs(parser, o.outputs);
 }
 
-int run(const Options& o) {
+int run_merge(const MergeOptions& o) {
     check_outputs(o.outputs);
     const sweep::Merged merged = sweep::merge(o.reports, axis_clock);
     check_plots(o.outputs, merged.asked.axes);
@@ -37,7 +37,8 @@ int run(const Options& o) {
 
 Command merge_command() {
     return command("merge", "join the parts of a sweep that several machines computed",
-                   "rayclock merge part1.json part2.json --json sweep.json -o sweep.csv", declare, run);
+                   "rayclock merge part1.json part2.json --json sweep.json -o sweep.csv", declare_merge,
+                   run_merge);
 }
 
 }   // namespace rayclock

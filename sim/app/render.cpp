@@ -33,7 +33,7 @@ std::uint64_t digest_of(const HitFrame& frame) {
     return digest.value();
 }
 
-struct Options {
+struct RenderOptions {
     std::string scene, size = default_size, engine = "model", output;
     ConfigChoice config;
     Finish finish;
@@ -45,7 +45,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_render(Parser& parser, RenderOptions& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -66,7 +66,7 @@ void declare(Parser& parser, Options& o) {
 
 /// Returns true if there may be several frames, which need a folder. Their number is known only after the
 /// scene is loaded.
-bool may_be_film(const Options& o) {
+bool may_be_film(const RenderOptions& o) {
     return o.frames.frames > 1 || o.frames.time.find(':') != std::string::npos;
 }
 
@@ -98,7 +98,7 @@ Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Pr
     return drawn;
 }
 
-Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& progress) {
+Drawn draw_next(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress) {
     film.next();
     const Request& request = film.request();
     return o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
@@ -106,7 +106,7 @@ Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& pr
 }
 
 /// Errors of the pictures against the reference.
-struct Comparison {
+struct PictureComparison {
     std::vector<FrameError> errors;
 
     /// Returns the error with the least PSNR of all frames.
@@ -125,8 +125,8 @@ struct Comparison {
 };
 
 /// Renders numbered pictures, each as if it were the only one, and joins them to a film.
-std::string draw_all(const Options& o, Film& film, FrameSize size, const Progress& progress,
-                     Comparison& comparison, nlohmann::ordered_json& json) {
+std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress,
+                     PictureComparison& comparison, nlohmann::ordered_json& json) {
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
     StagedFiles staged(o.output);
     for (std::size_t f = 0; f < film.frames(); ++f) {
@@ -140,7 +140,7 @@ std::string draw_all(const Options& o, Film& film, FrameSize size, const Progres
     return make_film(staged, o.output, film.frames(), film.times().fps);
 }
 
-int run(const Options& o) {
+int run_render(const RenderOptions& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
@@ -161,7 +161,7 @@ int run(const Options& o) {
         check_picture_path(o.output);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     std::string said;
-    Comparison comparison;
+    PictureComparison comparison;
     if (is_film) {
         said = draw_all(o, film, size, progress, comparison, json);
     } else {
@@ -198,7 +198,7 @@ int run(const Options& o) {
 
 Command render_command() {
     return command("render", "draw a picture with one engine",
-                   "rayclock render gears:4 --engine rtl -o gears.png", declare, run);
+                   "rayclock render gears:4 --engine rtl -o gears.png", declare_render, run_render);
 }
 
 }   // namespace rayclock

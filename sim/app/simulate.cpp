@@ -32,7 +32,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct SimulateOptions {
     std::string scene, size = default_size, clock = default_clocks, engine = "model";
     ConfigChoice config;
     Finish finish;
@@ -46,7 +46,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_simulate(Parser& parser, SimulateOptions& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -104,7 +104,7 @@ std::vector<FramesAtClock> run_rtl_clocks(const Job& job, const std::vector<int>
 }
 
 /// The input of a simulation: the frames of a film, and the clocks.
-struct Work {
+struct SimulatePlan {
     Film& film;
     FrameSize size;
     std::vector<int> clocks;
@@ -143,7 +143,8 @@ struct Simulated {
     }
 };
 
-Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
+Simulated run_engine(const SimulateOptions& o, const SimulatePlan& work, Traffic traffic,
+                     const Progress& progress) {
     Simulated s;
     Film& film = work.film;
     s.is_model = o.engine == "model";
@@ -165,7 +166,8 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
 }
 
 /// Compares the last frame with the reference and judges it.
-void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
+void compare_frames(Simulated& s, const SimulateOptions& o, const SimulatePlan& work,
+                    const Progress& progress) {
     s.compared = rayclock::compare(work.request(), work.job(),
                                    {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(),
                                     s.traces.back().trace.signatures},
@@ -193,7 +195,8 @@ Totals totals_of(const Simulated& s) {
     return t;
 }
 
-void print(const Work& work, const Simulated& s, const Limits& limits, const Totals& t, double seconds) {
+void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, const Totals& t,
+           double seconds) {
     const Config& config = work.request().config;
     const std::string far = far_frames(limits, s.errors());
     if (!far.empty()) fmt::print("{}\n", far);
@@ -210,8 +213,8 @@ void print(const Work& work, const Simulated& s, const Limits& limits, const Tot
     if (s.partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
 }
 
-nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Limits& limits,
-                               const Totals& t) {
+nlohmann::ordered_json json_of(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s,
+                               const Limits& limits, const Totals& t) {
     const Config& config = work.request().config;
     const FrameResult& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
@@ -249,7 +252,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
 }
 
 /// Repeats the last frame at the first clock under observation.
-FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, EventSink* sink,
+FrameCosts watch_frame(const SimulatePlan& work, const Simulated& s, Traffic traffic, EventSink* sink,
                        const Progress& progress) {
     constexpr std::uint64_t windows = 100;
     const FramesAtClock& run = s.runs[0];
@@ -262,7 +265,7 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
 }
 
 /// Returns the last frame's picture, from the comparison if there is one.
-Picture last_frame_picture(const Work& work, const Simulated& s) {
+Picture last_frame_picture(const SimulatePlan& work, const Simulated& s) {
     if (s.compared) return s.compared->picture;
     return work.request().finished
                ? picture_from_colours(work.size, s.colours())
@@ -270,7 +273,7 @@ Picture last_frame_picture(const Work& work, const Simulated& s) {
 }
 
 /// Writes the pictures of the comparison. Returns the names of the files.
-std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
+std::string write_frame_pictures(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s) {
     const Picture picture = last_frame_picture(work, s);
     const HitFrame hits =
         s.compared ? s.compared->hits : scaled(work.job(), s.traces.back().frame, s.answers());
@@ -288,7 +291,7 @@ std::string write_pictures(const Options& o, const Work& work, const Simulated& 
 using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 
 /// Returns the explanations of the slowest pixels. A second run of the frame records only their events.
-Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
+Texts explain_slowest(const SimulatePlan& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
                       const Progress& progress) {
     constexpr std::size_t most_bytes = 4 << 20;   // one pixel of a finished picture may have thousands of
                                                   // rays
@@ -314,8 +317,9 @@ Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& co
     return texts;
 }
 
-void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
-                  const Texts& texts, const nlohmann::ordered_json& json, const Progress& progress) {
+void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s,
+                  const FrameCosts& costs, const Texts& texts, const nlohmann::ordered_json& json,
+                  const Progress& progress) {
     if (progress) progress("writing the page", 0, 1);
     const Request& request = work.request();
     const Picture picture = last_frame_picture(work, s);
@@ -329,7 +333,7 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
     if (progress) progress("writing the page", 1, 1);
 }
 
-int run(const Options& o) {
+int run_simulate(const SimulateOptions& o) {
     const Stopwatch watch;
     const FrameSize size = parse_size(o.size);
     if (o.clock.find("fmax") == std::string::npos)
@@ -352,9 +356,9 @@ int run(const Options& o) {
     const std::vector<int> clocks = clocks_of(o.clock, config);
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
-    const Work work{film, size, clocks};
+    const SimulatePlan work{film, size, clocks};
     Simulated simulated = run_engine(o, work, traffic, progress);
-    if (!o.no_reference && !simulated.partial) compare(simulated, o, work, stop);
+    if (!o.no_reference && !simulated.partial) compare_frames(simulated, o, work, stop);
     const double seconds = watch.seconds();
 
     const Totals totals = totals_of(simulated);
@@ -370,7 +374,7 @@ int run(const Options& o) {
     }
     if (!o.output.empty() && !simulated.partial) {
         finish_film(simulated.strip, o.json.is_alone());   // on failure all earlier files stay
-        const std::string paths = write_pictures(o, work, simulated);
+        const std::string paths = write_frame_pictures(o, work, simulated);
         if (!o.json.is_alone()) fmt::print("  pictures: {}\n", paths);
     }
     o.json.write(json);
@@ -382,7 +386,8 @@ int run(const Options& o) {
 
 Command simulate_command() {
     return command("simulate", "count the cycles, frames per second, work and stalls of a frame",
-                   "rayclock simulate balls:3 --clock 66,90 --set contexts=32", declare, run);
+                   "rayclock simulate balls:3 --clock 66,90 --set contexts=32", declare_simulate,
+                   run_simulate);
 }
 
 }   // namespace rayclock

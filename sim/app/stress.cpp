@@ -17,7 +17,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct StressOptions {
     std::string bits = "12:20:2", rays = "1e6", output, state;
     std::vector<std::string> tests, families;
     std::uint64_t seed = default_seed;
@@ -25,7 +25,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_stress(Parser& parser, StressOptions& o) {
     parser.option("--bits", o.bits, "lattices: bits of a coordinate, for example 12:20:2 or 16,18")
         .with_default();
     parser.option("--rays", o.rays, "rays for each of exact and sheared; baselines and controls get a tenth")
@@ -42,7 +42,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-stress::Plan make_plan(const Options& o) {
+stress::Plan make_plan(const StressOptions& o) {
     stress::Plan plan;
     plan.bits = parse_values("--bits", o.bits);
     for (const int bits : plan.bits)
@@ -73,7 +73,7 @@ stress::Plan make_plan(const Options& o) {
     return plan;
 }
 
-int run(const Options& o) {
+int run_stress(const StressOptions& o) {
     const stress::Plan plan = make_plan(o);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
@@ -95,7 +95,7 @@ Command stress_command() {
     return command("stress", "test numerical hard cases against the exact oracle",
                    "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started "
                    "again, it goes on)",
-                   declare, run);
+                   declare_stress, run_stress);
 }
 
 }   // namespace rayclock

@@ -17,7 +17,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct SweepOptions {
     std::string scene, size = default_size, clock = default_clocks, cost = "auto";
     std::vector<std::string> axes;
     ConfigChoice config;
@@ -32,7 +32,7 @@ struct Options {
     SweepOutputs outputs;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_sweep(Parser& parser, SweepOptions& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
@@ -64,7 +64,7 @@ void declare(Parser& parser, Options& o) {
 }
 
 /// Returns the requested points of the grid, each with its own clock.
-std::vector<sweep::Point> points_of(const Options& o, const std::vector<sweep::Axis>& axes,
+std::vector<sweep::Point> points_of(const SweepOptions& o, const std::vector<sweep::Axis>& axes,
                                     const Config& config) {
     const bool at_fmax = o.clock == "fmax";
     std::vector<sweep::Point> points =
@@ -84,7 +84,7 @@ std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const swee
     return mine;
 }
 
-int run(const Options& o) {
+int run_sweep(const SweepOptions& o) {
     const sweep::Cost cost = sweep::parse_cost(o.cost);
     const sweep::Shard shard = o.shard ? sweep::parse_shard(*o.shard) : sweep::Shard{};
     if (!shard.is_whole() && !o.outputs.json.wanted())
@@ -132,7 +132,8 @@ int run(const Options& o) {
 
 Command sweep_command() {
     return command("sweep", "run one scene on many configurations and clocks",
-                   "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
+                   "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare_sweep,
+                   run_sweep);
 }
 
 }   // namespace rayclock

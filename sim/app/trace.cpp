@@ -20,7 +20,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct TraceOptions {
     std::string scene, cycles, pixels, rays, output, size = default_size, clock = "66";
     ConfigChoice config;
     Finish finish;
@@ -31,7 +31,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_trace(Parser& parser, TraceOptions& o) {
     scene_option(parser, o.scene).required();
     parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, the last one not included");
     parser.option("--pixels", o.pixels, "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included");
@@ -91,7 +91,7 @@ void choose_rays(TimelineChoice& choice, const std::string& typed) {
     }
 }
 
-TimelineChoice choice_of(const Options& o, FrameSize size) {
+TimelineChoice choice_of(const TraceOptions& o, FrameSize size) {
     if (o.cycles.empty() && o.pixels.empty())
         throw UserError("trace needs --cycles FIRST:LAST, or --pixels X,Y..X,Y, or both");
     TimelineChoice choice;
@@ -109,7 +109,7 @@ std::string view_of(const std::string& output) {
     return path.extension() == ".fst" ? path.replace_extension(".gtkw").string() : "";
 }
 
-int run(const Options& o) {
+int run_trace(const TraceOptions& o) {
     const FrameSize size = parse_size(o.size);
     const TimelineChoice choice = choice_of(o, size);
     const auto writer = timeline_writer(o.output);
@@ -159,7 +159,7 @@ int run(const Options& o) {
 
 Command trace_command() {
     return command("trace", "write some cycles of a frame for Konata, Perfetto or GTKWave",
-                   "rayclock trace gears:8 --cycles 2000:3000 -o gears.pftrace", declare, run);
+                   "rayclock trace gears:8 --cycles 2000:3000 -o gears.pftrace", declare_trace, run_trace);
 }
 
 }   // namespace rayclock

@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct VerifyOptions {
     std::string scene, size = default_size, clock = default_clocks, output;
     ConfigChoice config;
     Finish finish;
@@ -46,7 +46,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_verify(Parser& parser, VerifyOptions& o) {
     const Declared scene = scene_option(parser, o.scene);
     parser
         .flag("--torture", o.torture,
@@ -91,7 +91,7 @@ struct Pictures {
 };
 
 /// The input of a verification: the frames of a film; the last frame is judged.
-struct Work {
+struct VerifyPlan {
     Film& film;
     FrameSize size;
     int khz;
@@ -140,14 +140,14 @@ struct Verified {
     }
 };
 
-Diverged diverged(const Options& o, const Work& work, Traffic traffic, const Verified& v,
+Diverged diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const Verified& v,
                   const Divergence& first) {
     return {v.job, v.traces, traffic, int(o.traffic.seed), first, work.request().scene.name, command_line()};
 }
 
 /// Repeats diverging machines to record a waveform, before they continue. An error here must not hide the
 /// divergence.
-void capture_first(const Options& o, const Diverged& diverged, Verified& v, const Progress& progress) {
+void capture_first(const VerifyOptions& o, const Diverged& diverged, Verified& v, const Progress& progress) {
     if (o.no_wave || o.netlist || interrupted()) return;
     try {
         v.show = std::make_unique<DivergenceShow>(diverged, o.output.empty() ? "." : o.output, progress);
@@ -157,7 +157,7 @@ void capture_first(const Options& o, const Diverged& diverged, Verified& v, cons
 }
 
 /// Runs the frames on both machines, and renders the reference's picture.
-Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Stopwatch& watch,
+Verified run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const Stopwatch& watch,
                       const Progress& progress) {
     Verified v;
     v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
@@ -178,7 +178,8 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
 }
 
 /// Writes the page of the first divergence. Returns the paths of its files as text.
-std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v) {
+std::string show_first_divergence(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
+                                  Verified& v) {
     if (!v.result.first) return {};
     if (!v.no_show.empty()) return fmt::format("    no waveform: {}\n", printable(v.no_show));
     if (!v.show) return {};
@@ -192,13 +193,13 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
     }
 }
 
-Picture drawn(const Work& work, const FrameResult& made) {
+Picture drawn(const VerifyPlan& work, const FrameResult& made) {
     return work.request().finished ? picture_from_colours(work.size, made.colours)
                                    : shade(work.request().scene, made.hits);
 }
 
 /// Compares the machines' pictures with the reference and the golden picture, and judges their answers.
-void compare(Verified& v, const Options& o, const Work& work, const Progress& progress) {
+void compare_machines(Verified& v, const VerifyOptions& o, const VerifyPlan& work, const Progress& progress) {
     const Scene& scene = work.request().scene;
     Pictures& p = v.pictures;
     p.model = drawn(work, v.result.model), p.rtl = drawn(work, v.result.rtl);
@@ -222,7 +223,7 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
         v.golden = golden_result(o.scene, scene, work.request().config);
 }
 
-void print(const Options& o, const Work& work, const Verified& v, const std::string& wave_lines) {
+void print(const VerifyOptions& o, const VerifyPlan& work, const Verified& v, const std::string& wave_lines) {
     const Config& config = work.request().config;
     const FramesAtClock run{work.khz, {v.result.model}};
     fmt::print("{}\n{}\n{}\n{}\n", heading(work.request().scene, work.size, v.job),
@@ -245,8 +246,8 @@ nlohmann::ordered_json seconds_or_null(const std::optional<double>& seconds) {
     return seconds ? nlohmann::ordered_json(*seconds) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verified& v, const Limits& limits,
-                               double seconds) {
+nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, const Verified& v,
+                               const Limits& limits, double seconds) {
     const Config& config = work.request().config;
     const LockstepResult& result = v.result;
     const FrameResult& frame = result.model;
@@ -284,7 +285,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verifie
             {"digest", digest_text(frame.digest)}};
 }
 
-int run(const Options& o) {
+int run_verify(const VerifyOptions& o) {
     if (o.netlist) build_netlists();
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
@@ -304,10 +305,10 @@ int run(const Options& o) {
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
-    const Work work{film, size, clocks[0]};
+    const VerifyPlan work{film, size, clocks[0]};
     Verified verified = run_machines(o, work, traffic, watch, progress);
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
-    compare(verified, o, work, verified.partial() ? progress : stop);
+    compare_machines(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) {
         finish_film(verified.strip, o.json.is_alone());   // on failure all earlier files stay
         write_pictures(o.output, verified.named_pictures());
@@ -334,7 +335,7 @@ int run(const Options& o) {
 
 Command verify_command() {
     return command("verify", "run model and RTL in lockstep, and compare both with the reference",
-                   "rayclock verify teapot:12 -o out", declare, run);
+                   "rayclock verify teapot:12 -o out", declare_verify, run_verify);
 }
 
 }   // namespace rayclock

@@ -29,3 +29,13 @@ endfunction()
 # Options of code that waits for files, other programs or the model: compiling it takes longer than running
 # it.
 set(rc_less_optimised $<$<CONFIG:Release>:-O1>)
+
+# rc_jumbo(NAME): compiles up to eight sources of a target as one, so that headers are parsed and templates
+# instantiated once for all of them. Only without tests: a mutant replaces one object file of a library
+# (tests/meta), and an object of several sources would define the rest twice. CMake leaves out sources with
+# options of their own (rc_define). The sources of a target share file-local names.
+function(rc_jumbo name)
+  if(NOT BUILD_TESTING)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

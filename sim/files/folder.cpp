@@ -19,7 +19,7 @@ namespace rayclock {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void refuse_folder(const std::string& path, const std::string& why) {
     throw UserError(fmt::format("{}: {}", printable(path), why));
 }
 
@@ -33,35 +33,36 @@ void write_into(const fs::path& file, const fs::path& shown, std::string_view by
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.close();
     if (error || !stream)
-        refuse(shown.string(), fmt::format("cannot be written: {}", std::strerror(error   ? error.value()
-                                                                                  : errno ? errno
-                                                                                          : EIO)));
+        refuse_folder(shown.string(), fmt::format("cannot be written: {}", std::strerror(error ? error.value()
+                                                                                         : errno ? errno
+                                                                                                 : EIO)));
 }
 
 }   // namespace
 
 NewFolder::NewFolder(const std::string& path) : path_(path) {
     if (path.empty()) throw UserError("the name of the folder to write is empty");
-    if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
+    if (path.find('\0') != path.npos) refuse_folder(path, "the name has a zero byte in it");
     target_ = fs::path(path).lexically_normal();
     if (!target_.has_filename()) target_ = target_.parent_path();   // drop a trailing slash
     std::error_code error;
     const fs::file_status status = fs::symlink_status(target_, error);
-    if (fs::is_symlink(status)) refuse(path, "is a symbolic link; name the folder that it points to");
-    if (fs::exists(status) && !fs::is_directory(status)) refuse(path, "is a file, not a folder to write");
+    if (fs::is_symlink(status)) refuse_folder(path, "is a symbolic link; name the folder that it points to");
+    if (fs::exists(status) && !fs::is_directory(status))
+        refuse_folder(path, "is a file, not a folder to write");
     if (fs::exists(status) && (!fs::is_empty(target_, error) || error))
-        refuse(path, "is not empty; name a new folder");
+        refuse_folder(path, "is not empty; name a new folder");
     if (!target_.has_filename() || target_.filename() == "." || target_.filename() == "..")
-        refuse(path, "cannot be replaced; name a new folder");
+        refuse_folder(path, "cannot be replaced; name a new folder");
     const fs::path parent = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
     if (!fs::is_directory(parent, error))
-        refuse(path, fmt::format("the folder {} does not exist", printable(parent.string())));
+        refuse_folder(path, fmt::format("the folder {} does not exist", printable(parent.string())));
     for (int i = 0; temporary_.empty(); ++i) {
         const fs::path name = parent / fmt::format(".rayclock-{}-{}.part", ::getpid(), i);
         if (::mkdir(name.c_str(), 0777) == 0)
             temporary_ = name;
         else if (errno != EEXIST)
-            refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+            refuse_folder(path, fmt::format("cannot be written: {}", std::strerror(errno)));
     }
     scratch_.name(temporary_);
 }
@@ -77,7 +78,7 @@ void NewFolder::write(const std::string& name, std::string_view bytes) const {
 
 void NewFolder::publish() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
-        refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+        refuse_folder(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
     temporary_.clear();
 }
 
@@ -88,13 +89,13 @@ StagedFiles::StagedFiles(const std::string& folder) : folder_(fs::absolute(folde
         made_ = place;
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) refuse(folder, "cannot be made (" + error.message() + ")");
+    if (error) refuse_folder(folder, "cannot be made (" + error.message() + ")");
     for (int i = 0; stage_.empty(); ++i) {
         const fs::path name = folder_ / fmt::format(".rayclock-{}-{}.part", ::getpid(), i);
         if (::mkdir(name.c_str(), 0777) == 0)
             stage_ = name;
         else if (errno != EEXIST)
-            refuse(folder, fmt::format("cannot be written: {}", std::strerror(errno)));
+            refuse_folder(folder, fmt::format("cannot be written: {}", std::strerror(errno)));
     }
     scratch_.name(stage_);
 }
@@ -117,7 +118,7 @@ void StagedFiles::publish(const std::vector<std::string>& outdated) {
     for (const std::string& name : names) {
         const std::string path = (folder_ / name).string();
         if (::rename((stage_ / name).c_str(), path.c_str()) != 0)
-            refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+            refuse_folder(path, fmt::format("cannot be written: {}", std::strerror(errno)));
         forget_output(path);
     }
     std::error_code ignored;

@@ -20,11 +20,11 @@ namespace rayclock {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
     throw UserError(fmt::format("{}: {}", printable(path), why));
 }
 [[noreturn]] void not_written(const std::string& path, int error) {
-    refuse(path, std::string("cannot be written: ") + std::strerror(error));
+    refuse_file(path, std::string("cannot be written: ") + std::strerror(error));
 }
 
 /// Writes all bytes. Returns 0 or the error number.
@@ -86,13 +86,13 @@ private:
 bool is_in_place(const std::string& path) {
     struct stat itself {
     }, status{};
-    if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
+    if (path.find('\0') != path.npos) refuse_file(path, "the name has a zero byte in it");
     if (::lstat(path.c_str(), &itself) != 0 || ::stat(path.c_str(), &status) != 0) status.st_mode = S_IFREG;
     if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode))
         return true;   // also through a link: /dev/stdout is one
-    if (S_ISLNK(itself.st_mode)) refuse(path, "is a symbolic link; name the file that it points to");
-    if (S_ISDIR(status.st_mode)) refuse(path, "is a directory, not a file to write");
-    if (!S_ISREG(status.st_mode)) refuse(path, "is neither an ordinary file nor a pipe to write to");
+    if (S_ISLNK(itself.st_mode)) refuse_file(path, "is a symbolic link; name the file that it points to");
+    if (S_ISDIR(status.st_mode)) refuse_file(path, "is a directory, not a file to write");
+    if (!S_ISREG(status.st_mode)) refuse_file(path, "is neither an ordinary file nor a pipe to write to");
     return false;
 }
 
@@ -100,7 +100,7 @@ bool is_in_place(const std::string& path) {
 /// reader.
 void write_in_place(const std::string& path, std::string_view bytes) {
     const int file = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (file < 0 && errno == ENXIO) refuse(path, "is a pipe that nobody reads");
+    if (file < 0 && errno == ENXIO) refuse_file(path, "is a pipe that nobody reads");
     if (file < 0) not_written(path, errno);
     ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
     if (const int error = write_and_close(file, bytes, Durable::no)) not_written(path, error);
@@ -111,13 +111,13 @@ void write_in_place(const std::string& path, std::string_view bytes) {
 void check_writable(const std::string& path) {
     if (path.empty()) throw UserError("the name of the file to write is empty");
     const fs::path target(path);
-    if (!target.has_filename()) refuse(path, "is a directory, not a file to write");
+    if (!target.has_filename()) refuse_file(path, "is a directory, not a file to write");
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     std::error_code error;
     if (!fs::exists(folder, error))
-        refuse(path, fmt::format("the folder {} does not exist", printable(folder.string())));
+        refuse_file(path, fmt::format("the folder {} does not exist", printable(folder.string())));
     if (!fs::is_directory(folder, error))
-        refuse(path, fmt::format("{} is not a folder", printable(folder.string())));
+        refuse_file(path, fmt::format("{} is not a folder", printable(folder.string())));
     const bool in_place = is_in_place(path);
     if (fs::exists(target, error) && ::access(path.c_str(), W_OK) != 0) not_written(path, errno);
     if (in_place) return;
@@ -129,7 +129,7 @@ void check_writable(const std::string& path) {
 
 void check_replaceable(const std::string& path) {
     check_writable(path);
-    if (is_in_place(path)) refuse(path, "is a device or a pipe, not an ordinary file");
+    if (is_in_place(path)) refuse_file(path, "is a device or a pipe, not an ordinary file");
 }
 
 void write_bytes(const std::string& path, std::string_view bytes, Durable durable) {

@@ -12,7 +12,7 @@ namespace rayclock {
 namespace {
 
 /// Returns twice the signed area of a triangle.
-double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+double twice_area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -39,7 +39,7 @@ public:
     double area(const std::vector<Corner>& ring) const {
         double sum = 0;
         for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-            sum += turn((*this)(ring[0]), (*this)(ring[i]), (*this)(ring[i + 1]));
+            sum += twice_area((*this)(ring[0]), (*this)(ring[i]), (*this)(ring[i + 1]));
         return sum;
     }
 
@@ -68,13 +68,13 @@ std::size_t seen_from(glm::dvec2 from, const std::vector<glm::dvec2>& ring) {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
         const glm::dvec2 p = ring[i], before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
-        if (turn(before, p, after) > 0 || p == target || p.x < from.x) continue;
+        if (twice_area(before, p, after) > 0 || p == target || p.x < from.x) continue;
         const double side = is_above ? 1 : -1;
-        if (side * turn(from, hit, p) < 0 || side * turn(hit, target, p) < 0 ||
-            side * turn(target, from, p) < 0)
+        if (side * twice_area(from, hit, p) < 0 || side * twice_area(hit, target, p) < 0 ||
+            side * twice_area(target, from, p) < 0)
             continue;
         // Bridges give one place several corners: the bridge must start inside this corner's angle.
-        if (!(turn(before, p, from) > 0 || turn(p, after, from) > 0)) continue;
+        if (!(twice_area(before, p, from) > 0 || twice_area(p, after, from) > 0)) continue;
         const double slope = std::abs(p.y - from.y) / (p.x - from.x);
         if (slope >= best) continue;
         best = slope;

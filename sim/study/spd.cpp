@@ -25,12 +25,12 @@ constexpr double most_from_table = 0.10, most_between_engines = 0.01;
 
 constexpr std::array<const char*, 4> kind_names{"eye rays that hit", "reflected", "refracted", "shadow"};
 
-struct Published {
+struct PublishedCounts {
     const char* scene;
     Kinds rays;
 };
 /// Haines 1987, and the README of his package, version 3.14.
-constexpr Published table[] = {
+constexpr PublishedCounts published_counts[] = {
     {"balls:4", {263169, 175095, 0, 954368}},
     {"gears:4", {245086, 304643, 207564, 2246955}},
     {"mount:6", {173125, 354769, 354769, 412922}},
@@ -90,7 +90,7 @@ Table table_of(const std::vector<Counted>& all) {
     return table;
 }
 
-constexpr const char* intro = R"(# Rays of the Standard Procedural Databases
+constexpr const char* counts_intro = R"(# Rays of the Standard Procedural Databases
 
 Made by `{}`. This page compares the rays that the reference and the model trace in Haines' scenes with his
 counts ("A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and his package, version
@@ -135,7 +135,7 @@ nlohmann::ordered_json json_of(const Counted& c) {
 
 std::vector<std::string> published_scenes() {
     std::vector<std::string> names;
-    for (const Published& p : table) names.emplace_back(p.scene);
+    for (const PublishedCounts& p : published_counts) names.emplace_back(p.scene);
     return names;
 }
 
@@ -148,7 +148,7 @@ bool is_good(const Counted& c) {
 Counted count(const std::string& name, FrameSize size, int threads, const Progress& progress) {
     Counted c;
     c.scene = name;
-    for (const Published& p : table)
+    for (const PublishedCounts& p : published_counts)
         if (name == p.scene && size == published_size) c.published = p.rays;
     if (!is_builtin(name)) throw UserError(shown(name) + " is not a built-in scene; only those are counted");
     const Scene scene = make_builtin(name, Primitives::native);
@@ -180,7 +180,7 @@ std::string text(const std::vector<Counted>& all) {
 }
 
 std::string page(const std::vector<Counted>& all, FrameSize size, const std::string& command) {
-    std::string text = fmt::format(fmt::runtime(intro), command, size.width, size.height);
+    std::string text = fmt::format(fmt::runtime(counts_intro), command, size.width, size.height);
     text += table_of(all).markdown();
     double from_table = 0, between = 0;
     bool has_published = false;

@@ -22,13 +22,13 @@ constexpr std::array<const char*, 7> figure_names{"inner_nodes",         "leaves
 constexpr std::size_t of_tree = 4;   // the first four do not depend on rays
 constexpr struct { int first, last; } depths{4, 7};
 
-struct Published {
+struct PublishedOctree {
     const char* scene;
     int depth;
     Figures figures;
 };
 /// V. Havran, "Comparison of Octree Traversal Algorithms", 1999, "Octree84-C".
-constexpr Published table[] = {
+constexpr PublishedOctree published_octrees[] = {
     {"balls:4", 4, {57, 400, 300, 9171, 1787.00, 9.93, 3.67}},
     {"balls:4", 5, {117, 820, 570, 10946, 577.70, 15.39, 9.52}},
     {"balls:4", 6, {304, 2129, 1038, 15611, 209.60, 19.88, 12.54}},
@@ -58,7 +58,7 @@ constexpr struct PublishedRays {
     {"teapot:12", {161546, 895744}},
 };
 
-constexpr const char* intro = R"(
+constexpr const char* octree_intro = R"(
 
 ## Octrees by published rules
 
@@ -111,7 +111,7 @@ std::string with_deviation(const std::string& shown, double mine, double his) {
 }
 
 const Figures* published(const std::string& scene, int depth) {
-    for (const Published& p : table)
+    for (const PublishedOctree& p : published_octrees)
         if (scene == p.scene && depth == p.depth) return &p.figures;
     return nullptr;
 }
@@ -196,7 +196,7 @@ Table havran_table(const std::vector<Counted>& all) {
 }
 
 std::string octree_page(const std::vector<Counted>& all) {
-    return intro + deviation_table(all).markdown() + deviations + havran_table(all).markdown() + "\n" +
+    return octree_intro + deviation_table(all).markdown() + deviations + havran_table(all).markdown() + "\n" +
            octree_table(all).markdown();
 }
 

@@ -23,7 +23,7 @@ struct Published {
 };
 
 // All published figures were read in an abstract or in the press of the time.
-constexpr Published rows[] = {
+constexpr Published published_rows[] = {
     {"gears:8", "Conference (282 k)", "20 to 60 over all scenes", "5.5, no shadows"},
     {"rings:3", "UT2003 (52 k)", "20 to 60 over all scenes", "7.5, precomputed light"},
     {"tree:6", "Mafia, Skeleton (15, 16 k)", "", "up to 20, best case"},
@@ -64,7 +64,7 @@ std::string machine_table(const Machine& machine, int threads, const Progress& p
     Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits",
                  "bytes/ray", "memory MB/s (of peak)", "bound, reached", "published fps, 512x384"},
                 Table::words_only);
-    for (const Published& row : rows)
+    for (const Published& row : published_rows)
         for (const Size& size : sizes) {
             const Scene scene = ready_scene(row.scene, size.pixels, progress);
             const Job job = make_job(scene, *scene.camera, size.pixels, config, progress);

@@ -22,7 +22,7 @@ struct MovingRow {
 };
 constexpr const char *saarcor = "SaarCOR 20 to 60 over all scenes",
                      *rpu = "D-RPU up to 35, dynamic scenes included";
-constexpr MovingRow rows[] = {
+constexpr MovingRow published_moving_rows[] = {
     {"clockwork:32", "saarcor", 90, saarcor},
     {"clockwork:32", "rpu", 66, rpu},
     {"clockwork:32", "default", 66, ""},
@@ -78,7 +78,7 @@ std::string moving_table(int threads, const Progress& progress) {
     Table table({"scene", "configuration, MHz", "instances that move", "fps", "least", "cycles/ray",
                  "bytes/ray", "bytes written a frame", "published fps, 512x384"},
                 Table::words_only);
-    for (const MovingRow& row : rows) {
+    for (const MovingRow& row : published_moving_rows) {
         const Means m = means_of(row, size, threads, progress);
         table.add({row.scene, fmt::format("{}, {}", row.config, row.mhz), fmt::format("{:.0f}", m.instances),
                    fmt::format("{:.1f}", m.fps), fmt::format("{:.1f}", m.least),

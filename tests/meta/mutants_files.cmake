@@ -60,8 +60,8 @@ mutant(files_last_write_unseen FILE sim/files/output.cpp TEST image "a file that
   OLD [[int error = write_all(file, bytes);]]
   NEW [[int error = 0 * write_all(file, bytes);]])
 mutant(files_written_through_a_link FILE sim/files/output.cpp TEST image "links*"
-  OLD [[if (S_ISLNK(itself.st_mode)) refuse(]]
-  NEW [[if (S_ISSOCK(itself.st_mode)) refuse(]])
+  OLD [[if (S_ISLNK(itself.st_mode)) refuse_file(]]
+  NEW [[if (S_ISSOCK(itself.st_mode)) refuse_file(]])
 mutant(files_picture_is_not_read_back FILE sim/files/image/write.cpp TEST image "a picture that is encoded wrongly*"
   OLD [[if (!stop()) codec.check(]]
   NEW [[if (stop()) codec.check(]])

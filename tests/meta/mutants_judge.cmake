@@ -19,7 +19,7 @@ mutant(judge_last_light_is_left_out FILE model/unit/shade/pass.cpp TEST simulate
   OLD [[light < frame.shade.lights ?]]
   NEW [[light + 1 < frame.shade.lights ?]])
 mutant(judge_sum_does_not_saturate FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 4 | balls:2 --depth 4 | mirrors --depth 4"
-  OLD [[std::min(colour[k] + more[k], one);]]
+  OLD [[std::min(colour[k] + more[k], full_weight);]]
   NEW [[colour[k] + more[k];]])
 mutant(judge_reflected_ray_is_not_sent FILE model/unit/shade/pass.cpp TEST simulate "mirrors --depth 2"
   OLD [[return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;]]

@@ -20,9 +20,9 @@ Config single(Config config) {
 }
 
 /// Writes a node over subtrees as boxes.
-class Boxes {
+class UpperBoxes {
 public:
-    Boxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const Collapse&, const Config& config)
+    UpperBoxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const Collapse&, const Config& config)
         : tree_(tree), config_(config) {}
     Node node(const std::vector<WideChild>& found, std::uint32_t base) const {
         std::array<NodeChild, max_width> children;
@@ -36,10 +36,10 @@ private:
 };
 
 /// Writes a node over subtrees as globes, which hold the corners of boxes and so the boxes.
-class Globes {
+class UpperGlobes {
 public:
-    Globes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const Collapse& collapse,
-           const Config& config)
+    UpperGlobes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const Collapse& collapse,
+                const Config& config)
         : config_(config), around_(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
               const LatticeBox& box = entries[i].map->box;
               for (int corner = 0; corner < 8; ++corner)
@@ -58,7 +58,7 @@ private:
     GlobesAround around_;
 };
 
-/// `As` is Boxes or Globes.
+/// `As` is UpperBoxes or UpperGlobes.
 template <class As> class TreeWriter {
 public:
     TreeWriter(const BinaryTree& tree, UpperLines& lines, UpperTotals& totals, const As& as,
@@ -117,8 +117,9 @@ UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t li
         if (has_cells(config)) return write_upper_cells(entries, boxes, lines, line, placed);
         BinaryTree tree = build_tree(boxes);
         if (thorough) optimise_tree(tree);
-        return config.engine() == Structure::spheres ? write_tree<Globes>(entries, tree, lines, line, placed)
-                                                     : write_tree<Boxes>(entries, tree, lines, line, placed);
+        return config.engine() == Structure::spheres
+                   ? write_tree<UpperGlobes>(entries, tree, lines, line, placed)
+                   : write_tree<UpperBoxes>(entries, tree, lines, line, placed);
     };
     UpperReport report = written();
     report.lines = lines.taken();

@@ -12,12 +12,12 @@ namespace {
 std::int64_t cut_off(std::int64_t a, int len) {
     return len > crossing_bits ? a >> (len - crossing_bits) : a << (crossing_bits - len);
 }
-int length(std::int64_t a) { return int(std::bit_width(std::uint64_t(a))); }
+int bit_length(std::int64_t a) { return int(std::bit_width(std::uint64_t(a))); }
 
 /// Returns floor(a 2^x), at most `most`.
 std::uint32_t moved(std::int64_t a, int x, std::uint32_t most) {
     if (x <= 0) return std::uint32_t(std::min<std::int64_t>(x > -63 ? a >> -x : 0, most));
-    return length(a) + x > length(most) ? most : std::uint32_t(a << x);
+    return bit_length(a) + x > bit_length(most) ? most : std::uint32_t(a << x);
 }
 
 }   // namespace
@@ -58,7 +58,7 @@ PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std
     if (sides.turned) num = -num, den = -den;
     sides.near = num > 0;
     if (!sides.near) return sides;
-    const int num_len = length(num), den_len = length(den);
+    const int num_len = bit_length(num), den_len = bit_length(den);
     const std::int64_t q = (cut_off(num, num_len) << (crossing_bits - 1)) / cut_off(den, den_len);
     const int x = c.t_frac_bits + c.ray_dir_bits() - frac - crossing_bits + num_len - den_len;
     sides.far_from = moved(q - 2, x, beyond);

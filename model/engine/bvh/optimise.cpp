@@ -13,7 +13,7 @@ constexpr std::size_t share = 10;                // a round tries the tenth of t
 constexpr std::size_t least_candidates = 8192;   // a small tree tries all nodes
 
 /// Takes `node` and its parent out, and puts both back above `to`. `gain` is the area saved.
-struct Move {
+struct TreeMove {
     double gain = 0;
     std::uint32_t node = no_node, to = no_node;
 };
@@ -42,17 +42,17 @@ private:
 
     bool improve() {
         const std::vector<std::uint32_t> nodes = candidates();
-        std::vector<Move> moves(nodes.size());
+        std::vector<TreeMove> moves(nodes.size());
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 64), [&](const auto& range) {
             Pending pending;
             for (std::size_t i = range.begin(); i < range.end(); ++i) moves[i] = search(nodes[i], pending);
         });
-        std::erase_if(moves, [](const Move& m) { return m.to == no_node; });
-        std::sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
+        std::erase_if(moves, [](const TreeMove& m) { return m.to == no_node; });
+        std::sort(moves.begin(), moves.end(), [](const TreeMove& a, const TreeMove& b) {
             return a.gain != b.gain ? a.gain > b.gain : a.node < b.node;
         });
         bool better = false;
-        for (const Move& move : moves) better = attempt(move) || better;
+        for (const TreeMove& move : moves) better = attempt(move) || better;
         return better;
     }
 
@@ -70,8 +70,8 @@ private:
 
     /// Climbs from the node and searches the other side of each ancestor. `saved` is the area of the removed
     /// parent plus the area that the ancestors below the current one lose.
-    Move search(std::uint32_t node, Pending& pending) const {
-        Move best{0, node, no_node};
+    TreeMove search(std::uint32_t node, Pending& pending) const {
+        TreeMove best{0, node, no_node};
         std::uint32_t pivot = parents_[node];
         double saved = at(pivot).box.area();
         LatticeBox without = at(sibling(node)).box;   // of the pivot's subtree without the node
@@ -84,7 +84,7 @@ private:
         return best;
     }
 
-    void look_down(std::uint32_t from, double saved, Move& best, Pending& pending) const {
+    void look_down(std::uint32_t from, double saved, TreeMove& best, Pending& pending) const {
         const LatticeBox& box = at(best.node).box;
         const double own = box.area();
         pending.assign(1, {saved, from});
@@ -102,7 +102,7 @@ private:
     }
 
     /// Makes a move unless earlier moves have made it impossible or bad.
-    bool attempt(const Move& move) {
+    bool attempt(const TreeMove& move) {
         if (move.node == tree_.root || move.to == parents_[move.node] || move.to == sibling(move.node))
             return false;
         for (std::uint32_t i = move.to; i != no_node; i = parents_[i])

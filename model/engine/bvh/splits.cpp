@@ -54,16 +54,17 @@ double overlap(const LatticeBox& a, const LatticeBox& b) {
     return common.area();
 }
 
-struct Plane {
+struct SplitPlane {
     double cost = 0;
     std::size_t axis = 3;
     std::int32_t at = 0;
     bool is_there() const { return axis < 3; }
 };
 
-class Builder {
+class SplitBuilder {
 public:
-    Builder(const std::vector<LatticeBox>& boxes, const std::vector<PrimData>& prims, const Config& config)
+    SplitBuilder(const std::vector<LatticeBox>& boxes, const std::vector<PrimData>& prims,
+                 const Config& config)
         : endless_(prims.size()) {
         LatticeBox all;
         clippers_.reserve(prims.size());
@@ -111,7 +112,7 @@ private:
         if (depth > max_sah_depth || overlap(lower.box, upper.box) <= least_) return;
         for (const BoxItem& item : items)
             if (endless_[item.index]) return;
-        Plane plane{cost_of(lower.box, lower.count, upper.box, upper.count)};
+        SplitPlane plane{cost_of(lower.box, lower.count, upper.box, upper.count)};
         for (std::size_t axis = 0; axis < 3; ++axis) try_planes(items, box, axis, plane);
         if (!plane.is_there()) return;
         Side below, above;
@@ -122,7 +123,7 @@ private:
     }
 
     /// Replaces `best` by the cheapest plane on an axis, if that is cheaper.
-    void try_planes(const Items& items, const LatticeBox& box, std::size_t axis, Plane& best) const {
+    void try_planes(const Items& items, const LatticeBox& box, std::size_t axis, SplitPlane& best) const {
         const std::int64_t lo = box.lo[axis], extent = box.hi[axis] - lo;
         if (extent < std::int64_t(slabs)) return;
         std::array<std::int32_t, slabs + 1> plane;   // slab i lies between planes i and i + 1
@@ -149,7 +150,7 @@ private:
     static void consider(const std::array<LatticeBox, slabs>& held,
                          const std::array<std::size_t, slabs>& begins,
                          const std::array<std::size_t, slabs>& ends, std::size_t all, std::size_t axis,
-                         const std::array<std::int32_t, slabs + 1>& plane, Plane& best) {
+                         const std::array<std::int32_t, slabs + 1>& plane, SplitPlane& best) {
         std::array<LatticeBox, slabs> upper;   // of slab i and those above
         LatticeBox box;
         for (std::size_t i = slabs; i-- > 0;) box.add(held[i]), upper[i] = box;
@@ -175,7 +176,7 @@ private:
 
     /// Distributes the items. Items that the plane does not cut go to their side; items in the plane go below
     /// it. Each other item takes the cheapest of three ways: in both sides, or whole in one of them.
-    void cut(const Items& items, const Plane& plane, Side& lower, Side& upper) const {
+    void cut(const Items& items, const SplitPlane& plane, Side& lower, Side& upper) const {
         struct Straddler {
             BoxItem whole;
             LatticeBox below, above;
@@ -237,7 +238,7 @@ BinaryTree build_split_tree(const std::vector<LatticeBox>& boxes, const std::vec
     Items items(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) items[i] = {boxes[i], std::uint32_t(i)};
     const double budget = most_split_references * double(items.size());
-    const BranchPtr root = Builder(boxes, prims, config).build(std::move(items), 0, budget);
+    const BranchPtr root = SplitBuilder(boxes, prims, config).build(std::move(items), 0, budget);
     BinaryTree tree;
     append(*root, tree.nodes);
     return tree;

@@ -14,7 +14,7 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel = 4096;   // items from which both sides are built at once
+constexpr std::size_t parallel_items = 4096;   // items from which both sides are built at once
 
 class Builder {
 public:
@@ -39,7 +39,7 @@ public:
         if (split.is_there()) pieces_.divide(items, region, split, lower, upper);
         const double given = double(lower.size() + upper.size());
         if (!split.is_there() || given > std::max(budget, double(items.size()))) return leaf_of(items);
-        const bool both = items.size() >= parallel;
+        const bool both = items.size() >= parallel_items;
         Items().swap(items);
         cell->axis = std::uint32_t(split.axis);
         cell->lower_share = float(split.lower), cell->upper_share = float(split.upper);

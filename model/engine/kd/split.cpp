@@ -10,8 +10,8 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel = 4096;   // items from which the three axes are swept at once
-constexpr std::size_t linear_to = 16;    // up to this number, items cost one test each
+constexpr std::size_t parallel_sweep = 4096;   // items from which the three axes are swept at once
+constexpr std::size_t linear_to = 16;          // up to this number, items cost one test each
 using Coordinates = std::vector<std::int32_t>;
 
 /// Returns the number of tests that n items count as: linear_to (n / linear_to)^(13/16). The power uses only
@@ -130,7 +130,7 @@ double cost_of(double lower, std::size_t below, double upper, std::size_t above)
 void try_axes(const Items& items, const LatticeBox& cell, std::size_t most, Split& best) {
     std::array<Split, 3> found{best, best, best};
     const auto try_axis = [&](std::size_t axis) { Sweep(items, cell, axis, most).run(found[axis]); };
-    if (items.size() >= parallel)
+    if (items.size() >= parallel_sweep)
         tbb::parallel_for(std::size_t(0), found.size(), try_axis);
     else
         for (std::size_t axis = 0; axis < found.size(); ++axis) try_axis(axis);

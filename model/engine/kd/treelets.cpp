@@ -11,7 +11,7 @@ namespace {
 
 constexpr double level = 17, test = 20;   // level: of a visit, per level of planes in a treelet
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
-constexpr std::size_t parallel = 4096;                      // items from which both sides are settled at once
+constexpr std::size_t parallel_settle = 4096;               // items from which both sides are settled at once
 
 void gather(const Cell& cell, std::vector<std::uint32_t>& prims) {
     prims.insert(prims.end(), cell.prims.begin(), cell.prims.end());
@@ -86,7 +86,7 @@ void Treelets::settle(Cell& cell, const Space& space, int levels) const {
 void Treelets::settle_parts(Cell& cell, const Space& space, int levels) const {
     const auto lower = [&] { settle(*cell.lower, part(space, cell, false), levels); };
     const auto upper = [&] { settle(*cell.upper, part(space, cell, true), levels); };
-    if (cell.count >= parallel)
+    if (cell.count >= parallel_settle)
         tbb::parallel_invoke(lower, upper);
     else
         lower(), upper();

@@ -82,7 +82,7 @@ struct Farthest {
     double distance = -1;
     glm::dvec3 point{};
 };
-Farthest farthest(std::span<const Bead> beads, const glm::dvec3& from) {
+Farthest farthest_bead(std::span<const Bead> beads, const glm::dvec3& from) {
     Farthest most;
     double square = -1;
     for (const Bead& bead : beads) {
@@ -119,12 +119,12 @@ void add_beads(const PrimData& prim, const Config& config, std::vector<Bead>& ou
 }
 
 Globe enclose(std::span<const Bead> beads) {
-    Points support{farthest(beads, beads[0].centre).point};
+    Points support{farthest_bead(beads, beads[0].centre).point};
     Globe globe{support[0], 0};
     if (beads.size() == 1) globe.centre = beads[0].centre;
     Globe least{globe.centre, HUGE_VAL};
     for (int i = 0; i < most_pivots; ++i) {
-        const Farthest most = farthest(beads, globe.centre);
+        const Farthest most = farthest_bead(beads, globe.centre);
         if (most.distance < least.radius) least = {globe.centre, most.distance};
         if (beads.size() == 1 || most.distance <= globe.radius * (1 + 1e-9)) break;
         const Points before = support;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int radius_frac = 3;                        ///< distances are compared in eighths of a node's step
 constexpr int drop = toward_bits - 2 - radius_frac;   ///< from a product with the direction to an eighth
-constexpr std::int64_t farthest = 1 << (toward_bits - 1);   ///< no component of a relevant distance reaches
-                                                            ///< this
+constexpr std::int64_t distance_limit = 1 << (toward_bits - 1);   ///< no component of a relevant distance
+                                                                  ///< reaches this
 
 /// Values that all globes of a node share.
 struct Sight {
@@ -122,7 +122,7 @@ std::uint32_t globe_children(const GlobeRay& ray, const WideGlobes& node, const 
             const std::size_t x = (k + 1) % 3, y = (k + 2) % 3;
             const std::int64_t moment = sight.moment[k] + q[x] * ray.toward[y] - q[y] * ray.toward[x],
                                far = (moment ^ moment >> 63) >> drop;
-            met = met && far < farthest;
+            met = met && far < distance_limit;
             sum += far * far;
             along += q[k] * ray.toward[k];
         }

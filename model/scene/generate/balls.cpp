@@ -71,7 +71,7 @@ std::uint64_t spheres(int size) {
 constexpr std::uint32_t ball_material = 1;   // the floor has material 0
 
 /// Writes camera, lights and floor, and sets the balls' material.
-void begin(Scene& scene, MeshWriter& mesh) {
+void begin_balls(Scene& scene, MeshWriter& mesh) {
     scene.camera = Camera{{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights = white_lights({{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
     mesh.material({.name = "floor", .colour{1, 0.75, 0.33}, .ambient = 0.2, .diffuse = 0.4});
@@ -97,7 +97,7 @@ Scene make_balls(int size, Primitives primitives) {
     Scene scene;
     MeshWriter mesh(scene, primitives);
     mesh.reserve((is_cut ? spheres(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives), is_cut);
-    begin(scene, mesh);
+    begin_balls(scene, mesh);
     each_ball(size, [&](const glm::dvec3& centre, double radius) { mesh.sphere(centre, radius); });
     return scene;
 }
@@ -107,7 +107,7 @@ std::uint64_t flake_triangles(int size) { return balls_counts(size, Primitives::
 PlacedScene make_flake(int size) {
     PlacedScene scene;
     MeshWriter mesh(scene.own);
-    begin(scene.own, mesh);
+    begin_balls(scene.own, mesh);
     scene.meshes.push_back(ball_mesh(ball_material));
     each_ball(size, [&](const glm::dvec3& centre, double radius) {
         scene.instances.push_back(ball_at(centre, radius, 0));

@@ -13,7 +13,7 @@ namespace rayclock {
 namespace {
 
 constexpr int head_size = 1;
-constexpr double length = 2;   // seconds: two steps of each leg, after which the pose repeats
+constexpr double walk_seconds = 2;   // seconds: two steps of each leg, after which the pose repeats
 constexpr std::uint64_t box_triangles = 12, limbs = 4;
 
 /// Writes the box between two corners.
@@ -70,10 +70,10 @@ public:
         for (int row = 0; row < size_; ++row)
             for (int column = 0; column < size_; ++column) walker(row, column);
         const glm::dvec3 eye(0.9 * size_, 1.2 + 0.45 * size_, 4 + 0.9 * size_), at(0, 0.6, 0),
-            ahead(0, 0, length);
+            ahead(0, 0, walk_seconds);
         scene_.own.camera = Camera{eye, at, {0, 1, 0}, 45};
-        scene_.motion.camera.eye = {{0, length}, {eye, eye + ahead}, Between::linear};
-        scene_.motion.camera.at = {{0, length}, {at, at + ahead}, Between::linear};
+        scene_.motion.camera.eye = {{0, walk_seconds}, {eye, eye + ahead}, Between::linear};
+        scene_.motion.camera.at = {{0, walk_seconds}, {at, at + ahead}, Between::linear};
         pose(scene_, 0);
         return std::move(scene_);
     }
@@ -88,7 +88,7 @@ private:
         MotionNode body{.name = name};
         body.is_parts = true;
         const glm::dvec3 from(step * (column - 0.5 * (size_ - 1)), 0.9, -step * (row - 0.5 * (size_ - 1)));
-        body.translates = {{0, length}, {from, from + glm::dvec3(0, 0, length)}, Between::linear};
+        body.translates = {{0, walk_seconds}, {from, from + glm::dvec3(0, 0, walk_seconds)}, Between::linear};
         const std::uint32_t node = add(body, 0, 1 + number % coats);
         for (int limb = 0; limb < int(limbs); ++limb) {
             const bool is_leg = limb < 2, is_left = limb % 2 == 0;
@@ -101,7 +101,7 @@ private:
             for (int k = 0; k <= 16; ++k) {
                 const double angle =
                     side * (is_leg ? 0.5 : 0.6) * std::sin(2 * std::numbers::pi * (k / 8.0 + phase));
-                swings.turns.times.push_back(length * k / 16);
+                swings.turns.times.push_back(walk_seconds * k / 16);
                 swings.turns.values.push_back(glm::angleAxis(angle, glm::dvec3(1, 0, 0)));
             }
             add(swings, 1, is_leg ? 1 + coats : 1 + number % coats);

@@ -11,7 +11,7 @@ namespace rayclock {
 namespace {
 
 constexpr int ball_size = 2, pieces = 16;
-constexpr double length = 4;   // seconds
+constexpr double flight_seconds = 4;   // seconds
 
 void begin(PlacedScene& scene, double side) {
     MeshWriter ground(scene.own);
@@ -35,7 +35,7 @@ void begin(PlacedScene& scene, double side) {
     LightMotion round{.light = 1};
     for (int k = 0; k <= pieces; ++k) {
         const double angle = 2 * std::numbers::pi * k / pieces;
-        round.position.times.push_back(length * k / pieces);
+        round.position.times.push_back(flight_seconds * k / pieces);
         round.position.values.push_back({side * std::cos(angle), side, side * std::sin(angle)});
     }
     scene.motion.lights.push_back(round);
@@ -54,7 +54,7 @@ MotionNode thrown(std::uint32_t number, double side) {
         const double s = std::fmod(double(k) / pieces + phase, 1.0), way = s < 0.5 ? 2 * s : 2 - 2 * s;
         glm::dvec3 at = from + way * (to - from);
         at.y = 0.3 + height * 4 * way * (1 - way);
-        node.translates.times.push_back(length * k / pieces);
+        node.translates.times.push_back(flight_seconds * k / pieces);
         node.translates.values.push_back(at);
     }
     return node;

@@ -15,12 +15,13 @@ namespace {
 
 /// Returns b * 2^exponent, or 0 for a negative exponent, where the original shifts by a negative number of
 /// bits.
-std::uint32_t shifted(std::uint32_t b, int exponent) { return exponent < 0 ? 0 : b << exponent; }
+std::uint32_t seed_part(std::uint32_t b, int exponent) { return exponent < 0 ? 0 : b << exponent; }
 
 /// Returns normally distributed noise that depends only on the grid point (polar method, Marsaglia and Bray
 /// 1964).
 double noise(int size, std::uint32_t a, std::uint32_t b) {
-    std::uint32_t seed = 21 + (shifted(a, 23 - size) + shifted(b, 15 - size) + shifted(a, 7 - size)) % 65536;
+    std::uint32_t seed =
+        21 + (seed_part(a, 23 - size) + seed_part(b, 15 - size) + seed_part(a, 7 - size)) % 65536;
     const auto draw = [&] {
         seed = (28411 + 8121 * seed) % 134456;
         return 2.0 * seed / 134456 - 1;

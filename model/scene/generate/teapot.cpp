@@ -14,25 +14,25 @@
 namespace rayclock {
 namespace {
 
-using Weights = std::array<double, 4>;
+using BezierWeights = std::array<double, 4>;
 
 /// Returns Bernstein's cubic polynomials at u = i / n.
-Weights bernstein(int i, int n) {
+BezierWeights bernstein(int i, int n) {
     const double u = static_cast<double>(i) / n, w = static_cast<double>(n - i) / n;
     return {w * (w * w), 3 * (u * (w * w)), 3 * (w * (u * u)), u * (u * u)};
 }
 
 /// Returns their derivatives.
-Weights bernstein_slope(int i, int n) {
+BezierWeights bernstein_slope(int i, int n) {
     const double u = static_cast<double>(i) / n, w = static_cast<double>(n - i) / n;
     return {-3 * w * w, 3 * w * w - 6 * u * w, 6 * u * w - 3 * u * u, 3 * u * u};
 }
 
-template <class T> T weighted(const Weights& b, const std::array<T, 4>& q) {
+template <class T> T weighted(const BezierWeights& b, const std::array<T, 4>& q) {
     return (b[0] * q[0] + b[3] * q[3]) + (b[1] * q[1] + b[2] * q[2]);
 }
 
-glm::dvec3 evaluate(const TeapotPatch& patch, const Weights& s, const Weights& t) {
+glm::dvec3 evaluate(const TeapotPatch& patch, const BezierWeights& s, const BezierWeights& t) {
     std::array<glm::dvec3, 4> row;
     for (std::size_t r = 0; r < 4; ++r)
         row[r] =

@@ -11,16 +11,16 @@ namespace {
 
 /// A circle about the axis x = y = 0, made of four curves. A curve runs from one axis to the next. Its two
 /// inner control points lie `radius` along the nearer axis and `bend` along the other.
-struct Ring {
+struct ProfileRing {
     double radius, bend, z;
 };
-constexpr Ring body[] = {{1.4, 0.784, 2.4}, {1.3375, 0.749, 2.53125}, {1.4375, 0.805, 2.53125},
-                         {1.5, 0.84, 2.4},  {1.75, 0.98, 1.875},      {2, 1.12, 1.35},
-                         {2, 1.12, 0.9},    {2, 1.12, 0.45},          {1.5, 0.84, 0.225},
-                         {1.5, 0.84, 0.15}};
-constexpr Ring lid[] = {{0, 0, 3.15},       {0.8, 0.45, 3.15},  {0, 0, 2.85},     {0.2, 0.112, 2.7},
-                        {0.4, 0.224, 2.55}, {1.3, 0.728, 2.55}, {1.3, 0.728, 2.4}};
-constexpr Ring bottom[] = {{0, 0, 0}, {1.425, 0.798, 0}, {1.5, 0.84, 0.075}, {1.5, 0.84, 0.15}};
+constexpr ProfileRing body[] = {{1.4, 0.784, 2.4}, {1.3375, 0.749, 2.53125}, {1.4375, 0.805, 2.53125},
+                                {1.5, 0.84, 2.4},  {1.75, 0.98, 1.875},      {2, 1.12, 1.35},
+                                {2, 1.12, 0.9},    {2, 1.12, 0.45},          {1.5, 0.84, 0.225},
+                                {1.5, 0.84, 0.15}};
+constexpr ProfileRing lid[] = {{0, 0, 3.15},       {0.8, 0.45, 3.15},  {0, 0, 2.85},     {0.2, 0.112, 2.7},
+                               {0.4, 0.224, 2.55}, {1.3, 0.728, 2.55}, {1.3, 0.728, 2.4}};
+constexpr ProfileRing bottom[] = {{0, 0, 0}, {1.425, 0.798, 0}, {1.5, 0.84, 0.075}, {1.5, 0.84, 0.15}};
 
 /// Half a cross-section of handle or spout: from one point of the plane y = 0 to another, with `width` to its
 /// side.
@@ -42,9 +42,9 @@ template <class Row, class Add> void each_four(std::span<const Row> rows, const 
 }
 
 /// Adds four quarters, the first from x to `side` times y.
-void revolve(std::span<const Ring> profile, double side, std::vector<TeapotPatch>& patches) {
+void revolve(std::span<const ProfileRing> profile, double side, std::vector<TeapotPatch>& patches) {
     const glm::dvec3 axes[] = {{1, 0, 0}, {0, side, 0}, {-1, 0, 0}, {0, -side, 0}};
-    each_four(profile, [&](std::span<const Ring> rings) {
+    each_four(profile, [&](std::span<const ProfileRing> rings) {
         for (std::size_t quarter = 0; quarter < 4; ++quarter) {
             const glm::dvec3 &from = axes[quarter], &to = axes[(quarter + 1) % 4];
             TeapotPatch& patch = patches.emplace_back();

@@ -42,7 +42,7 @@ template <class Use> void each_branch(int size, const Use& use) {
 constexpr std::uint32_t wood = 1;   // material; the field has material 0
 
 /// Writes camera, lights and field, and adds the wood.
-void begin(Scene& scene, MeshWriter& mesh) {
+void begin_tree(Scene& scene, MeshWriter& mesh) {
     scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{-5, 5, 50},
                                  {30, -30, 30},
@@ -72,7 +72,7 @@ Scene make_tree(int size, Primitives primitives, int sectors) {
     const std::uint64_t vertices =
         (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
     mesh.reserve(branches(size) * vertices + 4, tree_counts(size, primitives, sectors), true);
-    begin(scene, mesh);
+    begin_tree(scene, mesh);
     each_branch(size,
                 [&](const glm::dvec3& base, double base_radius, const glm::dvec3& top, double top_radius) {
                     mesh.cone(base, base_radius, top, top_radius);
@@ -88,7 +88,7 @@ std::uint64_t boughs_triangles(int size) {
 PlacedScene make_boughs(int size) {
     PlacedScene scene;
     MeshWriter mesh(scene.own);
-    begin(scene.own, mesh);
+    begin_tree(scene.own, mesh);
     Scene cone;   // upright, of height 1
     MeshWriter writer(cone);
     writer.use_material(wood);

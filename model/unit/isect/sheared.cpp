@@ -23,7 +23,7 @@ Corner sheared(const Vec3i& p, const Vec3i& o, const Shear& shear, int frac) {
             std::int64_t(p[ky]) - o[ky] + ((half - shear.slope[1] * z) >> frac), z};
 }
 
-std::int64_t cross(const Corner& p, const Corner& q) { return p.x * q.y - p.y * q.x; }
+std::int64_t planar_cross(const Corner& p, const Corner& q) { return p.x * q.y - p.y * q.x; }
 
 /// Returns the sign of the edge function of p, q: 1 or -1; 0 if p = q. A zero is decided as if the ray passed
 /// at (eps, eps^2).
@@ -58,7 +58,8 @@ void sheared_test(const Vec3i& o, const Shear& shear, const PrimData& triangle, 
     const int frac = config.slope_frac_bits();
     const Corner a = sheared(triangle.a, o, shear, frac), b = sheared(triangle.b, o, shear, frac),
                  c = sheared(triangle.c, o, shear, frac);
-    const std::int64_t u = cross(c, a), v = cross(a, b), w = cross(b, c), det = u + v + w;
+    const std::int64_t u = planar_cross(c, a), v = planar_cross(a, b), w = planar_cross(b, c),
+                       det = u + v + w;
     if (det == 0 || shear.size == 0) return;
     const int sign = det < 0 ? -1 : 1;
     if (side(u, c, a) != sign || side(v, a, b) != sign || side(w, b, c) != sign) return;

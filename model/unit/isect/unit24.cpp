@@ -10,28 +10,28 @@ namespace rayclock {
 
 namespace {
 
-using Vec = std::array<double, 3>;
+using DoubleVec = std::array<double, 3>;
 
 /// A row of the map. direction() applies its linear part, point() also adds the constant.
 struct Row {
-    Vec linear;
+    DoubleVec linear;
     double constant;
 };
 
-Vec cross(const Vec& a, const Vec& b) {
+DoubleVec double_cross(const DoubleVec& a, const DoubleVec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double double_dot(const DoubleVec& a, const DoubleVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Row row(const Vec& normal, double over, const Vec& a) {
-    const Vec linear{normal[0] / over, normal[1] / over, normal[2] / over};
-    return {{float24(linear[0]), float24(linear[1]), float24(linear[2])}, float24(-dot(linear, a))};
+Row row(const DoubleVec& normal, double over, const DoubleVec& a) {
+    const DoubleVec linear{normal[0] / over, normal[1] / over, normal[2] / over};
+    return {{float24(linear[0]), float24(linear[1]), float24(linear[2])}, float24(-double_dot(linear, a))};
 }
-double direction(const Row& r, const Vec& d) {
+double direction(const Row& r, const DoubleVec& d) {
     return float24(float24(float24(r.linear[0] * d[0]) + float24(r.linear[1] * d[1])) +
                    float24(r.linear[2] * d[2]));
 }
-double point(const Row& r, const Vec& p) { return float24(direction(r, p) + r.constant); }
+double point(const Row& r, const DoubleVec& p) { return float24(direction(r, p) + r.constant); }
 
 }   // namespace
 
@@ -51,16 +51,20 @@ double float24(double x) {
 void unit24_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
                  const Config& config, TriRsp& out) {
     no_hit(out);
-    const auto vec = [](const Vec3i& p) { return Vec{double(p[0]), double(p[1]), double(p[2])}; };
-    const auto rounded = [](const Vec3i& p) { return Vec{float24(p[0]), float24(p[1]), float24(p[2])}; };
-    const auto minus = [](const Vec& x, const Vec& y) { return Vec{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
-    const Vec a = vec(triangle.a), e1 = minus(vec(triangle.b), a), e2 = minus(vec(triangle.c), a),
-              n = cross(e1, e2);
-    const double nn = dot(n, n);
+    const auto vec = [](const Vec3i& p) { return DoubleVec{double(p[0]), double(p[1]), double(p[2])}; };
+    const auto rounded = [](const Vec3i& p) {
+        return DoubleVec{float24(p[0]), float24(p[1]), float24(p[2])};
+    };
+    const auto minus = [](const DoubleVec& x, const DoubleVec& y) {
+        return DoubleVec{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+    };
+    const DoubleVec a = vec(triangle.a), e1 = minus(vec(triangle.b), a), e2 = minus(vec(triangle.c), a),
+                    n = double_cross(e1, e2);
+    const double nn = double_dot(n, n);
     if (nn == 0) return;
     // Rows of the inverse of (e1 e2 n): e2 x n, n x e1 and n, divided by n . n.
-    const Row rx = row(cross(e2, n), nn, a), ry = row(cross(n, e1), nn, a), rz = row(n, nn, a);
-    const Vec from = rounded(o), along = rounded(d);
+    const Row rx = row(double_cross(e2, n), nn, a), ry = row(double_cross(n, e1), nn, a), rz = row(n, nn, a);
+    const DoubleVec from = rounded(o), along = rounded(d);
     const double dz = direction(rz, along);
     if (dz == 0) return;
     const double t = float24(-point(rz, from) / dz);

@@ -11,12 +11,12 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::int64_t one = 1 << unit_bits;
+constexpr std::int64_t unit_one = 1 << unit_bits;
 
 /// Returns a vector of about unit length with components clamped to 1.
 std::array<std::int32_t, 3> within(const Vec3l& v) {
     std::array<std::int32_t, 3> unit{};
-    for (std::size_t k = 0; k < 3; ++k) unit[k] = std::int32_t(std::clamp(v[k], -one, one));
+    for (std::size_t k = 0; k < 3; ++k) unit[k] = std::int32_t(std::clamp(v[k], -unit_one, unit_one));
     return unit;
 }
 
@@ -28,13 +28,13 @@ int side_of(const Vec3l& n, const Vec3i& d) {
 
 /// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5.
 std::int64_t schlick(const ShadeState& state) {
-    const std::int64_t q = one - state.cosine, q2 = rounded(q * q, unit_bits),
+    const std::int64_t q = unit_one - state.cosine, q2 = rounded(q * q, unit_bits),
                        q4 = rounded(q2 * q2, unit_bits), q5 = rounded(q4 * q, unit_bits);
-    return state.r0 + rounded((one - std::int64_t(state.r0)) * q5, unit_bits);
+    return state.r0 + rounded((unit_one - std::int64_t(state.r0)) * q5, unit_bits);
 }
 
 std::uint32_t times(std::uint32_t weight, std::int64_t share) {
-    return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));
+    return std::uint32_t(rounded(weight * std::min(share, unit_one), unit_bits));
 }
 
 /// Returns 2^32 times the squared cosine of the refracted ray; negative for total reflection. The product of
@@ -103,7 +103,7 @@ BounceOut refract(const Config& c, const ShadeState& state, const Placement& pla
     out.d = direction_of(within(bent), c);
     out.goes = leaves(c, state, placement, out) < 0 && !out.total && is_held(c, out.d);
     const std::int64_t share =
-        state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
+        state.schlick ? rounded(state.transmit * (unit_one - schlick(state)), unit_bits) : state.transmit;
     out.weight = times(state.weight, share);
     return out;
 }

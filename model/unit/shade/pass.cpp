@@ -15,11 +15,11 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::uint32_t one = 1 << unit_bits;
+constexpr std::uint32_t full_weight = 1 << unit_bits;
 using Colour = std::array<std::uint32_t, 3>;
 
 void add(Colour& colour, const Colour& more) {
-    for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], full_weight);
 }
 
 /// True if the threshold lets a ray pass that is its camera ray's `bounce`th. Rounding of shares and weights
@@ -207,7 +207,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = one, s.depth = 0, s.cell = 0;
+        s.weight = full_weight, s.depth = 0, s.cell = 0;
         s.event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
@@ -217,9 +217,10 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     out.pixel.first = {in.ray, s.found, s.prim, s.t, s.u, s.v, 0};
     const std::uint32_t share = done < all ? frame.shade.first_share : frame.shade.share;
     for (std::size_t k = 0; k < 3; ++k)
-        out.pixel.colour[k] = c.supersampling ? std::uint32_t(std::min<std::uint64_t>(
-                                                    rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one))
-                                              : s.colour[k];
+        out.pixel.colour[k] = c.supersampling
+                                  ? std::uint32_t(std::min<std::uint64_t>(
+                                        rounded(std::uint64_t(s.sum[k]) * share, unit_bits), full_weight))
+                                  : s.colour[k];
 }
 
 }   // namespace
@@ -227,8 +228,8 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
     ShadeState s;
     s.x = x, s.y = y;
-    s.least = {one, one, one};
-    s.weight = one;
+    s.least = {full_weight, full_weight, full_weight};
+    s.weight = full_weight;
     return s;
 }
 

@@ -24,7 +24,7 @@ std::string quoted(const std::string& word) {
     return out + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string shell_line(const std::vector<std::string>& words) {
     std::string line = "rayclock";
     for (const std::string& word : words) line += " " + quoted(word);
     return line;
@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 void keep_command_line(int argc, char** argv) { typed.assign(argv + std::min(argc, 1), argv + argc); }
 
-std::string command_line() { return joined(typed); }
+std::string command_line() { return shell_line(typed); }
 
 std::string explain_line(int khz) {
     // options of simulate that explain lacks; each takes a value
@@ -47,7 +47,7 @@ std::string explain_line(int khz) {
         else
             words.push_back(typed[i]);
     }
-    return joined(words) + fmt::format(" --clock {:g} PIXEL", khz / 1e3);
+    return shell_line(words) + fmt::format(" --clock {:g} PIXEL", khz / 1e3);
 }
 
 std::vector<std::pair<std::string, std::string>> versions() {

@@ -19,7 +19,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct AreaOptions {
     ConfigChoice config;
     std::vector<std::string> units;
     std::string output;
@@ -28,7 +28,7 @@ struct Options {
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_area(Parser& parser, AreaOptions& o) {
     config_options(parser, o.config);
     parser
         .option("--unit", o.units,
@@ -49,14 +49,14 @@ void check_names(const std::vector<std::string>& only) {
                                         did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const AreaOptions& o) {
     std::string text = "rayclock study area -o " + told_path(o.output);
     if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     return text;
 }
 
-int run(const Options& o) {
+int run_area(const AreaOptions& o) {
     check_names(o.units);
     if (!o.units.empty() && !o.output.empty())
         throw UserError("--unit: a page has all units; leave out --unit, or --output");
@@ -85,7 +85,7 @@ int run(const Options& o) {
 
 Command area_command() {
     return command("area", "docs/area.md: what each unit takes of an ECP5",
-                   "rayclock study area -o docs/area.md", declare, run);
+                   "rayclock study area -o docs/area.md", declare_area, run_area);
 }
 
 }   // namespace rayclock

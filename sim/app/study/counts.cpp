@@ -17,14 +17,14 @@ namespace {
 
 constexpr const char* published_size = "513x513";
 
-struct Options {
+struct CountsOptions {
     std::vector<std::string> scenes = spd::published_scenes();
     std::string size = published_size, output;
     int threads = 0;
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_counts(Parser& parser, CountsOptions& o) {
     parser.option("SCENE", o.scenes, "scenes; by default all that have a published count");
     parser.option("--size", o.size, "size of the picture, WIDTHxHEIGHT; the published counts are of 513x513")
         .with_default();
@@ -33,14 +33,14 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const CountsOptions& o) {
     std::string text = "rayclock study counts";
     if (o.scenes != spd::published_scenes()) text += fmt::format(" {}", fmt::join(o.scenes, " "));
     if (o.size != published_size) text += " --size " + o.size;
     return text + " -o " + told_path(o.output);
 }
 
-int run(const Options& o) {
+int run_counts(const CountsOptions& o) {
     const FrameSize size = parse_size(o.size);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
@@ -57,7 +57,7 @@ int run(const Options& o) {
 
 Command counts_command() {
     return command("counts", "docs/spd.md: rays of Haines' scenes and the published counts",
-                   "rayclock study counts -o docs/spd.md", declare, run);
+                   "rayclock study counts -o docs/spd.md", declare_counts, run_counts);
 }
 
 }   // namespace rayclock

@@ -35,16 +35,16 @@ std::vector<Engine> engines_of(const std::string& text) {
     return {all.begin(), all.end()};
 }
 
-constexpr const char* usual_size = "256x192";
+constexpr const char* usual_figures_size = "256x192";
 constexpr const char* all_engines = "reference,model,rtl";
 
-struct Options {
-    std::string output, size = usual_size, engines = all_engines;
+struct FiguresOptions {
+    std::string output, size = usual_figures_size, engines = all_engines;
     int threads = 0;
     JsonOutput json;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_figures(Parser& parser, FiguresOptions& o) {
     parser.option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/")
         .required();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
@@ -53,14 +53,14 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const FiguresOptions& o) {
     std::string text = "rayclock study figures -o " + told_path(o.output);
-    if (o.size != usual_size) text += " --size " + o.size;
+    if (o.size != usual_figures_size) text += " --size " + o.size;
     if (o.engines != all_engines) text += " --engine " + o.engines;
     return text;
 }
 
-int run(const Options& o) {
+int run_figures(const FiguresOptions& o) {
     figures::Studio studio;
     studio.size = parse_size(o.size);
     studio.engines = engines_of(o.engines);
@@ -80,7 +80,7 @@ int run(const Options& o) {
 
 Command figures_command() {
     return command("figures", "docs/figures.md: the classic figures, drawn by all engines",
-                   "rayclock study figures -o docs", declare, run);
+                   "rayclock study figures -o docs", declare_figures, run_figures);
 }
 
 }   // namespace rayclock

@@ -17,17 +17,17 @@ namespace rayclock {
 
 namespace {
 
-const char* const usual_size = "256x192";
+const char* const usual_gigahertz_size = "256x192";
 const char* const usual_scene = "gears:8";
 const char* const usual_finished = "balls:4";
 
-struct Options {
+struct GigahertzOptions {
     ConfigChoice config;
-    std::string output, size = usual_size, scene = usual_scene, finished = usual_finished;
+    std::string output, size = usual_gigahertz_size, scene = usual_scene, finished = usual_finished;
     int threads = 0;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_gigahertz(Parser& parser, GigahertzOptions& o) {
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder for gigahertz.md and its picture").required();
     parser.option("--scene", o.scene, "scene of the camera rays").with_default();
@@ -36,17 +36,17 @@ void declare(Parser& parser, Options& o) {
     threads_option(parser, o.threads);
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const GigahertzOptions& o) {
     std::string text = "rayclock study gigahertz -o " + told_path(o.output);
     if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scene != usual_scene) text += " --scene " + told_path(o.scene);
     if (o.finished != usual_finished) text += " --finished " + told_path(o.finished);
-    if (o.size != usual_size) text += " --size " + o.size;
+    if (o.size != usual_gigahertz_size) text += " --size " + o.size;
     return text;
 }
 
-int run(const Options& o) {
+int run_gigahertz(const GigahertzOptions& o) {
     const gigahertz::Study study{load_config(o.config), o.scene, o.finished, parse_size(o.size), o.threads};
     const std::filesystem::path folder(o.output);
     const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();
@@ -64,7 +64,7 @@ int run(const Options& o) {
 
 Command gigahertz_command() {
     return command("gigahertz", "docs/gigahertz.md: this machine at the clocks of processors",
-                   "rayclock study gigahertz -o docs", declare, run);
+                   "rayclock study gigahertz -o docs", declare_gigahertz, run_gigahertz);
 }
 
 }   // namespace rayclock

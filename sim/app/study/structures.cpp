@@ -19,12 +19,12 @@ namespace rayclock {
 
 namespace {
 
-constexpr const char* usual_size = "256x192";
+constexpr const char* usual_structures_size = "256x192";
 constexpr FrameSize size_of_small{64, 48};
 
-struct Options {
+struct StructuresOptions {
     ConfigChoice config;
-    std::string output, size = usual_size;
+    std::string output, size = usual_structures_size;
     std::vector<std::string> scenes = structures::large_scenes(), round{"balls:4"};
     LimitsChoice limits;
     JsonOutput json;
@@ -32,7 +32,7 @@ struct Options {
     int threads = 0;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_structures(Parser& parser, StructuresOptions& o) {
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder for structures.md and its picture").required();
     parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
@@ -47,19 +47,19 @@ void declare(Parser& parser, Options& o) {
     threads_option(parser, o.threads);
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const StructuresOptions& o) {
     std::string text = "rayclock study structures -o " + told_path(o.output);
     if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scenes != structures::large_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
-    if (o.round != Options{}.round) text += fmt::format(" --round {}", fmt::join(o.round, ","));
-    if (o.size != usual_size) text += " --size " + o.size;
+    if (o.round != StructuresOptions{}.round) text += fmt::format(" --round {}", fmt::join(o.round, ","));
+    if (o.size != usual_structures_size) text += " --size " + o.size;
     return text + (o.no_netlist ? " --no-netlist" : "") + typed_limits(o.limits);
 }
 
 /// Returns the area of one pipeline with each structure, without and with the units of finished pictures.
 std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStructure>& candidates,
-                                        const Options& o, const Progress& progress) {
+                                        const StructuresOptions& o, const Progress& progress) {
     std::vector<area::Variant> variants;
     for (const structures::NamedStructure& structure : candidates) {
         variants.push_back({structure.name, structure.config});
@@ -75,7 +75,7 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStruc
     return counts;
 }
 
-int run(const Options& o) {
+int run_structures(const StructuresOptions& o) {
     structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.round, o.threads,
                             limits_of(o.limits)};
     const auto candidates = structures::trees(study.base);
@@ -111,7 +111,7 @@ int run(const Options& o) {
 
 Command structures_command() {
     return command("structures", "docs/structures.md: all acceleration structures on one machine",
-                   "rayclock study structures -o docs", declare, run);
+                   "rayclock study structures -o docs", declare_structures, run_structures);
 }
 
 }   // namespace rayclock

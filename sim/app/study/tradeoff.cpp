@@ -13,7 +13,7 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct TradeoffOptions {
     std::string output, size = default_size;
     std::vector<std::string> scenes = sweep::default_tradeoff_scenes();
     LimitsChoice limits;
@@ -21,7 +21,7 @@ struct Options {
     int threads = 0;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_tradeoff(Parser& parser, TradeoffOptions& o) {
     parser.option("-o,--output", o.output, "Markdown file to write; the plots go next to it").required();
     parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
     size_option(parser, o.size);
@@ -31,7 +31,7 @@ void declare(Parser& parser, Options& o) {
     threads_option(parser, o.threads);
 }
 
-std::string command_of(const Options& o) {
+std::string command_of(const TradeoffOptions& o) {
     std::string text = "rayclock study tradeoff -o " + told_path(o.output);
     if (o.scenes != sweep::default_tradeoff_scenes())
         text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
@@ -40,7 +40,7 @@ std::string command_of(const Options& o) {
     return text + typed_limits(o.limits);
 }
 
-int run(const Options& o) {
+int run_tradeoff(const TradeoffOptions& o) {
     const FrameSize size = parse_size(o.size);
     const Limits limits = limits_of(o.limits);
     sweep::check_tradeoff_paths(o.output, o.scenes);
@@ -56,7 +56,7 @@ int run(const Options& o) {
 
 Command tradeoff_command() {
     return command("tradeoff", "docs/speed-against-error.md: what each bit costs and gains",
-                   "rayclock study tradeoff -o docs/speed-against-error.md", declare, run);
+                   "rayclock study tradeoff -o docs/speed-against-error.md", declare_tradeoff, run_tradeoff);
 }
 
 }   // namespace rayclock

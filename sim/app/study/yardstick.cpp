@@ -15,17 +15,17 @@ namespace rayclock {
 
 namespace {
 
-struct Options {
+struct YardstickOptions {
     std::string output;
     int threads = 0;
 };
 
-void declare(Parser& parser, Options& o) {
+void declare_yardstick(Parser& parser, YardstickOptions& o) {
     parser.option("-o,--output", o.output, "Markdown file to write").required();
     threads_option(parser, o.threads);
 }
 
-int run(const Options& o) {
+int run_yardstick(const YardstickOptions& o) {
     check_writable(o.output);
     const Progress progress = stopping(terminal_progress());
     const std::optional<chip::RoutedClock> routed = chip::routed_clock(named_config("ulx3s"));
@@ -39,7 +39,7 @@ int run(const Options& o) {
 
 Command yardstick_command() {
     return command("yardstick", "docs/yardstick.md: this machine and the published SaarCOR and RPU",
-                   "rayclock study yardstick -o docs/yardstick.md", declare, run);
+                   "rayclock study yardstick -o docs/yardstick.md", declare_yardstick, run_yardstick);
 }
 
 }   // namespace rayclock

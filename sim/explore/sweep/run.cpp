@@ -58,7 +58,7 @@ double Result::film_fps() const {
 
 namespace {
 
-ordered_json picture_json(const PictureFigures& p) {
+ordered_json picture_figures_json(const PictureFigures& p) {
     ordered_json json = error_json(p.error, std::nullopt);
     json["cracks"] = p.cracks ? ordered_json(*p.cracks) : ordered_json(nullptr);
     json["memory_bytes"] = p.memory_bytes;
@@ -251,7 +251,7 @@ private:
         }
         if (!group.picture_known) {
             const PictureFigures picture = compare_picture(film, frames.back());
-            cache_.keep("picture", group.key, picture_json(picture));
+            cache_.keep("picture", group.key, picture_figures_json(picture));
             for (Result* r : group.results) r->picture = picture;
         }
         jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {

@@ -248,7 +248,7 @@ template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) 
     put(cell, plane, node);
 }
 
-template <class Line> void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
+template <class Line> void cut_lines_anew(MemoryImage& image, const Config& config, Dice& dice) {
     std::vector<std::uint32_t> pending{0};
     Words scratch;
     while (!pending.empty()) {
@@ -275,7 +275,7 @@ template <class Line> void cut_anew(MemoryImage& image, const Config& config, Di
 
 void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
     with_engine(config.engine(), [&]<class E>(E) {
-        if constexpr (E::has_cells) cut_anew<typename E::Node>(image, config, dice);
+        if constexpr (E::has_cells) cut_lines_anew<typename E::Node>(image, config, dice);
     });
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int stages = 7;
 constexpr int packed_width = 256;
-constexpr std::size_t most_faults = 20;
+constexpr std::size_t most_ladder_faults = 20;
 constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
@@ -103,7 +103,7 @@ private:
     }
     void report(std::size_t pixel, const std::string& sentence) {
         ++judgement_.wrong;
-        if (judgement_.faults.size() < most_faults)
+        if (judgement_.faults.size() < most_ladder_faults)
             judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
     /// As the flat scene has its corners: of a mirrored instance the second and the third change places.

@@ -14,7 +14,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::size_t most_faults = 20;
+constexpr std::size_t most_shading_faults = 20;
 
 /// Several watches of one pixel.
 class Watches final : public ShadeWatch {
@@ -208,7 +208,7 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
 
     const auto report = [&](std::size_t pixel, const std::string& sentence) {
         ++j.wrong;
-        if (j.faults.size() < most_faults)
+        if (j.faults.size() < most_shading_faults)
             j.faults.push_back({std::uint32_t(pixel % width), std::uint32_t(pixel / width), 0, sentence});
     };
     if (ladder)

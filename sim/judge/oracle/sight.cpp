@@ -5,7 +5,7 @@ namespace rayclock::oracle {
 
 namespace {
 
-Int128 volume(const Triple<Int128>& a, const Triple<Int128>& b, const Triple<Int128>& c) {
+Int128 exact_volume(const Triple<Int128>& a, const Triple<Int128>& b, const Triple<Int128>& c) {
     return oracle::volume<Int128>(a, area(b, c));
 }
 int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
@@ -26,7 +26,7 @@ constexpr int moves[8][9] = {{1, 2, 3, -2, 1, 1, 3, -1, 2},   {-3, 1, 2, 1, 1, -
 }   // namespace
 
 bool in_plane(const RationalPoint& place, const Corners& t) {
-    return volume(between(t.a, place), between(t.a, t.b), between(t.a, t.c)) == 0;
+    return exact_volume(between(t.a, place), between(t.a, t.b), between(t.a, t.c)) == 0;
 }
 
 Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path) {
@@ -50,13 +50,13 @@ Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path)
 
 Sight::Signs Sight::signs(const Corners& t) const {
     const Triple<Int128> ab = between(t.a, t.b), ac = between(t.a, t.c), begin = between(t.a, path_.from);
-    Signs s{sign(volume(begin, ab, ac)), 0, 0, 0, 0};
-    s.end = sign(volume(path_.to ? between(t.a, *path_.to) : triple<Int128>(path_.direction), ab, ac));
+    Signs s{sign(exact_volume(begin, ab, ac)), 0, 0, 0, 0};
+    s.end = sign(exact_volume(path_.to ? between(t.a, *path_.to) : triple<Int128>(path_.direction), ab, ac));
     if (s.end == 0 || s.begin == s.end) return s;
     const auto edge = [&](const Vec3i& p, const Vec3i& q) {
-        return sign(volume(between(p, path_.from),
-                           path_.to ? between(p, *path_.to) : triple<Int128>(path_.direction),
-                           between(p, q)));
+        return sign(exact_volume(between(p, path_.from),
+                                 path_.to ? between(p, *path_.to) : triple<Int128>(path_.direction),
+                                 between(p, q)));
     };
     s.ab = edge(t.a, t.b);
     s.bc = edge(t.b, t.c);
@@ -66,12 +66,12 @@ Sight::Signs Sight::signs(const Corners& t) const {
 
 int Sight::moved_plane(const Corners& t, const Set& set) const {
     for (const auto& move : set.moves)
-        if (const int s = sign(volume(move, between(t.a, t.b), between(t.a, t.c)))) return s;
+        if (const int s = sign(exact_volume(move, between(t.a, t.b), between(t.a, t.c)))) return s;
     return 0;
 }
 int Sight::moved_edge(const Vec3i& p, const Vec3i& q, const Set& set) const {
     for (const auto& move : set.moves)
-        if (const int s = sign(volume(move, way_, between(p, q)))) return s;
+        if (const int s = sign(exact_volume(move, way_, between(p, q)))) return s;
     return 0;
 }
 

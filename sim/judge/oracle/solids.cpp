@@ -12,7 +12,7 @@ namespace {
 
 using Short = std::int64_t;
 
-int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+int sign_of(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// Returns the vector from the origin to a lattice point, in units of 2^-frac.
 Triple<Short> from_origin(const SolidRay& ray, const Vec3i& p) {
@@ -55,7 +55,7 @@ std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::
     if (solid.shape == Solid::Shape::triangle && !v.within_edges()) return std::nullopt;
     const Height h = height(ray, solid.corners);
     if (h.den == 0 || h.num == 0 || (h.num > 0) != (h.den > 0)) return std::nullopt;
-    const int turn = sign(h.den);
+    const int turn = sign_of(h.den);
     const Int128 total = (v.bc + v.ca + v.ab) * turn;
     return FlatHit{number, h.num * turn, h.den * turn * (Int128(1) << ray.frac), v.ca * turn, v.ab * turn,
                    total,  h.den > 0};

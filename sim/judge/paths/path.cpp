@@ -8,7 +8,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::uint32_t one = 1u << unit_bits;
+constexpr std::uint32_t full_weight = 1u << unit_bits;
 
 }   // namespace
 
@@ -22,11 +22,11 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
     ray_number_ = 0;
     fresh_ = true;
     expected_ = {};
-    branch_ = {{}, one, 0, 0, {1, 1}};
+    branch_ = {{}, full_weight, 0, 0, {1, 1}};
     waiting_.clear();
     lit_if_free_ = lit_ = false;
     colour_ = sum_ = most_ = {};
-    least_ = {one, one, one};
+    least_ = {full_weight, full_weight, full_weight};
     exact_ = exact_sum_ = {};
     sample_ = 0;
 }
@@ -80,15 +80,15 @@ void PathJudge::answered(const Closest& hit) {
 
 void PathJudge::add(const Colour& colour, const Light& exact) {
     for (std::size_t k = 0; k < 3; ++k) {
-        colour_[k] = std::min(colour_[k] + colour[k], one);
+        colour_[k] = std::min(colour_[k] + colour[k], full_weight);
         exact_[k] = exact_[k] + exact[k];
     }
 }
 
 void PathJudge::passed(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive && s.weight == one &&
-                        s.depth == 0
+    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive &&
+                        s.weight == full_weight && s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
     demand(in.hit.found == answer_.found && same_answer(in.hit, answer_) && in.hit.back == answer_.back,
@@ -178,7 +178,7 @@ void PathJudge::end_sample(const PassOut& out) {
         sample_ = done;
         colour_ = {};
         exact_ = {};
-        branch_ = {{}, one, 0, 0, {1, 1}};
+        branch_ = {{}, full_weight, 0, 0, {1, 1}};
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");
@@ -187,10 +187,11 @@ void PathJudge::end_sample(const PassOut& out) {
     }
     demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");
     for (std::size_t k = 0; k < 3; ++k) {
-        const Int128 share = nearest_of(one, done);
-        pixel_[k] = config_.supersampling
-                        ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), one))
-                        : colour_[k];
+        const Int128 share = nearest_of(full_weight, done);
+        pixel_[k] =
+            config_.supersampling
+                ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), full_weight))
+                : colour_[k];
         // The share is off by half a unit of a sum of `done` samples, and the product is rounded.
         exact_pixel_[k] =
             (1.0 / done * exact_sum_[k]).wider(config_.supersampling ? 0.5 * (done + 1) * unit_step : 0);

@@ -6,7 +6,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr Int128 one = Int128(1) << unit_bits;
+constexpr Int128 wide_unit = Int128(1) << unit_bits;
 
 /// floor(sqrt(x)): found from a root of a double.
 Int128 root_of(Int128 x) {
@@ -23,9 +23,9 @@ struct Bend {
 };
 /// As promised: the square of the refracted sine rounded down, the root rounded down, the product to nearest.
 Bend promised_bend(const ShadeState& s) {
-    const Int128 sine_squared = one * one - Int128(s.cosine) * s.cosine;
+    const Int128 sine_squared = wide_unit * wide_unit - Int128(s.cosine) * s.cosine;
     const Int128 refracted = floor_of(Int128(s.ratio) * s.ratio * sine_squared, Int128(1) << 2 * index_frac);
-    const Int128 cosine_squared = one * one - refracted;
+    const Int128 cosine_squared = wide_unit * wide_unit - refracted;
     return {cosine_squared, nearest_of_power(Int128(s.ratio) * s.cosine, index_frac) -
                                 (cosine_squared < 0 ? 0 : root_of(cosine_squared))};
 }
@@ -44,22 +44,22 @@ PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, c
 
 /// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5; promised to the bit, and with bounds.
 PathJudge::Share PathJudge::schlick(const ShadeState& s) const {
-    const Int128 q = one - s.cosine, q2 = nearest_of_power(q * q, unit_bits),
+    const Int128 q = wide_unit - s.cosine, q2 = nearest_of_power(q * q, unit_bits),
                  q4 = nearest_of_power(q2 * q2, unit_bits), q5 = nearest_of_power(q4 * q, unit_bits);
     const double r0 = s.r0 * unit_step;
     const Range cosine =
         Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
     const auto fifth = [](double x) { return x * x * x * x * x; };
     const Range powered = Range{fifth(1 - cosine.hi), fifth(1 - cosine.lo)}.wider(3 * unit_step);
-    return {s.r0 + nearest_of_power((one - s.r0) * q5, unit_bits),
+    return {s.r0 + nearest_of_power((wide_unit - s.r0) * q5, unit_bits),
             (Range{r0, r0} + (1 - r0) * powered).wider(0.5 * unit_step).clamped(0, 1)};
 }
 
 /// What a bounce counts, from its share of the weight.
 PathJudge::Weight PathJudge::weight_of(const Share& share) const {
-    return {
-        std::uint32_t(nearest_of_power(Int128(branch_.weight) * std::min(share.promised, one), unit_bits)),
-        (branch_.exact * share.exact.clamped(0, 1)).wider(0.5 * unit_step).clamped(0, 1)};
+    return {std::uint32_t(
+                nearest_of_power(Int128(branch_.weight) * std::min(share.promised, wide_unit), unit_bits)),
+            (branch_.exact * share.exact.clamped(0, 1)).wider(0.5 * unit_step).clamped(0, 1)};
 }
 
 void PathJudge::refract(const PassIn& in, const PassOut& out) {
@@ -76,7 +76,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     Share share{Int128(s.transmit), {transmit, transmit}};
     if (s.schlick) {
         const Share fresnel = schlick(s);
-        share = {nearest_of_power(s.transmit * (one - fresnel.promised), unit_bits),
+        share = {nearest_of_power(s.transmit * (wide_unit - fresnel.promised), unit_bits),
                  (transmit * (Range{1, 1} - fresnel.exact)).wider(0.5 * unit_step)};
     }
     const Weight weight = weight_of(share);
@@ -88,7 +88,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
             nearest_of_power(
                 bend.along * s.normal[k] - (Int128(s.ratio) * s.view[k] << (unit_bits - index_frac)),
                 unit_bits),
-            -one, one));
+            -wide_unit, wide_unit));
     });
     judge_refracted(d);
     if (dot(s.n, is_turned() ? home_of(s, d).d : d) >= 0)
@@ -125,8 +125,9 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
     }
     const Weight weight = weight_of(share);
     const Vec3i d = by_axis([&](std::size_t k) {
-        return direction_component(std::clamp<Int128>(
-            nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k], -one, one));
+        return direction_component(
+            std::clamp<Int128>(nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k],
+                               -wide_unit, wide_unit));
     });
     judge_reflected(d);
     const bool due = follows(weight) && dot(s.n, is_turned() ? home_of(s, d).d : d) > 0;

@@ -7,7 +7,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::uint32_t one = 1u << unit_bits;
+constexpr std::uint32_t full_share = 1u << unit_bits;
 using Wide3 = oracle::Triple<Int128>;
 
 double ratio_of(const Material& m, bool from_inside) {
@@ -31,7 +31,7 @@ bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
 
 /// The nearest product of two vectors of unit length, kept within 0 and 1.
 std::uint32_t promised_cosine(const Vec3i& a, const Vec3i& b) {
-    return std::uint32_t(std::clamp<Int128>(nearest_of_power(dot(a, b), unit_bits), 0, one));
+    return std::uint32_t(std::clamp<Int128>(nearest_of_power(dot(a, b), unit_bits), 0, full_share));
 }
 
 }   // namespace
@@ -366,7 +366,7 @@ void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, 
            "the cosine to the light is not the vectors' product");
     const Int128 mirrored = nearest_of_power(2 * Int128(parts.cosine) * s.cosine, unit_bits) -
                             nearest_of_power(dot(parts.unit, s.view), unit_bits);
-    const double base = double(std::clamp<Int128>(mirrored, 0, one)) * unit_step;
+    const double base = double(std::clamp<Int128>(mirrored, 0, full_share)) * unit_step;
     demand(power_range({base, base}, s.shine).holds(parts.phong * unit_step),
            "the highlight's power is out of its bounds");
 }
@@ -394,7 +394,7 @@ void PathJudge::judge_share(const ShadeState& s, const LightParts& parts, const 
         const Int128 matte = nearest_of_power(Int128(s.diffuse) * parts.cosine * s.albedo[k], 2 * share_bits);
         const Int128 gloss = nearest_of_power(Int128(s.highlight) * parts.phong, share_bits);
         const Int128 share = std::min<Int128>(
-            nearest_of_power((matte + gloss) * colour * branch_.weight, share_bits + unit_bits), one);
+            nearest_of_power((matte + gloss) * colour * branch_.weight, share_bits + unit_bits), full_share);
         demand(s.share[k] == share, "a light's contribution is not the product of what makes it");
         const Range exact = (s.diffuse * full * s.albedo[k] * full) * to_light + s.highlight * full * phong;
         share_[k] =

@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
+#include "model/scene/view.hpp"
 #include "sim/load/holes.hpp"
 
 namespace rayclock {
 namespace {
-
-bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Transforms a normal by the cofactor matrix of `move`, which keeps it perpendicular to the surface. A
 /// mirroring map negates the result.

@@ -53,7 +53,7 @@ glm::dmat4 skew(const std::vector<float>& v) {
     return made;
 }
 
-bool is_finite(const glm::dmat4& m) {
+bool is_finite_matrix(const glm::dmat4& m) {
     for (int i = 0; i < 16; ++i)
         if (!std::isfinite(m[i / 4][i % 4])) return false;
     return true;
@@ -73,7 +73,7 @@ glm::dmat4 dae_transform(const XmlElement& in, const DaeDocument& document) {
         for (int i = 0; i < 3; ++i) made[i][i] = v[static_cast<std::size_t>(i)];
     } else if (in.name == "lookat" || in.name == "skew") {
         made = in.name == "lookat" ? lookat(document.finite(in, 9)) : skew(document.finite(in, 7));
-        if (!is_finite(made)) document.refuse(in, in.name + ": its directions lie in one line");
+        if (!is_finite_matrix(made)) document.refuse(in, in.name + ": its directions lie in one line");
     }
     return made;
 }

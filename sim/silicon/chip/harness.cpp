@@ -14,7 +14,8 @@ namespace rayclock::chip {
 
 namespace {
 
-constexpr const char* text = R"(// Made by rayclock chip: {top} with registers around it, and four pins.
+constexpr const char* harness_template =
+    R"(// Made by rayclock chip: {top} with registers around it, and four pins.
 module rc_harness (
   input  wire clk_i,
   input  wire rst_ni,
@@ -83,7 +84,7 @@ std::string harness_text(const Config& config, const std::string& top, const Fac
     for (const auto& [name, value] : synth::parameters_of(config, top))
         parameters.push_back(fmt::format(".{}({})", name, value));
     return fmt::format(
-        text, fmt::arg("top", top), fmt::arg("in", width_of(face, true)),
+        harness_template, fmt::arg("top", top), fmt::arg("in", width_of(face, true)),
         fmt::arg("out", width_of(face, false)),
         fmt::arg("parameters", parameters.empty() ? "" : fmt::format("#({}) ", fmt::join(parameters, ", "))),
         fmt::arg("ports", fmt::join(ports, ",\n    ")));

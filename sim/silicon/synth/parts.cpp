@@ -47,7 +47,7 @@ Part scaled(const Part& part, std::uint64_t n) {
     return result;
 }
 
-constexpr std::uint64_t most_cells = 1 << 30;   // exceeds every device
+constexpr std::uint64_t most_part_cells = 1 << 30;   // exceeds every device
 
 /// Reads modules within modules. It limits depth and visits, because a hostile file may nest modules
 /// endlessly or multiply their instances.
@@ -61,7 +61,7 @@ public:
         Part made{module_name(type), 1, {}, {}}, beneath;
         for_each(modules_.at(type).at("num_cells_by_type"),
                  [&](const std::string& cell, const JsonValue& in) {
-                     const std::uint64_t n = in.whole(most_cells);
+                     const std::uint64_t n = in.whole(most_part_cells);
                      add_cells(made.count, cell, n);
                      // The name of a module as Yosys writes it, in its definition and in the cells that use
                      // it.

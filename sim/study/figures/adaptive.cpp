@@ -8,12 +8,12 @@ namespace rayclock::figures {
 
 namespace {
 
-constexpr const char* scenes[] = {"spheres", "plane"};
-constexpr int depth = 3;
+constexpr const char* adaptive_scenes[] = {"spheres", "plane"};
+constexpr int adaptive_depth = 3;
 constexpr int sides[] = {1, 2, 3, 4};
 constexpr int adaptive_side = 4, finest = 8;   // contrasts 2^-8 to 2^-1
 
-struct Point {
+struct SamplingPoint {
     std::string label;
     Whitted settings;
     RayCounts rays;
@@ -21,24 +21,24 @@ struct Point {
     Distance error;
 };
 
-std::vector<Point> measure(Stage& stage, Engine engine) {
-    const Picture best = stage.take(engine, {.depth = depth, .aa = most_aa}).picture;
-    std::vector<Point> points;
+std::vector<SamplingPoint> measure_samplings(Stage& stage, Engine engine) {
+    const Picture best = stage.take(engine, {.depth = adaptive_depth, .aa = most_aa}).picture;
+    std::vector<SamplingPoint> points;
     const auto add = [&](const std::string& label, const Whitted& settings) {
         const Shot shot = stage.take(engine, settings);
         points.push_back(
             {label, settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, best)});
     };
-    for (const int side : sides) add(fmt::format("{}x{}", side, side), {.depth = depth, .aa = side});
+    for (const int side : sides) add(fmt::format("{}x{}", side, side), {.depth = adaptive_depth, .aa = side});
     for (int shift = 1; shift <= finest; ++shift)
         add(fmt::format("1/{}", 1 << shift),
-            {.depth = depth, .aa = adaptive_side, .contrast = 1.0 / (1 << shift)});
+            {.depth = adaptive_depth, .aa = adaptive_side, .contrast = 1.0 / (1 << shift)});
     return points;
 }
 
-nlohmann::ordered_json json_of(const std::vector<Point>& points) {
+nlohmann::ordered_json json_of(const std::vector<SamplingPoint>& points) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Point& p : points) {
+    for (const SamplingPoint& p : points) {
         list.push_back({{"aa", p.settings.aa},
                         {"contrast", p.settings.contrast},
                         {"samples", p.rays.primary},
@@ -50,12 +50,12 @@ nlohmann::ordered_json json_of(const std::vector<Point>& points) {
     return list;
 }
 
-double cost(const Point& p, int khz) {
+double cost(const SamplingPoint& p, int khz) {
     return p.cycles ? double(p.cycles) / khz : double(p.rays.all()) / 1e3;
 }
 
 /// Draws uniform samples dark and adaptive samples pale. Adaptive samples that beat a uniform grid are dark.
-plot::Drawing drawing(const std::string& title, const std::vector<Point>& points, int khz) {
+plot::Drawing drawing(const std::string& title, const std::vector<SamplingPoint>& points, int khz) {
     plot::Panel even{"the same everywhere",
                      points[0].cycles ? "milliseconds a frame at 66 MHz" : "rays, thousands",
                      "RMSE against 8x8 samples",
@@ -64,7 +64,7 @@ plot::Drawing drawing(const std::string& title, const std::vector<Point>& points
     plot::Panel adaptive = even;
     adaptive.title =
         fmt::format("4 samples, and the rest of {}x{} where needed", adaptive_side, adaptive_side);
-    for (const Point& p : points) {
+    for (const SamplingPoint& p : points) {
         if (p.settings.contrast == 0) {
             even.marks.push_back({cost(p, khz), p.error.rmse, p.label, true, false});
             adaptive.marks.push_back({cost(p, khz), p.error.rmse, p.label, false, false});
@@ -79,16 +79,16 @@ plot::Drawing drawing(const std::string& title, const std::vector<Point>& points
         {even, adaptive});
 }
 
-double work(const Point& p) { return p.cycles ? double(p.cycles) : double(p.rays.all()); }
+double work(const SamplingPoint& p) { return p.cycles ? double(p.cycles) : double(p.rays.all()); }
 
 /// Names the finest uniform grid that some contrast beats in error and in work, and the cheapest such
 /// contrast.
-std::string sentence(const std::vector<Point>& points, Engine engine) {
-    const Point *even = nullptr, *cheap = nullptr;
-    for (const Point& e : points) {
+std::string sentence(const std::vector<SamplingPoint>& points, Engine engine) {
+    const SamplingPoint *even = nullptr, *cheap = nullptr;
+    for (const SamplingPoint& e : points) {
         if (e.settings.contrast > 0) continue;
-        const Point* least = nullptr;
-        for (const Point& p : points)
+        const SamplingPoint* least = nullptr;
+        for (const SamplingPoint& p : points)
             if (p.settings.contrast > 0 && p.error.rmse <= e.error.rmse && work(p) < work(e) &&
                 (!least || work(p) < work(*least)))
                 least = &p;
@@ -108,14 +108,14 @@ void adaptive(Page& page) {
         "\n## Samples where they are needed\n\nEach pixel takes four samples, one in each quarter. It takes "
         "the other {} of {}x{} only if some channel of the four differs by more than the contrast (after "
         "Mitchell 1987). Depth {}. Error against the same engine's picture of 8x8 samples everywhere.\n",
-        adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, depth));
-    for (const char* scene : scenes) {
-        Stage stage(page.studio(), scene, {.depth = depth, .aa = most_aa});
+        adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, adaptive_depth));
+    for (const char* scene : adaptive_scenes) {
+        Stage stage(page.studio(), scene, {.depth = adaptive_depth, .aa = most_aa});
         page.say(fmt::format("\n### `{}`\n\n", scene));
         std::vector<std::vector<std::string>> rows;
         std::string sentences;
         for (const Engine e : page.measured()) {
-            const std::vector<Point> points = measure(stage, e);
+            const std::vector<SamplingPoint> points = measure_samplings(stage, e);
             const int khz = stage.job().khz;
             const double pixels = double(stage.job().size.width) * stage.job().size.height;
             if (e == page.measured().back())
@@ -124,7 +124,7 @@ void adaptive(Page& page) {
                                                        stage.job().size.height, name_of(e)),
                                            points, khz)) +
                          "\n\n");
-            for (const Point& p : points)
+            for (const SamplingPoint& p : points)
                 rows.push_back({p.settings.contrast > 0 ? "contrast " + p.label : p.label, name_of(e),
                                 fmt::format("{:.2f}", double(p.rays.primary) / pixels), grouped(p.rays.all()),
                                 p.cycles ? grouped(p.cycles) : "", fmt::format("{:.5f}", p.error.rmse),

@@ -21,7 +21,7 @@ constexpr Case cases[] = {{"spheres", "glass, mirror and matt spheres"},
                           {"gears:2", "gears, some of them glass"}};
 constexpr int finest = 8;   // thresholds 2^-8 to 2^-1
 
-struct Point {
+struct CutoffPoint {
     Whitted settings;
     RayCounts rays;
     std::uint64_t cycles = 0;
@@ -34,14 +34,15 @@ struct Point {
 
 struct Curves {
     Engine engine;
-    std::vector<Point> depths, thresholds;   ///< the last depth and the first threshold are the whole tree
+    std::vector<CutoffPoint> depths, thresholds;   ///< the last depth and the first threshold are the whole
+                                                   ///< tree
 };
 
-Point point_of(const Shot& shot, const Whitted& settings, const Picture& whole) {
+CutoffPoint point_of(const Shot& shot, const Whitted& settings, const Picture& whole) {
     return {settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, whole)};
 }
 
-Curves measure(Stage& stage, Engine engine) {
+Curves measure_cutoffs(Stage& stage, Engine engine) {
     Curves curves{engine, {}, {}};
     const Whitted all{.depth = most_depth};
     const Shot whole = stage.take(engine, all);
@@ -59,8 +60,8 @@ Curves measure(Stage& stage, Engine engine) {
     return curves;
 }
 
-std::vector<std::string> row_of(const Point& p, const Point& whole, const std::string& name, Engine engine,
-                                int khz) {
+std::vector<std::string> row_of(const CutoffPoint& p, const CutoffPoint& whole, const std::string& name,
+                                Engine engine, int khz) {
     std::vector<std::string> row{name, name_of(engine), grouped(p.rays.all()),
                                  per_cent(1 - double(p.rays.all()) / double(whole.rays.all()))};
     if (p.cycles)
@@ -71,9 +72,9 @@ std::vector<std::string> row_of(const Point& p, const Point& whole, const std::s
     return row;
 }
 
-nlohmann::ordered_json json_of(const std::vector<Point>& points) {
+nlohmann::ordered_json json_of(const std::vector<CutoffPoint>& points) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Point& p : points) {
+    for (const CutoffPoint& p : points) {
         list.push_back({{"depth", p.settings.depth},
                         {"threshold", p.settings.threshold},
                         {"rays", p.rays.all()},
@@ -86,15 +87,15 @@ nlohmann::ordered_json json_of(const std::vector<Point>& points) {
 }
 
 /// Plots a machine's curve against frames per second, and the reference's against rays.
-plot::Panel panel_of(const std::string& title, const std::vector<Point>& points, const std::string& whole,
-                     int khz) {
+plot::Panel panel_of(const std::string& title, const std::vector<CutoffPoint>& points,
+                     const std::string& whole, int khz) {
     const bool is_machine = points[0].cycles > 0;
     plot::Panel panel{title,
                       is_machine ? fmt::format("frames per second at {} MHz", khz / 1000) : "rays, thousands",
                       "RMSE against the whole tree",
                       true,
                       {}};
-    for (const Point& p : points) {
+    for (const CutoffPoint& p : points) {
         const bool is_whole = p.settings.depth == most_depth && p.settings.threshold == 0;
         panel.marks.push_back({is_machine ? khz * 1e3 / double(p.cycles) : double(p.rays.all()) / 1e3,
                                p.error.rmse, is_whole ? whole : p.label(), true, false});
@@ -105,8 +106,9 @@ plot::Panel panel_of(const std::string& title, const std::vector<Point>& points,
 void tabulate(Page& page, const std::vector<Curves>& all, int khz) {
     std::vector<std::vector<std::string>> rows;
     for (const Curves& c : all) {
-        const Point& whole = c.depths.back();
-        for (const Point& p : c.depths) rows.push_back(row_of(p, whole, "depth " + p.label(), c.engine, khz));
+        const CutoffPoint& whole = c.depths.back();
+        for (const CutoffPoint& p : c.depths)
+            rows.push_back(row_of(p, whole, "depth " + p.label(), c.engine, khz));
         for (std::size_t i = 1; i < c.thresholds.size(); ++i)
             rows.push_back(
                 row_of(c.thresholds[i], whole, "weight >= " + c.thresholds[i].label(), c.engine, khz));
@@ -118,11 +120,11 @@ void tabulate(Page& page, const std::vector<Curves>& all, int khz) {
 /// Names the cheapest settings whose error is barely visible in an 8-bit picture.
 std::string best_sentence(const Curves& c) {
     constexpr double enough = 50;
-    const Point &whole = c.depths.back(), *depth = &whole, *threshold = &whole;
+    const CutoffPoint &whole = c.depths.back(), *depth = &whole, *threshold = &whole;
     for (auto p = c.depths.rbegin(); p != c.depths.rend() && p->error.psnr_db >= enough; ++p) depth = &*p;
-    for (const Point& p : c.thresholds)
+    for (const CutoffPoint& p : c.thresholds)
         if (p.error.psnr_db >= enough) threshold = &p;
-    const auto saved = [&](const Point& p) {
+    const auto saved = [&](const CutoffPoint& p) {
         return per_cent(1 - double(p.rays.all()) / double(whole.rays.all()));
     };
     return fmt::format("By the {}, {:.0f} dB are kept by depth {} ({} of the rays saved){}.",
@@ -145,7 +147,7 @@ void cutoffs(Page& page) {
     for (const Case& c : cases) {
         Stage stage(page.studio(), c.scene, {.depth = most_depth});
         std::vector<Curves> all;
-        for (const Engine e : page.measured()) all.push_back(measure(stage, e));
+        for (const Engine e : page.measured()) all.push_back(measure_cutoffs(stage, e));
         if (all.empty()) continue;
         const int khz = stage.job().khz;
         page.say(fmt::format("\n### `{}`: {}\n\n", c.scene, c.what));

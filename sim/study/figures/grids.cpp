@@ -18,7 +18,7 @@ struct Grid {
 };
 constexpr Grid grids[] = {{1, false}, {1, true}, {2, false}, {2, true}, {4, false}, {4, true}};
 
-std::string name_of(const Grid& g) {
+std::string grid_name(const Grid& g) {
     return fmt::format("{}x{} {}", g.side, g.side, g.jitter ? "jittered" : "regular");
 }
 std::string file_of(const Grid& g) { return fmt::format("{}{}", g.side, g.jitter ? "j" : "r"); }
@@ -33,7 +33,7 @@ std::vector<Sample> draw(Page& page, Stage& stage, const std::string& scene) {
     std::vector<Sample> all;
     for (const Grid& g : grids)
         for (auto& [engine, shot] :
-             page.shots(stage, scene + ", " + name_of(g), {.depth = 0, .aa = g.side, .jitter = g.jitter}))
+             page.shots(stage, scene + ", " + grid_name(g), {.depth = 0, .aa = g.side, .jitter = g.jitter}))
             all.push_back({g, engine, std::move(shot)});
     return all;
 }
@@ -63,7 +63,7 @@ void tabulate(Page& page, const std::vector<Sample>& all, const Picture& best, c
     for (const Sample& s : all) {
         const Distance d = distance(s.shot.picture, best);
         if (page.is_shown(s.engine))
-            rows.push_back({name_of(s.grid), figures::name_of(s.engine), grouped(s.shot.rays.all()),
+            rows.push_back({grid_name(s.grid), figures::name_of(s.engine), grouped(s.shot.rays.all()),
                             s.shot.run ? grouped(s.shot.run->cycles) : "", fmt::format("{:.4f}", d.rmse),
                             decibels(d.psnr_db)});
         nlohmann::ordered_json json{{"samples", s.grid.side * s.grid.side},

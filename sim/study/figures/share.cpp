@@ -14,8 +14,8 @@ namespace rayclock::figures {
 
 namespace {
 
-constexpr const char* scenes[] = {"balls:2", "mount:4", "gears:1"};
-constexpr int depth = 4;
+constexpr const char* share_scenes[] = {"balls:2", "mount:4", "gears:1"};
+constexpr int share_depth = 4;
 
 /// Times of the reference on one thread.
 struct Measured {
@@ -48,7 +48,7 @@ Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool
         m.effort.tests_all = tests_all;
         geometry.watch(&m.effort);
         const Stopwatch watch;
-        ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, stopping({}));
+        ref_whitted(geometry, scene, *scene.camera, size, {.depth = share_depth}, 1, stopping({}));
         m.total = watch.seconds();
         geometry.watch(nullptr);
         // One reading lies inside the search's time, the other outside.
@@ -93,8 +93,8 @@ void reference_rows(Page& page, const std::string& name, std::vector<std::vector
 
 void machine_row(Page& page, const std::string& name, Engine engine,
                  std::vector<std::vector<std::string>>& rows) {
-    Stage stage(page.studio(), name, {.depth = depth});
-    const Shot shot = stage.take(engine, {.depth = depth});
+    Stage stage(page.studio(), name, {.depth = share_depth});
+    const Shot shot = stage.take(engine, {.depth = share_depth});
     const FrameResult& run = *shot.run;
     const std::uint64_t rays = shot.rays.all(), primitives = primitive_count(stage.scene());
     double tri = 0, box = 0, shade = 0;
@@ -126,10 +126,10 @@ void test_share(Page& page) {
         fmt::format("\n## Time in intersection tests\n\nWhitted (1980) found 75 to 95 % of the time in "
                     "intersection tests; he tested every ray against every object of the scene. Depth {}; "
                     "camera, shadow, reflected and refracted rays.\n",
-                    depth));
+                    share_depth));
     if (page.studio().has(Engine::reference)) {
         std::vector<std::vector<std::string>> rows;
-        for (const char* scene : scenes) reference_rows(page, scene, rows);
+        for (const char* scene : share_scenes) reference_rows(page, scene, rows);
         page.say(
             "\nThe reference, on one thread of the computer that made this page. *None*: every ray tests "
             "every primitive; a shadow ray stops at the first blocker. *Search*: the time of boxes and "
@@ -143,7 +143,7 @@ void test_share(Page& page) {
     std::vector<std::vector<std::string>> rows;
     for (const Engine e : page.measured())
         if (e != Engine::reference)
-            for (const char* scene : scenes) machine_row(page, scene, e, rows);
+            for (const char* scene : share_scenes) machine_row(page, scene, e, rows);
     if (rows.empty()) return;
     page.say(
         "\nThe machine has a unit for each of these tasks, and the units work at the same time. A share is "

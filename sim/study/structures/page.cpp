@@ -97,10 +97,7 @@ Table frame_table(const Figures& figures, const SceneCells& scene, const Limits&
     return table;
 }
 
-double fps_of(const Cell& c) { return c.camera.fps(); }
 double finished_fps_of(const Cell& c) { return c.finished ? c.finished->fps() : 0; }
-double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
-double bytes_of(const Cell& c) { return double(c.report.bytes); }
 
 void add_area(std::vector<std::string>& row, const area::Count* c, double fps) {
     if (c) {

@@ -32,6 +32,11 @@ nlohmann::ordered_json rows(const Figures& figures, const Limits& limits);
 const area::Count* area_of(const Figures& figures, const SceneCells& scene, std::size_t structure,
                            bool finished);
 
+/// Return figures of a structure's frame of camera rays.
+inline double fps_of(const Cell& c) { return c.camera.fps(); }
+inline double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
+inline double bytes_of(const Cell& c) { return double(c.report.bytes); }
+
 /// Returns the geometric mean over the scenes in which all structures were built.
 double mean_of(const std::vector<SceneCells>& scenes, std::size_t structure, double (*value)(const Cell&));
 

@@ -18,9 +18,6 @@ using Value = double (*)(const Cell&);
 
 double visits_of(const Cell& c) { return double(c.camera.run.visits) / c.camera.rays(); }
 double tests_of(const Cell& c) { return double(c.camera.run.triangle_tests) / c.camera.rays(); }
-double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
-double fps_of(const Cell& c) { return c.camera.fps(); }
-double bytes_of(const Cell& c) { return double(c.report.bytes); }
 
 const Cell* cell_of(const SceneCells& scene, const std::string& structure) {
     for (const Cell& c : scene.cells)

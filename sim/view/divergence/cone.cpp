@@ -111,10 +111,10 @@ private:
     std::map<std::uint32_t, std::vector<Change>> changes_;
 };
 
-class Walk {
+class ConeWalk {
 public:
-    Walk(const Divergence& divergence, const Config& config, const Capture& capture,
-         const std::string& rtl_wave, const std::vector<RtlText>& sources)
+    ConeWalk(const Divergence& divergence, const Config& config, const Capture& capture,
+             const std::string& rtl_wave, const std::vector<RtlText>& sources)
         : divergence_(divergence),
           unit_(divergence.unit.substr(0, divergence.unit.find('['))),
           ports_(output_names(divergence, config)),
@@ -304,7 +304,7 @@ private:
 std::vector<ConeStep> cone_of(const Divergence& divergence, const Config& config, const Capture& capture,
                               const std::string& rtl_wave, const std::vector<RtlText>& sources) {
     if (!divergence.on) return {};
-    return Walk(divergence, config, capture, rtl_wave, sources).run();
+    return ConeWalk(divergence, config, capture, rtl_wave, sources).run();
 }
 
 }   // namespace rayclock

@@ -55,7 +55,7 @@ ordered_json visits_json(const RayStory& ray) {
     return visits;
 }
 
-std::string steps_table(const RayStory& ray) {
+std::string steps_as_html(const RayStory& ray) {
     std::vector<std::vector<std::string>> rows;
     for (const Step& step : steps_of(ray)) {
         std::string waits;
@@ -82,7 +82,7 @@ std::string explanation_page(const ordered_json& json, const std::string& text, 
         if (i >= 20) continue;   // the text has all rays
         tables +=
             fmt::format("<details{}><summary>ray {}, {}</summary><div class=\"scroll\">{}</div></details>\n",
-                        i ? "" : " open", i, purpose, steps_table(ray));
+                        i ? "" : " open", i, purpose, steps_as_html(ray));
     }
     const PixelStory& s = e.story;
     std::vector<std::vector<std::string>> lines;

@@ -67,7 +67,7 @@ std::string outcome(const Step& step) {
     return step.phase == Step::Phase::end ? "the stack is empty, or the way blocked" : "";
 }
 
-std::string steps_table(const RayStory& ray) {
+std::string steps_as_text(const RayStory& ray) {
     Table table({"cycle", "step", "address", "cache", "outcome", "waited for", "cycles", "work"}, 6);
     for (const Step& step : steps_of(ray)) {
         const Stay* lookup = step.lookup();
@@ -148,7 +148,7 @@ std::string explanation_text(const Explanation& e, bool steps) {
     if (steps)
         for (std::size_t i = 0; i < s.rays.size(); ++i)
             text += fmt::format("\n  ray {}, {}\n{}", i, purpose_names[std::size_t(s.rays[i].values.purpose)],
-                                steps_table(s.rays[i]));
+                                steps_as_text(s.rays[i]));
     if (e.colour) text += "\n" + colour_lines(*e.colour);
     return text;
 }
