@@ -40,7 +40,7 @@ double shine_of(double degrees) {
     return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180));
 }
 
-Ring ring_around(const glm::dvec3& axis) {
+Circle ring_around(const glm::dvec3& axis) {
     glm::dvec3 start = glm::cross(axis, {0, 0, 1});
     if (glm::length(start) < 1e-9) start = glm::cross(axis, {1, 0, 0});
     start = unit(start);

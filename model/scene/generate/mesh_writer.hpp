@@ -62,10 +62,10 @@ private:
 glm::dvec3 unit(const glm::dvec3& v);
 
 /// Unit vectors across a unit axis: the start of a cone's ring, and the direction a quarter turn further.
-struct Ring {
+struct Circle {
     glm::dvec3 start, quarter;
 };
-Ring ring_around(const glm::dvec3& axis);
+Circle ring_around(const glm::dvec3& axis);
 
 /// ball_mesh() returns a closed unit sphere, cut as in sphere(); ball_at() returns an instance of it.
 SharedMesh ball_mesh(std::uint32_t material);

@@ -94,12 +94,12 @@ PlacedScene make_boughs(int size) {
     writer.use_material(wood);
     writer.cone(glm::dvec3(0), 1, {0, 0, 1}, taper);
     scene.meshes = {{"cone", cone.vertices, cone.normals, cone.triangles}, ball_mesh(wood)};
-    const Ring upright = ring_around({0, 0, 1});
+    const Circle upright = ring_around({0, 0, 1});
     const glm::dmat3 to_upright =
         glm::transpose(glm::dmat3(upright.start, upright.quarter, glm::dvec3(0, 0, 1)));
     each_branch(
         size, [&](const glm::dvec3& base, double base_radius, const glm::dvec3& top, double top_radius) {
-            const Ring ring = ring_around(unit(top - base));
+            const Circle ring = ring_around(unit(top - base));
             glm::dmat4 place(glm::dmat3(base_radius * ring.start, base_radius * ring.quarter, top - base) *
                              to_upright);
             place[3] = glm::dvec4(base, 1);

@@ -22,7 +22,7 @@
 namespace rayclock {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // the texts of
                                                                                // sim/run/rtl/abi.hpp,
@@ -32,39 +32,39 @@ extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   /
 namespace {
 
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
-const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
-                            "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
+const Arguments verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
+                                "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
 /// Returns the compiler's flags, with those of RAYCLOCK_CXXFLAGS split at blanks.
-Words compiler_flags() {
-    Words words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+Arguments compiler_flags() {
+    Arguments words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
     std::istringstream rest(added_flags());
     for (std::string word; rest >> word;) words.push_back(word);
     return words;
 }
 // A netlist has many unused pins, so lint and style warnings are off; warnings about loops and the like still
 // count. A netlist is simulated for some thousand cycles, and -O1 compiles its many lines in half the time.
-const Words netlist_verilator_flags{"-Wno-lint", "-Wno-style"}, netlist_compiler_flags{"-O1"};
+const Arguments netlist_verilator_flags{"-Wno-lint", "-Wno-style"}, netlist_compiler_flags{"-O1"};
 // Code that runs once, at the start of a simulation, compiles in a third of the time without optimisation.
-const Words start_flags{"-O0"};
+const Arguments start_flags{"-O0"};
 // A small module is one source, since all parts read the same headers. A medium module has its start code in
 // a second source. A large one, the whole chip, is divided into sources that are compiled at the same time.
 constexpr std::uintmax_t small_module = 200'000, large_module = 2'000'000;
 // The limit covers the widest payloads; memories are left out. The code that writes signals is as large as
 // the chip itself and runs for only a thousand cycles, so it is not optimised.
-const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
-const Words wave_compiler_flags{"-O0"};
+const Arguments wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
+const Arguments wave_compiler_flags{"-O0"};
 // A user waits for this build after the first divergence, and it mostly runs for less time than it takes to
 // build.
-const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1", "-O1"};
+const Arguments tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1", "-O1"};
 
-Words operator+(Words words, const Words& more) {
+Arguments operator+(Arguments words, const Arguments& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
 
 void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
               const fs::path& netlist, const std::function<void()>& meanwhile) {
-    Words files{"gates.vlt", "netlist.v"};
+    Arguments files{"gates.vlt", "netlist.v"};
     if (netlist.empty()) {
         files = stage_sources(folder, config);
     } else {
@@ -72,10 +72,10 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
         write_text(folder / "gates.vlt", gates_vlt());
     }
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
-    const Words words = Words{"verilator"} + verilator_flags +
-                        (netlist.empty() ? Words{} : netlist_verilator_flags) +
-                        (waves == Waves::yes ? wave_verilator_flags : Words{}) +
-                        Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
+    const Arguments words = Arguments{"verilator"} + verilator_flags +
+                            (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
+                            (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
+                            Arguments{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
     if (const std::string log = read_if_there(folder / "verilator.log");
@@ -85,7 +85,7 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
 
 struct Source {
     std::string name, text;
-    Words flags;
+    Arguments flags;
 };
 Source support_source(Waves waves) {
     const char* const text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
@@ -102,8 +102,8 @@ Source support_source(Waves waves) {
 /// the start code. The code that writes waveforms is a source of its own.
 std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
                             Waves waves, Form form) {
-    const Words flags = (waves == Waves::yes ? tracing : Words{}) +
-                        (form == Form::netlist ? netlist_compiler_flags : Words{});
+    const Arguments flags = (waves == Waves::yes ? tracing : Arguments{}) +
+                            (form == Form::netlist ? netlist_compiler_flags : Arguments{});
     Source wave{"wave", "#include \"verilated_fst_c.h\"\n", tracing + wave_compiler_flags};
     std::vector<std::pair<std::uintmax_t, std::string>> made;
     std::uintmax_t all = 0;
@@ -141,24 +141,24 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
 void compile(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
              const std::function<void()>& meanwhile) {
     const std::string include = rtl_tools().verilator_root + "/include";
-    const Words common = Words{"c++"} + compiler_flags() +
-                         Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
+    const Arguments common = Arguments{"c++"} + compiler_flags() +
+                             Arguments{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
     std::vector<ToolJob> jobs;
     for (const auto& [name, text, flags] : sources) {
         write_text(folder / (name + ".cpp"), text);
-        jobs.push_back({common + flags + Words{name + ".cpp", "-o", name + ".o"}, name + ".log"});
+        jobs.push_back({common + flags + Arguments{name + ".cpp", "-o", name + ".o"}, name + ".log"});
     }
     run_tools(folder, jobs, what, meanwhile);
 }
 
 void link(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
-          const Words& others, const std::function<void()>& meanwhile) {
-    Words words{"c++", "-shared"};
+          const Arguments& others, const std::function<void()>& meanwhile) {
+    Arguments words{"c++", "-shared"};
     for (const Source& source : sources) words.push_back(source.name + ".o");
     words = words + others;
     // Clang calls a function of that library where GCC uses an instruction.
     if (rtl_tools().compiler.find("clang") != std::string::npos) words.push_back("-latomic");
-    run_tools(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
+    run_tools(folder, {{words + Arguments{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
 }
 
 }   // namespace
@@ -166,8 +166,8 @@ void link(const fs::path& folder, const std::vector<Source>& sources, const std:
 std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
-    const auto add = [&](const std::vector<Words>& flags) {
-        for (const Words& some : flags)
+    const auto add = [&](const std::vector<Arguments>& flags) {
+        for (const Arguments& some : flags)
             for (const std::string& flag : some) all += " " + flag;
     };
     add({verilator_flags, compiler_flags(), start_flags});
@@ -185,7 +185,7 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
 
 std::string support_ingredients(Waves waves) {
     std::string all;
-    for (const Words& flags : {compiler_flags(), support_source(waves).flags})
+    for (const Arguments& flags : {compiler_flags(), support_source(waves).flags})
         for (const std::string& flag : flags) all += " " + flag;
     return waves == Waves::no ? all : all + fst_io_text;
 }
@@ -214,14 +214,14 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
         divided(folder, config, module, waves, netlist.empty() ? Form::rtl : Form::netlist);
     compile(folder, sources, what, meanwhile);
     fs::copy_file(support, folder / support_name);
-    link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{support_name, "-lz"},
+    link(folder, sources, what, waves == Waves::no ? Arguments{support_name} : Arguments{support_name, "-lz"},
          meanwhile);
     tidy(folder, library_of(folder));
 }
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
-    const Words files = stage_sources(folder, config);
-    Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
+    const Arguments files = stage_sources(folder, config);
+    Process lint({Arguments{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
                   folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");
     // Newer versions of Verilator add a report in lines that begin with a dash.

@@ -19,7 +19,7 @@ constexpr Case cases[] = {{"spheres", "glass, mirror and matt spheres"},
                           {"balls:3", "half mirroring spheres"},
                           {"mount:5", "glass spheres above a mountain"},
                           {"gears:2", "gears, some of them glass"}};
-constexpr int finest = 8;   // thresholds 2^-8 to 2^-1
+constexpr int finest_cutoff = 8;   // thresholds 2^-8 to 2^-1
 
 struct CutoffPoint {
     Whitted settings;
@@ -53,7 +53,7 @@ Curves measure_cutoffs(Stage& stage, Engine engine) {
     }
     curves.depths.push_back(point_of(whole, all, whole.picture));
     curves.thresholds.push_back(curves.depths.back());
-    for (int shift = finest; shift >= 1; --shift) {
+    for (int shift = finest_cutoff; shift >= 1; --shift) {
         const Whitted settings{.depth = most_depth, .threshold = 1.0 / (1 << shift)};
         curves.thresholds.push_back(point_of(stage.take(engine, settings), settings, whole.picture));
     }
