@@ -959,7 +959,7 @@ package rc_pkg;
   } waiting_t;
   localparam int unsigned WaitingW = 168;
 
-  // Parts of these that list stores: a ray as tri gets it, a node's leaves, the best hit.
+  // Parts that list stores: the ray for tri, a node's leaves, the best hit.
 
   typedef struct packed {
     logic [53:0] o;

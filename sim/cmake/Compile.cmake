@@ -30,12 +30,35 @@ endfunction()
 # it.
 set(rc_less_optimised $<$<CONFIG:Release>:-O1>)
 
-# rc_jumbo(NAME): compiles up to eight sources of a target as one, so that headers are parsed and templates
-# instantiated once for all of them. Only without tests: a mutant replaces one object file of a library
-# (tests/meta), and an object of several sources would define the rest twice. CMake leaves out sources with
-# options of their own (rc_define). The sources of a target share file-local names.
+# rc_jumbo(NAME): compiles eight sources of a target as one, so that headers are parsed and templates
+# instantiated once for all of them. Sources with options of their own (rc_define) stay alone. The sources of
+# a target share file-local names. A source's global property rc_jumbo_PATH lists the sources of its group, of
+# which a mutant is made (tests/meta).
 function(rc_jumbo name)
-  if(NOT BUILD_TESTING)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 8)
-  endif()
+  get_target_property(sources ${name} SOURCES)
+  set(group 0)
+  set(members)
+  foreach(source IN LISTS sources)
+    get_filename_component(source ${source} ABSOLUTE)
+    get_source_file_property(defined ${source} COMPILE_DEFINITIONS)
+    get_source_file_property(alone ${source} SKIP_UNITY_BUILD_INCLUSION)
+    if(NOT defined AND NOT alone)
+      list(APPEND members ${source})
+    endif()
+    list(LENGTH members length)
+    if(length EQUAL 8)
+      rc_jumbo_group(${group} ${members})
+      math(EXPR group "${group} + 1")
+      set(members)
+    endif()
+  endforeach()
+  rc_jumbo_group(${group} ${members})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+function(rc_jumbo_group group)
+  foreach(source IN LISTS ARGN)
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
+    set_property(GLOBAL PROPERTY "rc_jumbo_${source}" ${ARGN})
+  endforeach()
 endfunction()
