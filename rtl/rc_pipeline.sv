@@ -2,7 +2,8 @@
 //
 // It accepts tiles of the picture and returns one hit per pixel, in the order in which rays end. It
 // reads nodes and primitives through two caches. A chip that shades reads surfaces through a third
-// cache. Memory answers by id, in any order. The user holds frame_i while rays are in flight.
+// cache. A chip for ray streams gets its rays from memory, through a third cache as well.
+// Memory answers by id, in any order. The user holds frame_i while rays are in flight.
 // Model: model/machine/pipeline.hpp.
 `default_nettype none
 module rc_pipeline (
@@ -31,6 +32,12 @@ module rc_pipeline (
   output rc_pkg::surf_miss_t surf_miss_o,
   input  logic               surf_fill_fires_i,
   input  rc_pkg::surf_fill_t surf_fill_i,
+  // Records, if the chip's rays come from a stream
+  output logic               stream_miss_valid_o,
+  input  logic               stream_miss_ready_i,
+  output rc_pkg::stream_miss_t stream_miss_o,
+  input  logic               stream_fill_fires_i,
+  input  rc_pkg::stream_fill_t stream_fill_i,
   // Picture
   output logic               hit_valid_o,
   input  logic               hit_ready_i,
@@ -43,6 +50,8 @@ module rc_pipeline (
   rc_pkg::slot_t     slot;
   logic              spawn_valid, spawn_ready;
   rc_pkg::spawn_t    spawn;
+  logic              record_valid, record_ready;
+  rc_pkg::record_t   record;
   logic              ray_valid, ray_ready;
   rc_pkg::ray_t      ray;
   logic              node_req_valid, node_req_ready;
@@ -85,6 +94,7 @@ module rc_pipeline (
 
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
   logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
+  logic [2:0]        stream_cause;
 
   // Each unit has its own reset register.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
@@ -102,11 +112,51 @@ module rc_pipeline (
     .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_i(pixel),
     .hit_valid_o, .hit_ready_i, .hit_o, .cause_o(sched_cause));
 
-  rc_raygen u_raygen (
-    .clk_i, .rst_ni(raygen_rst_n), .frame_i,
-    .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
-    .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
-    .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
+  // Rays: of the camera and of shade, or from memory.
+  if (rc_pkg::Streams == 0) begin : gen_raygen
+    rc_raygen u_raygen (
+      .clk_i, .rst_ni(raygen_rst_n), .frame_i,
+      .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
+      .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
+      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
+
+    assign raygen_begins = (slot_valid && slot_ready) || (spawn_valid && spawn_ready);
+    assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
+                         : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
+                                                         : rc_pkg::RaygenStarvedSched;
+
+    assign {record_valid, record_ready, record, stream_cause} = '0;
+    assign {stream_miss_valid_o, stream_miss_o} = '0;
+
+    logic unused;
+    assign unused = ^{record_valid, record_ready, record, stream_miss_ready_i, stream_fill_fires_i,
+        stream_fill_i};
+  end else begin : gen_stream
+    logic stream_waits, stream_rst_n;
+    rc_reset_register u_stream_reset (.clk_i, .rst_ni, .rst_no(stream_rst_n));
+
+    rc_stream u_stream (
+      .clk_i, .rst_ni(stream_rst_n), .frame_i,
+      .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
+      .record_valid_o(record_valid), .record_ready_i(record_ready), .record_o(record),
+      .miss_valid_o(stream_miss_valid_o), .miss_ready_i(stream_miss_ready_i),
+      .miss_o(stream_miss_o), .fill_fires_i(stream_fill_fires_i), .fill_i(stream_fill_i),
+      .waits_o(stream_waits), .deed_o(stream_cause));
+
+    rc_raygen_stream u_raygen (
+      .clk_i, .rst_ni(raygen_rst_n),
+      .record_valid_i(record_valid), .record_ready_o(record_ready), .record_i(record),
+      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
+
+    assign raygen_begins = record_valid && record_ready;
+    assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
+                         : record_valid                  ? rc_pkg::RaygenStalledTrav
+                                                         : rc_pkg::RaygenStarvedStream;
+    assign spawn_ready = 1'b0;
+
+    logic unused;
+    assign unused = ^{stream_waits, spawn_valid, spawn_ready, spawn};
+  end
 
   // A ray starts in the cycle in which its engine accepts it.
   assign start_fires = ray_valid && ray_ready;
@@ -196,7 +246,7 @@ module rc_pipeline (
     .rests_o(tri_rests),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
 
-  if (rc_pkg::Shading == 0) begin : gen_hits   // a pixel is what its ray hit
+  if (rc_pkg::Shades == 0) begin : gen_hits   // a pixel is what its ray hit
     assign pixel_valid   = closest_valid;
     assign closest_ready = pixel_ready;
     assign pixel         = closest;
@@ -234,11 +284,6 @@ module rc_pipeline (
   end
 
   // What each unit did in this cycle; codes in model/machine/units.hpp.
-  assign raygen_begins = (slot_valid && slot_ready) || (spawn_valid && spawn_ready);
-  assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
-                       : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
-                                                       : rc_pkg::RaygenStarvedSched;
-
   assign list_cause   = leaves_fires || tri_rsp_valid ? rc_pkg::ListBusyWork
                                                       : rc_pkg::ListStarvedTrav;
 
@@ -267,6 +312,7 @@ module rc_pipeline (
     causes_o[3*rc_pkg::TriUnit +: 3]        = tri_cause;
     causes_o[3*rc_pkg::SurfCacheUnit +: 3]  = surf_cause;
     causes_o[3*rc_pkg::ShadeUnit +: 3]      = shade_cause;
+    causes_o[3*rc_pkg::StreamUnit +: 3]     = stream_cause;
   end
 endmodule
 `default_nettype wire

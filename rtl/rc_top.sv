@@ -34,6 +34,7 @@ module rc_top (
   localparam int unsigned NB = rc_pkg::NodeMissW - A;      // bits of the ids of each kind of cache
   localparam int unsigned PB = rc_pkg::PrimMissW - A;
   localparam int unsigned SB = rc_pkg::SurfMissW - A;
+  localparam int unsigned RB = rc_pkg::StreamMissW - A;
   localparam int unsigned K  = rc_pkg::Clients;
   localparam int unsigned UC = 3 * rc_pkg::PipelineUnits;
 
@@ -51,7 +52,7 @@ module rc_top (
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
   // ---- Pipelines. Their caches are clients of memory: client K p reads nodes, K p + 1 primitives,
-  // K p + 2 surfaces if the chip shades. Client K p + 3 does not exist.
+  // K p + 2 surfaces if the chip shades, or records of a stream. Client K p + 3 does not exist.
   logic [K*P-1:0]        miss_valid, miss_ready, fill_fires;
   logic [K*P*(MB+A)-1:0] miss;
   logic                  fill_valid;
@@ -67,6 +68,9 @@ module rc_top (
     logic [SB-1:0] surf_id;
     logic [A-1:0]  node_addr, prim_addr, surf_addr;
     logic          surf_valid, surf_ready, surf_fires;
+    logic [RB-1:0] record_id;
+    logic [A-1:0]  record_addr;
+    logic          record_valid, record_ready, record_fires;
 
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
@@ -80,6 +84,9 @@ module rc_top (
       .surf_miss_valid_o(surf_valid), .surf_miss_ready_i(surf_ready),
       .surf_miss_o({surf_id, surf_addr}), .surf_fill_fires_i(surf_fires),
       .surf_fill_i({fill_id[SB-1:0], fill.line}),
+      .stream_miss_valid_o(record_valid), .stream_miss_ready_i(record_ready),
+      .stream_miss_o({record_id, record_addr}), .stream_fill_fires_i(record_fires),
+      .stream_fill_i({fill_id[RB-1:0], fill.line}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
       .causes_o(causes_o[3*rc_pkg::SharedUnits+p*UC +: UC]));
@@ -87,16 +94,34 @@ module rc_top (
     assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_id), node_addr};
     assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_id), prim_addr};
 
-    if (rc_pkg::Shading == 0) begin : gen_plain
-      assign {surf_ready, surf_fires} = '0;
+    if (K == 2) begin : gen_plain
+      assign {surf_ready, surf_fires, record_ready, record_fires} = '0;
 
       logic unused;
-      assign unused = ^{surf_valid, surf_id, surf_addr};
-    end else begin : gen_shaded
-      assign {surf_ready, surf_fires} = {miss_ready[K*p+2], fill_fires[K*p+2]};
-      assign miss_valid[K*p+2 +: 2] = {1'b0, surf_valid};
-      assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {
-          {(MB+A){1'b0}}, MB'(surf_id), surf_addr};
+      assign unused = ^{surf_valid, surf_id, surf_addr, record_valid, record_id, record_addr};
+    end else begin : gen_third
+      logic            third_valid, third_ready, third_fires;
+      logic [MB+A-1:0] third;
+
+      if (rc_pkg::Streams != 0) begin : gen_stream
+        assign {third_valid, third}         = {record_valid, MB'(record_id), record_addr};
+        assign {record_ready, record_fires} = {third_ready, third_fires};
+        assign {surf_ready, surf_fires}     = '0;
+
+        logic unused;
+        assign unused = ^{surf_valid, surf_id, surf_addr};
+      end else begin : gen_shaded
+        assign {third_valid, third}         = {surf_valid, MB'(surf_id), surf_addr};
+        assign {surf_ready, surf_fires}     = {third_ready, third_fires};
+        assign {record_ready, record_fires} = '0;
+
+        logic unused;
+        assign unused = ^{record_valid, record_id, record_addr};
+      end
+
+      assign {third_ready, third_fires}       = {miss_ready[K*p+2], fill_fires[K*p+2]};
+      assign miss_valid[K*p+2 +: 2]           = {1'b0, third_valid};
+      assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {{(MB+A){1'b0}}, third};
 
       logic unused;
       assign unused = ^{miss_ready[K*p+3], fill_fires[K*p+3]};

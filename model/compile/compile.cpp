@@ -171,7 +171,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     check_kept(triangles, scene, config, name);
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;
-    if (config.shading) write_surfaces(scene, config, name, image);
+    if (config.has_shade()) write_surfaces(scene, config, name, image);
     image.report.triangles = scene.triangles.size();
     image.report.collapsed = primitive_count(scene) - triangles.size() - coincident;
     image.report.coincident = coincident;

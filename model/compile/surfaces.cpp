@@ -248,7 +248,7 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     };
     if (!scene.spheres.empty() && !config.spheres) refuse("spheres", "spheres");
     if (!scene.planes.empty() && !config.planes) refuse("planes", "planes");
-    if (!config.shading) return;
+    if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");

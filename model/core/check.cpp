@@ -82,6 +82,20 @@ void check_parameters(const Config& c, const std::string& where) {
                                                   {"supersampling", c.supersampling}};
     for (const auto& [key, is_there] : units)
         if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
+    if (c.source == RaySource::stream && !c.shading)
+        refuse("source=stream needs shading=1: rays that begin anywhere have the format of secondary rays");
+    for (const auto& [key, is_there] : {std::pair{"smooth", c.smooth},
+                                        {"refraction", c.refraction},
+                                        {"supersampling", c.supersampling},
+                                        {"horizon", c.horizon}})
+        if (is_there && c.is_stream())
+            refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");
+    if (c.is_stream() && c.has_instances())
+        refuse("levels=2 needs source=camera: records of rays do not say from which instance a ray starts");
+    if (c.is_stream() && c.spheres)
+        refuse("spheres=1 needs source=camera: records of rays do not say which sphere a ray leaves");
+    if (c.is_stream() && c.planes)
+        refuse("planes=1 needs source=camera: records of rays hold no point beyond the lattice");
     if (c.panes > 0 && !(c.planes && c.refraction))
         refuse("panes=" + std::to_string(c.panes) + " needs planes=1 and refraction=1");
     if (c.horizon && (!c.planes || c.origin_bits < far_drop))

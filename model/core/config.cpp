@@ -51,22 +51,26 @@ int miss_bits(int mshrs, int line) {
 }   // namespace
 int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
 int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
-int Config::surf_miss_bits() const { return shading ? miss_bits(surf_mshrs, surf_line) : 1; }
+int Config::surf_miss_bits() const { return has_shade() ? miss_bits(surf_mshrs, surf_line) : 1; }
+int Config::stream_miss_bits() const { return is_stream() ? miss_bits(stream_mshrs, stream_line) : 1; }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
 int Config::least_addr_bits() const {
     const auto beside_tag = [](int sets, int line) {
         return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2;
     };
     const int own = std::max({beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line),
-                              shading ? beside_tag(surf_sets, surf_line) : 0});
+                              has_shade() ? beside_tag(surf_sets, surf_line) : 0,
+                              is_stream() ? beside_tag(stream_sets, stream_line) : 0});
     return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
 }
 int Config::clear_cycles() const {
-    return 4 + std::max({node_sets, prim_sets, shading ? surf_sets : 0, l2_sets});
+    return 4 + std::max({node_sets, prim_sets, has_shade() ? surf_sets : 0, is_stream() ? stream_sets : 0,
+                         l2_sets});
 }
 int Config::client_bits() const { return index_bits(clients() * pipelines); }
 int Config::client_id_bits() const {
-    return client_bits() + std::max({node_miss_bits(), prim_miss_bits(), shading ? surf_miss_bits() : 0});
+    return client_bits() +
+           std::max({node_miss_bits(), prim_miss_bits(), surf_miss_bits(), stream_miss_bits()});
 }
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }

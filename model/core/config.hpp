@@ -88,6 +88,9 @@ struct Config {
         return structure == Structure::octree || lower_structure() == Structure::octree;
     }
     bool has_instances() const { return levels == 2; }
+    /// True if rays come from records in memory. They may begin anywhere, so shading is set as well.
+    bool is_stream() const { return shading && source == RaySource::stream; }
+    bool has_shade() const { return shading && !is_stream(); }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Returns the structure of meshes; with one level, that of the scene.
     Structure lower_structure() const;
@@ -150,10 +153,11 @@ struct Config {
     int node_miss_bits() const;   ///< id of the node cache's request to memory: MSHR, and word of the line
     int prim_miss_bits() const;
     int surf_miss_bits() const;
+    int stream_miss_bits() const;
     int l2_miss_bits() const;
     int least_addr_bits() const;   ///< fewest address bits that leave a tag of one bit in every cache
-    /// Memory clients in a pipeline: nodes, primitives, surfaces. A fourth number, with shading, is never
-    /// used.
+    /// Memory clients in a pipeline: nodes, primitives, and with shading surfaces or ray records. A fourth
+    /// number, with shading, is never used.
     int clients() const { return shading ? 4 : 2; }
     int client_bits() const;   ///< number of a cache among those of all pipelines: clients() * pipeline + 0,
                                ///< 1, 2

@@ -85,23 +85,33 @@ struct ShadeFrame {
 /// by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half
 /// of the range of t.
 struct Frame {
-    std::uint32_t width = 0, height = 0;
+    std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `count` rays take
+    std::uint32_t count = 0;               ///< with a stream: its rays
+    std::uint32_t rays = 0;                ///< with a stream: line of the first two rays
     std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
     std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree
     Vec3i eye{};                       ///< lattice point
     Vec3l corner{}, right{}, down{};   ///< M + guard_bits bits, signed
     ShadeFrame shade;
     template <class V> void fields(V& v, const Config& c) {
-        v("width", width, c.pixel_bits + 1);
-        v("height", height, c.pixel_bits + 1);
+        if (c.is_stream()) {
+            v("count", count, 2 * c.pixel_bits);
+            v("rays", rays, c.addr_bits);
+        } else {
+            v("width", width, c.pixel_bits + 1);
+            v("height", height, c.pixel_bits + 1);
+        }
         v("root", root, c.addr_bits);
         if (c.is_list()) v("listed", listed, c.addr_bits + 1);
+        if (c.is_stream()) return;
         v("eye", eye, c.coord_bits, 3);
         v("corner", corner, c.guard_dir_bits(), 3);
         v("right", right, c.guard_dir_bits(), 3);
         v("down", down, c.guard_dir_bits(), 3);
-        if (c.shading) shade.fields(v, c);
+        if (c.has_shade()) shade.fields(v, c);
     }
+    /// Pixels of the picture, or rays of the stream.
+    std::uint64_t pixels() const { return count > 0 ? count : std::uint64_t(width) * height; }
 };
 
 }   // namespace rayclock

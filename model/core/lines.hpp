@@ -73,6 +73,19 @@ struct PrimData {
     }
 };
 
+/// A ray of a stream in 32 bytes of memory (right-aligned). Its kind is bounce for a closest hit, away for any
+/// hit, and shadow for any hit up to a point: this ray begins at that point, a lattice point (docs/streams.md).
+struct RayRecord {
+    std::uint32_t kind = 0;   ///< RayKind
+    Vec3i o{}, d{};           ///< as in Ray
+    template <class V> void fields(V& v, const Config& c) {
+        v("kind", kind, 2);
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+    }
+    friend bool operator==(const RayRecord&, const RayRecord&) = default;
+};
+
 inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
     const std::uint64_t mask = (std::uint64_t(1) << coord_bits) - 1;
     return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;

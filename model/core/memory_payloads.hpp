@@ -57,6 +57,16 @@ struct SurfRsp {
     }
 };
 
+/// stream -> raygen: a ray from memory. Its request is the context's Slot, which holds the ray's number.
+struct StreamRsp {
+    std::uint32_t ray = 0;
+    RayRecord record;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        record.fields(v, c);
+    }
+};
+
 /// cache -> memory: a request for one word of a missing line. `id` distinguishes the requests in flight; see
 /// model/mem/cache.hpp.
 template <int (Config::*id_bits)() const> struct LineReq {
@@ -81,6 +91,8 @@ using PrimMiss = LineReq<&Config::prim_miss_bits>;
 using PrimFill = LineRsp<&Config::prim_miss_bits>;
 using SurfMiss = LineReq<&Config::surf_miss_bits>;
 using SurfFill = LineRsp<&Config::surf_miss_bits>;
+using StreamMiss = LineReq<&Config::stream_miss_bits>;
+using StreamFill = LineRsp<&Config::stream_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
 using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM

@@ -17,7 +17,8 @@
 
 namespace rayclock {
 
-/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels. Its coordinates count such squares.
+/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels. Its coordinates count such squares. With a
+/// stream: 4^tile_bits rays in sequence; x and y are the lower and upper bits of the number of such a group.
 struct Tile {
     std::uint32_t x = 0, y = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -26,7 +27,8 @@ struct Tile {
     }
 };
 
-/// sched -> raygen: a context gets a pixel.
+/// sched -> raygen: a context gets a pixel. With a stream, sched -> stream: a context gets a ray; x and y are
+/// the lower and upper bits of its number.
 struct Slot {
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
@@ -288,7 +290,7 @@ struct Pixel {
     std::array<std::uint32_t, 3> colour{};   ///< unit_bits fraction bits, 0..1
     template <class V> void fields(V& v, const Config& c) {
         first.fields(v, c);
-        if (c.shading) v("colour", colour, unit_bits + 1, 3);
+        if (c.has_shade()) v("colour", colour, unit_bits + 1, 3);
     }
 };
 
@@ -301,7 +303,7 @@ struct HitOut {
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         closest.fields(v, c);
-        if (c.shading) v("colour", colour, unit_bits + 1, 3);
+        if (c.has_shade()) v("colour", colour, unit_bits + 1, 3);
     }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -68,6 +69,8 @@ struct MemoryImage {
     /// With two levels: first line of the lower structures. The scene's tree and its instances lie before it.
     std::uint32_t meshes = 0;
     std::uint32_t surfaces = 0;     ///< line of primitive 0's surface, if the chip shades
+    std::uint32_t rays = 0;         ///< with a stream: line of its first two rays
+    std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from line `rays` on
     std::uint32_t primitives = 0;   ///< all primitive numbers lie below
     std::uint32_t listed = 0;       ///< primitives of a list; 0 if there is a tree
     /// With two levels: the first primitives of the instances whose mesh was moved to its place beforehand,
@@ -80,10 +83,17 @@ struct MemoryImage {
     /// hardware requests arbitrary lines.
     const std::uint32_t* line(std::uint32_t addr) const {
         static constexpr std::array<std::uint32_t, 16> nothing{};
-        return addr < lines() ? &words[std::size_t(addr) * 16] : nothing.data();
+        if (addr < lines()) return &words[std::size_t(addr) * 16];
+        return addr >= rays && addr < end() ? &records[std::size_t(addr - rays) * 16]
+                                                               : nothing.data();
     }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
-    std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }
+    const std::uint32_t* record(std::uint32_t ray) const { return &records[std::size_t(ray) * 8]; }
+    std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }   ///< of the scene
+    /// Returns the line after the last one, behind the stream's rays if there are any.
+    std::uint32_t end() const {
+        return records.empty() ? lines() : rays + std::uint32_t(records.size() / 16);
+    }
 };
 
 /// Snaps the scene to the lattice, builds a wide SAH tree, quantises outward and lays out the image. The
@@ -101,6 +111,10 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 /// with the sheared test: rounding its corners may give it area that its neighbour loses.
 bool counts(const PrimData& triangle, const Config& config);
 
+/// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few lines or
+/// a chip cannot number them.
+void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config);
+
 /// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or
 /// bounces, or only one sample.
 ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
@@ -116,5 +130,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config);
 /// Returns these registers together with the addresses that the chip needs of its memory.
 Frame make_frame(const Camera& camera, FrameSize size, const MemoryImage& image, const Config& config);
+/// Returns the registers of a frame that traces the image's stream of rays.
+Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config& config);
 
 }   // namespace rayclock

@@ -38,12 +38,15 @@ namespace rayclock {
     LINK(tri_rsp, TriRsp, tri, list, handshake, always)                \
     LINK(tested, Tested, list, trav, handshake, always)                \
     LINK(hit, HitOut, sched, sink, handshake, always)                  \
-    LINK(closest, Closest, list, shade, handshake, shading)            \
-    LINK(surf_req, SurfReq, shade, surf_cache, handshake, shading)     \
-    LINK(surf_miss, SurfMiss, surf_cache, memport, handshake, shading) \
-    LINK(surf_fill, SurfFill, memport, surf_cache, fires, shading)     \
-    LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shading)     \
-    LINK(spawn, Spawn, shade, raygen, handshake, shading)              \
+    LINK(closest, Closest, list, shade, handshake, shade)              \
+    LINK(surf_req, SurfReq, shade, surf_cache, handshake, shade)       \
+    LINK(surf_miss, SurfMiss, surf_cache, memport, handshake, shade)   \
+    LINK(surf_fill, SurfFill, memport, surf_cache, fires, shade)       \
+    LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shade)       \
+    LINK(spawn, Spawn, shade, raygen, handshake, shade)                \
+    LINK(stream_miss, StreamMiss, stream, memport, handshake, stream)  \
+    LINK(stream_fill, StreamFill, memport, stream, fires, stream)      \
+    LINK(record, StreamRsp, stream, raygen, handshake, stream)         \
     LINK(l2_req, L2Req, memport, l2, handshake, shared_cache)          \
     LINK(l2_rsp, L2Rsp, l2, memport, fires, shared_cache)              \
     LINK(mem_req, MemReq, memport, memory, handshake, always)          \

@@ -147,9 +147,11 @@ template <class Observer> void Machine::show(Observer& observe) const {
                     break;
                 case Link::node_fill:
                 case Link::surf_fill:
+                case Link::stream_fill:
                 case Link::prim_fill: move.id = fill_id_; break;
                 case Link::surf_miss:
-                    move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr;
+                case Link::stream_miss:
+                    move.id = pipeline.third_miss().id, move.addr = pipeline.third_miss().addr;
                     break;
                 default: {
                     move.id = pipeline.ray_on(c);

@@ -6,9 +6,10 @@
 namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
-    : shading_(config.shading),
+    : source_(rays_in(config)),
       levels_(config.has_instances()),
       lists_(config.is_list()),
+      pixel_bits_(config.pixel_bits),
       upper_(node_unit(config.engine())),
       lower_(node_unit(config.lower_engine())),
       box_is_low_(config.has_two_engines() && config.lower_engine() == Structure::bvh),
@@ -28,37 +29,31 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       tried_(std::max(0, Stages(config).tried - 1), config.contexts),
       tri_rests_(std::uint32_t(config.tri_interval - 1)),
       late_(Stages(config).arrive > 0),
-      surf_cache_(surf_cache_shape(config)),
+      third_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
       shade_(config),
       sink_(traffic, number),
       rays_(std::size_t(config.contexts)) {}
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
-    shading_  ? (levels_ ? settle<true, true>(moves_, now) : settle<true, false>(moves_, now))
-    : levels_ ? settle<false, true>(moves_, now)
-              : settle<false, false>(moves_, now);
+    with_shape([&]<Rays rays, bool levels>() { settle<rays, levels>(moves_, now); });
 }
 void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
-    shading_  ? (levels_ ? clock<true, true>(moves_, now, shared) : clock<true, false>(moves_, now, shared))
-    : levels_ ? clock<false, true>(moves_, now, shared)
-              : clock<false, false>(moves_, now, shared);
+    with_shape([&]<Rays rays, bool levels>() { clock<rays, levels>(moves_, now, shared); });
 }
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
-    account_units<true>(moves_);   // safe without shading: absent links are never valid
+    with_shape([&]<Rays rays, bool levels>() { account_units<rays>(moves_); });
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
-                shading_ ? clock_sched<true>(moves_, shared.tile) : clock_sched<false>(moves_, shared.tile);
+                with_shape([&]<Rays rays, bool levels>() { clock_sched<rays>(moves_, shared.tile); });
                 break;
             case Unit::raygen:
-                shading_ ? clock_raygen<true>(moves_, now) : clock_raygen<false>(moves_, now);
+                with_shape([&]<Rays rays, bool levels>() { clock_raygen<rays>(moves_, now); });
                 break;
             case Unit::trav:
-                shading_  ? (levels_ ? clock_trav<true, true>(moves_) : clock_trav<true, false>(moves_))
-                : levels_ ? clock_trav<false, true>(moves_)
-                          : clock_trav<false, false>(moves_);
+                with_shape([&]<Rays rays, bool levels>() { clock_trav<rays, levels>(moves_); });
                 break;
             case Unit::node_cache: clock_node_cache(moves_, shared); break;
             case Unit::box: clock_box(moves_, now); break;
@@ -69,10 +64,13 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
             case Unit::tri: clock_tri(moves_, now); break;
             case Unit::surf_cache:
-                if (shading_) clock_surf_cache(moves_, shared);
+                if (source_ == Rays::shade) clock_surf_cache(moves_, shared);
+                break;
+            case Unit::stream:
+                if (source_ == Rays::stream) clock_stream(moves_, shared);
                 break;
             case Unit::shade:
-                if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
+                if (source_ == Rays::shade) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
             default: break;   // box stands for all units that decide nodes
         }
@@ -81,10 +79,18 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
 
 void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::surf_req];
-    surf_deed_ = surf_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
-                                   shared.surf_fill, shared.surf_miss);
-    last_shades_ = std::uint32_t(surf_deed_) | m.shade_code << 3;
-    ++shades_[last_shades_];
+    third_deed_ = third_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
+                                   shared.third_fill, shared.third_miss);
+    last_third_ = std::uint32_t(third_deed_) | m.shade_code << 3;
+    ++thirds_[last_third_];
+}
+
+void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& slot = m[Link::slot];
+    third_deed_ = third_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
+                                     shared.third_fill, shared.third_miss);
+    last_third_ = std::uint32_t(third_deed_);
+    ++thirds_[last_third_];
 }
 
 /// Returns the outcome of a ray's passes, as the trace holds it after the ray.
@@ -129,8 +135,8 @@ LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
-                    at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
-                    at(shared.surf_fill, Link::surf_fill);
+                    at(shared.prim_fill, Link::prim_fill) | at(third_miss_valid(), third(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
@@ -138,27 +144,27 @@ LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
 LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
-                    at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
-                    at(shared.surf_fill, Link::surf_fill);
+                    at(shared.prim_fill, Link::prim_fill) | at(shared.third_miss, third(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
 
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
-    if (node_cache_.answers() || prim_cache_.answers() || (shading_ && surf_cache_.answers())) return now;
+    if (node_cache_.answers() || prim_cache_.answers() || (source_ != Rays::camera && third_cache_.answers())) return now;
     std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
     if (levels_) wakes = std::min(wakes, xform_.due(now));
     if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});
-    return shading_ ? std::min(wakes, shade_.due()) : wakes;
+    return source_ == Rays::shade ? std::min(wakes, shade_.due()) : wakes;
 }
 
 std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (!sched_.in_use(ray)) return {};
     if (const char* place = trav_.where(ray)) return place;
     if (const char* place = list_.where(ray)) return place;
-    if (const char* place = shading_ ? shade_.where(ray) : nullptr) return place;
-    if (std::string place = shading_ ? surf_cache_.where(ray) : ""; !place.empty())
-        return "surf_cache: " + place;
+    if (const char* place = source_ == Rays::shade ? shade_.where(ray) : nullptr) return place;
+    if (std::string place = source_ != Rays::camera ? third_cache_.where(ray) : ""; !place.empty())
+        return (source_ == Rays::stream ? "stream: " : "surf_cache: ") + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
     return raygen_.contains(RayNumber(ray))     ? "raygen"
@@ -175,10 +181,13 @@ Accounts Pipeline::accounts() const {
     const auto add = [&](Unit unit, std::uint32_t code, std::uint64_t cycles) {
         sums.units[index(unit)][code] += cycles;
     };
+    const bool streams = source_ == Rays::stream;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
-        add(Unit::sched, i & 3, units_[i]);
-        add(Unit::raygen, i >> 2 & 3, units_[i]);
+        // A stream stands between sched and raygen.
+        const std::uint32_t sched = i & 3, raygen = i >> 2 & 3;
+        add(Unit::sched, streams && sched == 3 ? 4 : sched, units_[i]);
+        add(Unit::raygen, streams && raygen == 1 ? 3 : raygen, units_[i]);
         add(Unit::trav, i >> 4 & 3, units_[i]);
         if (!lists_) add(upper_.unit, i >> 6 & 3, units_[i]);
         add(Unit::list, i >> 8 & 1, units_[i]);
@@ -191,9 +200,9 @@ Accounts Pipeline::accounts() const {
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
         add(lower_.unit, i, lowers_[i]);
-    for (std::uint32_t i = 0; i < shades_.size(); ++i) {
-        add(Unit::surf_cache, i & 7, shades_[i]);
-        add(Unit::shade, i >> 3, shades_[i]);
+    for (std::uint32_t i = 0; i < thirds_.size(); ++i) {
+        add(streams ? Unit::stream : Unit::surf_cache, i & 7, thirds_[i]);
+        if (!streams) add(Unit::shade, i >> 3, thirds_[i]);
     }
     return sums;
 }

@@ -17,11 +17,11 @@ namespace rayclock {
 /// caches (null if none), and flags that its caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
-    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_fill = nullptr;
-    bool node_miss = false, prim_miss = false, surf_miss = false;
+    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *third_fill = nullptr;
+    bool node_miss = false, prim_miss = false, third_miss = false;   ///< third: surf_cache or stream
     bool any() const {
-        return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) | (surf_fill != nullptr) |
-               node_miss | prim_miss | surf_miss;
+        return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) | (third_fill != nullptr) |
+               node_miss | prim_miss | third_miss;
     }
 };
 
@@ -34,6 +34,7 @@ public:
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
         trace_ = &trace;
+        records_ = frame.rays;
         meshes_ = trace.meshes;
         rays_.assign(rays_.size(), {});   // the last frame's trace is not read again
     }
@@ -57,13 +58,13 @@ public:
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
-    bool surf_miss_valid() const { return shading_ & surf_cache_.miss_valid(); }
-    Cache::Miss surf_miss() const { return surf_cache_.miss(); }
+    bool third_miss_valid() const { return (source_ != Rays::camera) & third_cache_.miss_valid(); }
+    Cache::Miss third_miss() const { return third_cache_.miss(); }
     /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
     bool asks(bool more) const {
-        return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_miss_valid() |
+        return node_cache_.miss_valid() | prim_cache_.miss_valid() | third_miss_valid() |
                (tile_ready() & more);
     }
     Slot slot() const { return sched_.slot(); }
@@ -71,12 +72,16 @@ public:
     std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
     std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
     std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
+    /// Returns the line of the record of a ray that a context is about to get.
+    std::uint32_t record_addr(const Slot& slot) const {
+        return records_ + ((slot.y << pixel_bits_ | slot.x) >> 1);
+    }
 
     // ---- For observers.
 
     /// Returns the outcome of a cache at the last clock edge.
     CacheDeed deed(Unit cache) const {
-        return cache == Unit::node_cache ? node_deed_ : cache == Unit::prim_cache ? prim_deed_ : surf_deed_;
+        return cache == Unit::node_cache ? node_deed_ : cache == Unit::prim_cache ? prim_deed_ : third_deed_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
     RayPurpose purpose(std::uint32_t ray) const {
@@ -91,7 +96,7 @@ public:
     void skip(std::uint64_t cycles) {
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
-        if (shading_) shades_[last_shades_] += cycles;
+        if (source_ != Rays::camera) thirds_[last_third_] += cycles;
         if (levels_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
     }
 
@@ -100,6 +105,20 @@ public:
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
+    /// Where raygen's rays come from: the camera alone, the camera and shade, or records in memory.
+    enum class Rays : std::uint8_t { camera, shade, stream };
+    static Rays rays_in(const Config& config) {
+        return config.is_stream() ? Rays::stream : config.shading ? Rays::shade : Rays::camera;
+    }
+    /// Calls `f<rays, levels>()` for this pipeline's shape.
+    template <class F> decltype(auto) with_shape(F&& f) const {
+        const auto levels = [&]<Rays rays>() -> decltype(auto) {
+            return levels_ ? f.template operator()<rays, true>() : f.template operator()<rays, false>();
+        };
+        return source_ == Rays::shade    ? levels.template operator()<Rays::shade>()
+               : source_ == Rays::stream ? levels.template operator()<Rays::stream>()
+                                         : levels.template operator()<Rays::camera>();
+    }
     /// The position of a context's ray in the trace.
     struct TraceCursor {
         /// Word of the visit, or of the triangle in flight; after a ray, the first word behind it.
@@ -122,6 +141,7 @@ private:
         bool read = false;      // node_cache's answer is accepted
         bool placing = false;   // surf_cache's answer is an instance
         bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
+        std::uint32_t record = 0;   // line of the record of sched's next ray
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -150,23 +170,27 @@ private:
         if (box_rest_ > 0 && box_is_low_ == low) return 0;
         return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
     }
-    template <bool shades, bool levels> void settle(Moves& m, std::uint64_t now) const;
-    template <bool shades, bool levels>
+    template <Rays rays, bool levels> void settle(Moves& m, std::uint64_t now) const;
+    template <Rays rays, bool levels>
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
-    template <bool shades, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
+    template <Rays rays, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
+    /// Returns the name of a link of the third cache.
+    Link third(Link of_surf_cache, Link of_stream) const {
+        return source_ == Rays::stream ? of_stream : of_surf_cache;
+    }
     Turn::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     Shade::Turn turn_of(std::uint32_t ray);
-    template <bool shades> void account_units(const Moves& m);
+    template <Rays rays> void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
         ++caches_[last_caches_];
     }
-    template <bool shades> void clock_sched(const Moves& m, const Tile* tile);
-    template <bool shades> void clock_raygen(const Moves& m, std::uint64_t now);
-    template <bool shades, bool levels> void clock_trav(const Moves& m);
+    template <Rays rays> void clock_sched(const Moves& m, const Tile* tile);
+    template <Rays rays> void clock_raygen(const Moves& m, std::uint64_t now);
+    template <Rays rays, bool levels> void clock_trav(const Moves& m);
     void clock_node_cache(const Moves& m, const SharedMoves& shared);
     void clock_box(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
@@ -174,10 +198,14 @@ private:
     void clock_prim_cache(const Moves& m, const SharedMoves& shared);
     void clock_tri(const Moves& m, std::uint64_t now);
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
+    void clock_stream(const Moves& m, const SharedMoves& shared);
     template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
-    bool shading_, levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
+    Rays source_;
+    bool levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
     NodeUnit upper_, lower_;          // units that decide nodes of the scene's tree, and of meshes
+    std::uint32_t records_ = 0;       // line of the stream's first record
+    int pixel_bits_;
     std::uint32_t meshes_ = ~0u;      // first line whose nodes lower_ decides
     bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
@@ -196,14 +224,14 @@ private:
     Delay tri_, tried_;
     std::uint32_t tri_rests_, tri_rest_ = 0;   // the same of tri, after a primitive
     bool late_;                                // boxed_ and tried_ are in use
-    Cache surf_cache_;
+    Cache third_cache_;   // surf_cache or stream
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
     Moves moves_{};   // of the settled cycle
-    CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};
+    CacheDeed node_deed_{}, prim_deed_{}, third_deed_{CacheDeed::starved};
     bool asleep_ = false;
 
     // Codes of units.hpp, by the progress of the thing that the unit waits for: absent, on offer, accepted.
@@ -215,10 +243,10 @@ private:
     static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
 
     // Cycles by the units' codes, several units per index; see account_units().
-    std::uint32_t last_units_ = 0, last_caches_ = 0, last_shades_ = 0;
+    std::uint32_t last_units_ = 0, last_caches_ = 0, last_third_ = 0;
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};
-    std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
+    std::array<std::uint64_t, 1 << 5> thirds_{};   // surf_cache and shade, or stream
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
     std::uint32_t last_lower_ = 0;

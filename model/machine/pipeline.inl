@@ -5,12 +5,17 @@
 namespace rayclock {
 
 // Nearly without branches: see ring.hpp. When a link is idle, its ray number is that of an arbitrary context.
-template <bool shades, bool levels>
+template <Pipeline::Rays rays, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
+    constexpr bool shades = rays == Rays::shade, streams = rays == Rays::stream;
     // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     const bool begins = raygen_.ready() & (raygen_rest_ == 0);
-    m.offer(Link::slot, sched_.slot_valid(), begins & camera, sched_.slot().ray);
+    m.offer(Link::slot, sched_.slot_valid(), streams ? third_cache_.ready() : begins & camera, sched_.slot().ray);
+    if constexpr (streams) {
+        m.record = record_addr(sched_.slot());
+        m.offer(Link::record, third_cache_.valid(), begins, third_cache_.answer());
+    }
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
     m.offer(Link::node_req, trav_.node_valid<levels>() & !lists_, node_cache_.ready(),
             trav_.node_ray<levels>());
@@ -44,21 +49,23 @@ template <bool shades, bool levels>
     if constexpr (shades) {
         m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
         m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
-        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_cache_.ready(), shade_.surf_ray<levels>());
-        const std::uint32_t came = surf_cache_.answer();
+        m.offer(Link::surf_req, shade_.surf_valid<levels>(), third_cache_.ready(), shade_.surf_ray<levels>());
+        const std::uint32_t came = third_cache_.answer();
         m.placing = levels && (*rays_[came].at & Trace::place_flag);
-        m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready() | m.placing, came);
+        m.offer(Link::surf_rsp, third_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
-        m.shade_code = shade_.code(surf_cache_.valid() & !m.placing, surf_cache_.waits());
+        m.shade_code = shade_.code(third_cache_.valid() & !m.placing, third_cache_.waits());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
 }
 
-template <bool shades> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
+template <Pipeline::Rays rays> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
     const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
-    const bool asked = m[Link::slot].valid | (shades && m[Link::spawn].valid),
-               begun = m[Link::slot].fires | (shades && m[Link::spawn].fires);
+    constexpr bool shades = rays == Rays::shade;
+    constexpr Link first = rays == Rays::stream ? Link::record : Link::slot;
+    const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
+               begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
                         raygen = raygen_rest_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
@@ -97,7 +104,7 @@ inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     return more;
 }
 
-template <bool shades>
+template <Pipeline::Rays rays>
 [[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
     const bool slot = m[Link::slot].fires;
     if (slot) {
@@ -106,7 +113,7 @@ template <bool shades>
         cursor.at = ray_at(*trace_, given.x, given.y);
         cursor.head = *cursor.at;
     }
-    if constexpr (shades) {
+    if constexpr (rays == Rays::shade) {
         const bool second = raygen_link_.second(shade_.spawn_valid());
         raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
     }
@@ -114,10 +121,10 @@ template <bool shades>
     sink_.clock();
 }
 
-template <bool shades>
+template <Pipeline::Rays rays>
 [[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
-    OnLink in = m[Link::slot];
-    if constexpr (shades) {
+    OnLink in = m[rays == Rays::stream ? Link::record : Link::slot];
+    if constexpr (rays == Rays::shade) {
         const LinkInside& spawn = m[Link::spawn];
         in = {bool(in.there | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
@@ -125,14 +132,14 @@ template <bool shades>
     raygen_rest_ = select(in.there, raygen_rests_, raygen_rest_ - (raygen_rest_ > 0));
 }
 
-template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
+template <Pipeline::Rays rays, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
     const LinkInside& tested = m[Link::tested];
     if constexpr (levels) enter(m[Link::change]);
     trav_.clock<levels>({m[Link::ray],
                          {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
                          {tested.valid, tested.ray},
                          lists_ ? m.boxed.there : m[Link::node_req].fires,
-                         m[shades ? Link::closest : Link::hit].fires,
+                         m[rays == Rays::shade ? Link::closest : Link::hit].fires,
                          levels ? OnLink(m[Link::change]) : OnLink{}},
                         [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
@@ -179,15 +186,15 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
     xform_rest_ = select(req.fires, xform_rests_, xform_rest_ - (xform_rest_ > 0));
 }
 
-template <bool shades, bool levels>
+template <Pipeline::Rays rays, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
-    account_units<shades>(m);
+    account_units<rays>(m);
     const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there |
                          (raygen_rest_ > 0) | (box_rest_ > 0) | (tri_rest_ > 0) | (levels && xform_rest_ > 0);
-    clock_sched<shades>(m, shared.tile);
-    clock_raygen<shades>(m, now);
-    clock_trav<shades, levels>(m);
+    clock_sched<rays>(m, shared.tile);
+    clock_raygen<rays>(m, now);
+    clock_trav<rays, levels>(m);
     if constexpr (levels) clock_xform(m, now);
     clock_node_cache(m, shared);
     clock_box(m, now);
@@ -201,26 +208,28 @@ template <bool shades, bool levels>
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
-    if constexpr (shades) {
+    if constexpr (rays == Rays::stream) {
+        clock_stream(m, shared);
+        asleep_ = asleep_ & !m.any(Link::record) & (third_deed_ > CacheDeed::drain) & !third_cache_.loaded();
+    }
+    if constexpr (rays == Rays::shade) {
         asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() & !shade_.comes() &
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade<levels>(m, now);
-        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain) & !surf_cache_.loaded();
+        asleep_ = asleep_ & (third_deed_ > CacheDeed::drain) & !third_cache_.loaded();
     }
 }
 
-template <bool shades, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+template <Pipeline::Rays rays, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     Moves m;   // a local instead of moves_, so that it stays in registers
-    settle<shades, levels>(m, now);
-    clock<shades, levels>(m, now, shared);
+    settle<rays, levels>(m, now);
+    clock<rays, levels>(m, now, shared);
     return m[Link::hit].fires;
 }
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    return shading_  ? (levels_ ? step<true, true>(now, shared) : step<true, false>(now, shared))
-           : levels_ ? step<false, true>(now, shared)
-                     : step<false, false>(now, shared);
+    return with_shape([&]<Rays rays, bool levels>() { return step<rays, levels>(now, shared); });
 }
 
 }   // namespace rayclock

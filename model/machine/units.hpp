@@ -28,7 +28,8 @@ constexpr Cause stalled(const char* by) { return {CauseKind::stalled, by}; }
 /// When a part of the machine exists.
 enum class When : std::uint8_t {
     always,
-    shading,
+    shade,    // the unit shade and its cache
+    stream,   // rays from records
     shared_cache,
     nodes,
     instances,
@@ -38,7 +39,8 @@ enum class When : std::uint8_t {
 };
 constexpr bool is_there(When when, const Config& config) {
     switch (when) {
-        case When::shading: return config.shading;
+        case When::shade: return config.has_shade();
+        case When::stream: return config.is_stream();
         case When::shared_cache: return config.l2_sets > 0;
         case When::nodes: return !config.is_list();
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \
@@ -64,17 +66,19 @@ enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
 #define RAYCLOCK_NODE_UNIT(UNIT, structure, unit, Engine) \
     UNIT(unit, engine, structure, busy(), starved("memory"), starved("trav"), stalled("trav"))
 #define RAYCLOCK_UNITS(UNIT)                                                                           \
-    UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \
-    UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"))                          \
+    UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen"), \
+         stalled("stream"))                                                                            \
+    UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"), starved("stream"))       \
     UNIT(trav, pipeline, always, busy(), starved("list"), stalled("recirculation"))                    \
     UNIT(node_cache, pipeline, nodes, RAYCLOCK_CACHE_CAUSES("trav", "box"))                            \
     RAYCLOCK_ENGINES(RAYCLOCK_NODE_UNIT, UNIT)                                                         \
     UNIT(list, pipeline, always, busy(), starved("trav"))                                              \
     UNIT(prim_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("list", "tri"))                           \
     UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
-    UNIT(surf_cache, pipeline, shading, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                       \
-    UNIT(shade, pipeline, shading, busy(), starved("memory"), starved("list"), stalled("queue"))       \
+    UNIT(surf_cache, pipeline, shade, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                         \
+    UNIT(shade, pipeline, shade, busy(), starved("memory"), starved("list"), stalled("queue"))         \
     UNIT(xform, engine, instances, busy(), starved("memory"), starved("trav"))                         \
+    UNIT(stream, pipeline, stream, RAYCLOCK_CACHE_CAUSES("sched", "raygen"))                           \
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
     UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \

@@ -21,7 +21,7 @@ public:
         walks_.clear();
         for (int i = 0; i < config_.pipelines * config_.contexts; ++i)
             walks_.emplace_back(frame_, config_, decoder_);
-        if (config_.shading) shaders_.assign(walks_.size(), Shader(frame_, config_, image_));
+        if (config_.has_shade()) shaders_.assign(walks_.size(), Shader(frame_, config_, image_));
         words_.clear();
     }
 
@@ -66,11 +66,11 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
     switch (m.link) {
         case Link::tile: return tell(Tile{m.x, m.y});
         case Link::slot:
-            walk(m).start({m.id, m.x, m.y});
-            if (config_.shading) shader(m).start({m.id, m.x, m.y});
+            if (!config_.is_stream()) walk(m).start({m.id, m.x, m.y});
+            if (config_.has_shade()) shader(m).start({m.id, m.x, m.y});
             return tell(Slot{m.id, m.x, m.y});
         case Link::ray:
-            if (config_.shading) shader(m).sent(walk(m).ray());
+            if (config_.has_shade()) shader(m).sent(walk(m).ray());
             return tell(walk(m).ray());
         case Link::node_req: return tell(NodeReq{m.id, walk(m).node()});
         case Link::xform_req: {
@@ -114,7 +114,7 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             return;
         }
         case Link::hit:
-            if (!config_.shading) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
+            if (!config_.has_shade()) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
             return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
         case Link::closest:
             tell(walk(m).closest());
@@ -131,6 +131,13 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             tell(shader(m).spawn());
             walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_));
             return;
+        case Link::record: {
+            const StreamRsp given{m.id, unpack<RayRecord>(image_.record(m.y << config_.pixel_bits | m.x), config_)};
+            walk(m).start_at(recorded_ray(given.record, m.id, config_));
+            return tell(given);
+        }
+        case Link::stream_miss: asked(m, Link::stream_miss) = m.addr; return tell(StreamMiss{m.id, m.addr});
+        case Link::stream_fill: return tell(StreamFill{m.id, line(asked(m, Link::stream_miss))});
         case Link::surf_miss: asked(m, Link::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
         case Link::surf_fill: return tell(SurfFill{m.id, line(asked(m, Link::surf_miss))});
         case Link::node_miss: asked(m, Link::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});

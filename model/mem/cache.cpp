@@ -23,6 +23,9 @@ CacheShape prim_cache_shape(const Config& c) {
 CacheShape surf_cache_shape(const Config& c) {
     return shape(c, c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.ray_bits());
 }
+CacheShape stream_cache_shape(const Config& c) {
+    return shape(c, c.stream_sets, c.stream_ways, c.stream_line, c.stream_mshrs, c.ray_bits());
+}
 CacheShape l2_shape(const Config& c) {
     return shape(c, c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.client_id_bits());
 }

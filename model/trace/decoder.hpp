@@ -26,7 +26,7 @@ public:
           nodes_(image_, config_),
           placements_(config.has_instances() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
-          surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
+          surfaces_(config.has_shade() ? image.lines() - image.surfaces : 0) {}
 
     /// Returns a node of the tree that an engine walks.
     template <class Engine> const typename Engine::Wide& node(std::uint32_t line) const {

@@ -10,31 +10,34 @@
 
 #include "model/trace/record.hpp"
 #include "model/trace/record_shaded.hpp"
+#include "model/unit/raygen/raygen.hpp"
 
 namespace rayclock {
 
 /// The state that the threads share. They take blocks in order, so that a machine that replays at the same
 /// time finds its next rays.
 struct Recording::Work {
-    static constexpr std::uint32_t block = RecordBlock::side;
+    static constexpr std::uint32_t block = RecordBlock::side, stream_chunk = 1024;
 
     Work(const MemoryImage& image_, const Frame& frame_, const Config& config, Trace& trace_,
          const Progress& progress_)
         : frame(frame_),
           trace(trace_),
           progress(progress_),
-          columns((frame.width + block - 1) / block),
-          rows((frame.height + block - 1) / block),
+          columns(frame.count > 0 ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
+                                  : (frame.width + block - 1) / block),
+          rows(frame.count > 0 ? 1 : (frame.height + block - 1) / block),
           image(image_),
           job(image, frame, config),
-          record(record_block()) {
+          record(record_block()),
+          record_given(record_any()) {
         if (config.shading) decoder = std::make_unique<Decoder>(image, config);
         trace.width = frame.width;
         trace.meshes = config.has_two_engines() ? image.meshes : ~0u;
         trace.height = frame.height;
-        trace.rays.assign(std::size_t(frame.width) * frame.height, nullptr);
+        trace.rays.assign(std::size_t(frame.pixels()), nullptr);
         trace.hits.resize(trace.rays.size());
-        if (config.shading)
+        if (config.has_shade())
             trace.colours.resize(trace.rays.size()), trace.signatures.resize(trace.rays.size());
         trace.chunks.resize(std::size_t(columns) * rows);
     }
@@ -43,10 +46,12 @@ struct Recording::Work {
         RecordScratch scratch(job.config());
         RecordTotals totals;
         std::optional<ShadedRecorder> shaded;
-        if (decoder) shaded.emplace(image, frame, job.config(), *decoder);
+        RayCounts streamed;
+        if (job.config().has_shade()) shaded.emplace(image, frame, job.config(), *decoder);
         try {
             for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++)
-                record_chunk(chunk, scratch, totals, shaded);
+                frame.count > 0 ? record_stream(chunk, scratch, totals, streamed)
+                                : record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
             error = std::current_exception();
@@ -59,8 +64,10 @@ struct Recording::Work {
         trace.turns += totals.turns;
         if (shaded)
             trace.counts += shaded->counts();
-        else
+        else if (frame.count == 0)
             trace.counts.primary = trace.rays.size();
+        else
+            trace.counts += streamed;
     }
 
     void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals,
@@ -81,6 +88,31 @@ struct Recording::Work {
             for (std::uint32_t x = pixels.x0; x < pixels.x1; ++x)
                 std::atomic_ref(trace.rays[std::size_t(y) * frame.width + x])
                     .store(words.data() + scratch.starts[n++], std::memory_order_release);
+        report();
+    }
+
+    /// Records the next rays of a stream. Those that ask for any hit count as shadow rays.
+    void record_stream(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals, RayCounts& counts) {
+        const std::size_t first = chunk * stream_chunk,
+                          last = std::min<std::size_t>(first + stream_chunk, frame.count);
+        scratch.starts.clear();
+        std::size_t end = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const auto given = unpack<RayRecord>(image.record(std::uint32_t(i)), job.config());
+            scratch.starts.push_back(end);
+            end = record_given(*decoder, job.config(), frame.root, recorded_ray(given, 0, job.config()), end,
+                               scratch, totals, trace.hits[i]);
+            ++(ends_at_any(given.kind) ? counts.shadow : counts.primary);
+        }
+        std::vector<std::uint32_t>& words = trace.chunks[chunk];
+        words.assign(scratch.words.begin(), scratch.words.begin() + std::ptrdiff_t(end));
+        for (std::size_t i = first; i < last; ++i)
+            std::atomic_ref(trace.rays[i]).store(words.data() + scratch.starts[i - first],
+                                                 std::memory_order_release);
+        report();
+    }
+
+    void report() {
         if (!progress) return;
         const std::lock_guard lock(mutex);
         progress("rays", ++finished, trace.chunks.size());
@@ -93,6 +125,7 @@ struct Recording::Work {
     const MemoryImage& image;
     RecordJob job;
     RecordFunction* record;
+    RecordRayFunction* record_given;
     std::unique_ptr<Decoder> decoder;   // for a chip that shades
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;

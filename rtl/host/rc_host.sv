@@ -72,8 +72,9 @@ module rc_host #(
   logic [3:0]   step_q;
   logic [31:0]  left_q, left_less;   // pixels
   logic         some_q;              // there are pixels
-  logic [15:0]  rest_q;              // remaining bits of the height, top bit first
   logic [3:0]   hits;
+  logic [31:0]  prepared;            // left_q after a step of the preparation
+  logic         has_some;
 
   assign is_idle = state_q == StIdle;
   assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
@@ -88,6 +89,7 @@ module rc_host #(
   assign left_less = left_q - 32'(hits);
 
   // State machine. StPrepare computes width * height bit by bit, from the top bit of the height.
+  // The number of a stream's rays is a register.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       state_q  <= StPrepare;
@@ -98,7 +100,7 @@ module rc_host #(
     end else begin
       if (state_q == StPrepare) begin
         step_q <= step_q + 1'b1;
-        if (wanted_q) left_q <= (left_q << 1) + (rest_q[15] ? 32'(frame_o.width) : '0);
+        if (wanted_q) left_q <= prepared;
         if (step_q == '1) state_q <= wanted_q ? StStart : StIdle;
       end else if (state_q == StIdle) begin
         wanted_q <= goes;
@@ -117,8 +119,20 @@ module rc_host #(
   always_ff @(posedge clk_i)
     start_q <= rst_ni && state_q == StPrepare && step_q == '1 && wanted_q && some_q;
   always_ff @(posedge clk_i) begin   // the frame does not change in StPrepare
-    some_q <= frame_o.width != '0 && frame_o.height != '0;
-    rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
+    some_q <= has_some;
+  end
+
+  if (rc_pkg::Streams != 0) begin : gen_rays
+    assign has_some = frame_o.count != '0;
+    assign prepared = 32'(frame_o.count);
+  end else begin : gen_picture
+    logic [15:0] rest_q;   // remaining bits of the height, top bit first
+
+    always_ff @(posedge clk_i)
+      rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
+
+    assign has_some = frame_o.width != '0 && frame_o.height != '0;
+    assign prepared = (left_q << 1) + (rest_q[15] ? 32'(frame_o.width) : '0);
   end
 
   assign running_o = state_q == StRun;

@@ -72,7 +72,7 @@ Upload RefittedScene::next(const Scene& given) {
     image_.report.coincident = coincident;
     image_.report.pitch = image_.lattice.pitch;
     image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
-    if (config_.shading) write_surfaces(scene, config_, name_, image_);
+    if (config_.has_shade()) write_surfaces(scene, config_, name_, image_);
     (is_built ? upload.rebuilt : upload.refitted) = 1;
     upload.cost = tree_.ratio();
     upload.nodes = image_.report.nodes;

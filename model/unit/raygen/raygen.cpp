@@ -93,6 +93,12 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     return ray;
 }
 
+Ray recorded_ray(const RayRecord& record, std::uint32_t context, const Config& config) {
+    Ray ray = make_ray(record.o, record.d, config, RayKind(record.kind));
+    ray.ray = context;
+    return ray;
+}
+
 Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
     Spawn spawn;
     spawn.ray = slot.ray;

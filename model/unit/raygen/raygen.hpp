@@ -19,6 +19,9 @@ Ray raygen(const Slot& slot, const Frame& frame, const Config& config);
 /// Returns a ray along d from o (with B fraction bits if the chip shades), with d's reciprocals.
 Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind = RayKind::camera);
 
+/// Returns the ray of a stream's record, for a chip whose rays come from memory.
+Ray recorded_ray(const RayRecord& record, std::uint32_t context, const Config& config);
+
 /// Return only the direction, through a pixel's middle and through a sample.
 Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame, const Config& config);
 Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame,

@@ -4,15 +4,26 @@
 namespace rayclock {
 
 /// Distributes the picture in tiles of 2^tile_bits x 2^tile_bits pixels, row by row. It gives one tile per
-/// cycle, round-robin, to the pipelines that have room. Mirror of rtl/unit/sched/rc_dispatch.sv.
+/// cycle, round-robin, to the pipelines that have room. With a stream it distributes groups of 4^tile_bits rays.
+/// Mirror of rtl/unit/sched/rc_dispatch.sv.
 class Dispatch {
 public:
     explicit Dispatch(const Config& config)
-        : pipelines_(std::uint32_t(config.pipelines)), tile_bits_(config.tile_bits) {}
+        : pipelines_(std::uint32_t(config.pipelines)),
+          tile_bits_(config.tile_bits),
+          coord_bits_(config.tile_coord_bits()) {}
 
     void start(const Frame& frame) {
         columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
         rows_ = (frame.height + (1u << tile_bits_) - 1) >> tile_bits_;
+        if (frame.count > 0) {
+            const std::uint32_t groups = (frame.count + (1u << 2 * tile_bits_) - 1) >> 2 * tile_bits_;
+            columns_ = 1u << coord_bits_;
+            rows_ = (groups + columns_ - 1) >> coord_bits_;
+            last_columns_ = groups - (rows_ - 1) * columns_;
+        } else {
+            last_columns_ = columns_;
+        }
         tile_ = {};
         more_ = true;
     }
@@ -29,16 +40,16 @@ public:
     void clock(int granted) {
         if (granted < 0) return;
         next_ = (std::uint32_t(granted) + 1) & (pipelines_ - 1);
-        if (++tile_.x == columns_) {
-            tile_.x = 0;
-            if (++tile_.y == rows_) more_ = false;
-        }
+        ++tile_.x;
+        if (tile_.y + 1 == rows_ && tile_.x == last_columns_) more_ = false;
+        if (tile_.x == columns_) tile_.x = 0, ++tile_.y;
     }
 
 private:
     std::uint32_t pipelines_;
-    int tile_bits_;
+    int tile_bits_, coord_bits_;
     std::uint32_t columns_ = 0, rows_ = 0, next_ = 0;
+    std::uint32_t last_columns_ = 0;   // of the last row
     Tile tile_;
     bool more_ = false;
 };

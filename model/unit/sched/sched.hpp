@@ -6,12 +6,14 @@ namespace rayclock {
 
 /// Gives the pixels of its tiles, in Morton order, to free contexts, and adds the pixel to the hit of a
 /// finished ray. It holds two tiles. A tile's pixel outside the picture costs a cycle without output. A fresh
-/// machine uses contexts 0..T-1 first, and after that the context that has been free longest. Mirror of
+/// machine uses contexts 0..T-1 first, and after that the context that has been free longest. With a stream, a tile is
+/// a group of rays in sequence. Mirror of
 /// rtl/unit/sched/rc_sched.sv.
 class Sched {
 public:
     explicit Sched(const Config& config)
         : tile_bits_(config.tile_bits),
+          pixel_bits_(config.pixel_bits),
           last_((1u << 2 * config.tile_bits) - 1),
           tiles_(2),
           free_(config.contexts),
@@ -25,6 +27,7 @@ public:
         at_ = 0;
         width_ = frame.width;
         height_ = frame.height;
+        count_ = frame.count;
         look();
     }
     bool tile_ready() const { return !tiles_.full(); }
@@ -67,14 +70,24 @@ private:
     void look() {
         inside_ = outside_ = false;
         if (tiles_.empty()) return;
+        if (count_ > 0) {
+            const Tile& tile = tiles_.front();
+            const std::uint32_t group = tile.y << (pixel_bits_ - tile_bits_) | tile.x,
+                                ray = group << 2 * tile_bits_ | at_;
+            x_ = ray & ((1u << pixel_bits_) - 1);
+            y_ = ray >> pixel_bits_;
+            inside_ = ray < count_;
+            outside_ = !inside_;
+            return;
+        }
         x_ = tiles_.front().x << tile_bits_ | even_bits(at_);
         y_ = tiles_.front().y << tile_bits_ | even_bits(at_ >> 1);
         inside_ = x_ < width_ && y_ < height_;
         outside_ = !inside_;
     }
 
-    int tile_bits_;
-    std::uint32_t last_, width_ = 0, height_ = 0;
+    int tile_bits_, pixel_bits_;
+    std::uint32_t last_, width_ = 0, height_ = 0, count_ = 0;
     std::uint32_t at_ = 0;   // pixel within the tile
     std::uint32_t x_ = 0, y_ = 0;
     bool inside_ = false, outside_ = false;

@@ -1,5 +1,6 @@
 // Distributes the picture in tiles of 2^TileBits x 2^TileBits pixels, row by row, one tile per
-// cycle. The pipelines that have room for a tile get one in turn.
+// cycle. The pipelines that have room for a tile get one in turn. With a stream a tile is a group
+// of 4^TileBits rays in sequence.
 //
 // A frame begins in the cycle after start_i. The user holds frame_i until the frame is done. Model:
 // model/unit/sched/dispatch.hpp.
@@ -46,12 +47,25 @@ module rc_dispatch (
 
   // Position of the next tile.
   logic [C:0] x_after, y_after;
-  logic       last_x, last_y;
+  logic       last_x, last;
 
   assign x_after = {1'b0, x_q} + 1'b1;
   assign y_after = {1'b0, y_q} + 1'b1;
-  assign last_x  = S'(x_after) << rc_pkg::TileBits >= frame_i.width;
-  assign last_y  = S'(y_after) << rc_pkg::TileBits >= frame_i.height;
+
+  if (rc_pkg::Streams != 0) begin : gen_rays   // {y_q, x_q} counts groups of 4^TileBits rays
+    logic [2*C:0] after;
+
+    assign after  = {1'b0, y_q, x_q} + 1'b1;
+    assign last_x = x_q == '1;
+    assign last   = {after, {(2*rc_pkg::TileBits){1'b0}}}
+                  >= (2*rc_pkg::PixelBits+1)'(frame_i.count);
+  end else begin : gen_picture
+    logic last_y;
+
+    assign last_x = S'(x_after) << rc_pkg::TileBits >= frame_i.width;
+    assign last_y = S'(y_after) << rc_pkg::TileBits >= frame_i.height;
+    assign last   = last_x && last_y;
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -61,7 +75,7 @@ module rc_dispatch (
       more_q <= 1'b1;
     end else if (give) begin
       next_q <= (to + 1'b1) & PB'(P - 1);
-      more_q <= !last_x || !last_y;
+      more_q <= !last;
     end
     if (start_i) begin
       x_q <= '0;
@@ -75,6 +89,6 @@ module rc_dispatch (
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic                      unused;
   assign frame_flat = frame_i;
-  assign unused     = ^frame_flat;
+  assign unused     = ^{frame_flat, x_after, y_after};
 endmodule
 `default_nettype wire

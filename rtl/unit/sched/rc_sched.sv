@@ -39,68 +39,90 @@ module rc_sched (
   localparam int unsigned T  = rc_pkg::Contexts;
   localparam int unsigned K  = rc_pkg::TileBits;
   localparam int unsigned AW = K == 0 ? 1 : 2 * K;
+  localparam logic [2:0] Stalled = rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream
+                                                        : rc_pkg::SchedStalledRaygen;
 
   // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
   // The tile's position relative to the picture, inside or on the edge, is computed when the tile
   // comes. The pixel's position is computed one pixel ahead, because many cells depend on it.
   logic          tile_valid, last, in_frame, at_hand, pass, give;
   logic          tile_begins, begins;   // a tile's first pixel lies inside
-  logic [P:0]    width, height;
   logic [3:0]    tile_lies, lies;
   rc_pkg::tile_t tile;
   logic [AW-1:0] at_q;
-
-  assign width     = frame_i.width;
-  assign height    = frame_i.height;
-  assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
-                      {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
 
   rc_fifo #(.Width(rc_pkg::TileW + 5), .Depth(2)) u_tiles (
     .clk_i, .rst_ni(rst_ni && !start_i),
     .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies, tile_begins}),
     .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies, begins}));
 
-  logic [P-1:0] x, y;
-  if (K == 0) begin : gen_single
-    assign x        = tile.x;
-    assign y        = tile.y;
-    assign last     = 1'b1;
-    assign in_frame = begins;
-    assign tile_begins = tile_lies[3] && tile_lies[1];
+  logic [P-1:0]  x, y;
+  logic [AW-1:0] next;      // the next pixel's place in the tile
+  logic          first_q, inside_q, next_inside;
+
+  assign last = K == 0 || at_q == '1;
+  assign next = K == 0 ? '0 : at_q + 1'b1;
+
+  if (rc_pkg::Streams != 0) begin : gen_rays   // a tile holds rays in sequence; {y, x}: number
+    logic [2*P-1:0] number, next_number, first_number;
+
+    if (K == 0) begin : gen_single
+      assign number       = {tile.y, tile.x};
+      assign next_number  = number;
+      assign first_number = {tile_i.y, tile_i.x};
+    end else begin : gen_group
+      assign number       = {tile.y, tile.x, at_q};
+      assign next_number  = {tile.y, tile.x, next};
+      assign first_number = {tile_i.y, tile_i.x, {(2*K){1'b0}}};
+    end
+
+    assign {y, x}      = number;
+    assign tile_lies   = '0;
+    assign tile_begins = first_number < frame_i.count;
+    assign next_inside = next_number < frame_i.count;
 
     logic unused;
     assign unused = ^lies;
-  end else begin : gen_morton
-    for (genvar i = 0; i < K; i++) begin : gen_bit
-      assign x[i] = at_q[2*i];
-      assign y[i] = at_q[2*i+1];
-    end
+  end else begin : gen_pixels
+    logic [P:0] width, height;
+
+    assign width     = frame_i.width;
+    assign height    = frame_i.height;
+    assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
+                        {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
+
     assign x[P-1:K] = tile.x;
     assign y[P-1:K] = tile.y;
 
-    assign last     = at_q == '1;
+    if (K == 0) begin : gen_single
+      assign tile_begins = tile_lies[3] && tile_lies[1];
+      assign next_inside = 1'b0;   // a tile has one pixel
 
-    logic [AW-1:0] next;
-    logic [K-1:0]  next_x, next_y;
-    logic          first_q, inside_q;
+      logic unused;
+      assign unused = ^lies;
+    end else begin : gen_morton
+      logic [K-1:0] next_x, next_y;
 
-    for (genvar i = 0; i < K; i++) begin : gen_next_bit
-      assign next_x[i] = next[2*i];
-      assign next_y[i] = next[2*i+1];
+      for (genvar i = 0; i < K; i++) begin : gen_bit
+        assign x[i]      = at_q[2*i];
+        assign y[i]      = at_q[2*i+1];
+        assign next_x[i] = next[2*i];
+        assign next_y[i] = next[2*i+1];
+      end
+
+      assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[K-1:0] != '0))
+                        && (tile_lies[1] || (tile_lies[0] && height[K-1:0] != '0));
+      assign next_inside = (lies[3] || (lies[2] && next_x < width[K-1:0]))
+                        && (lies[1] || (lies[0] && next_y < height[K-1:0]));
     end
+  end
 
-    assign next        = at_q + 1'b1;
-    assign in_frame    = first_q ? begins : inside_q;
-    assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[K-1:0] != '0))
-                      && (tile_lies[1] || (tile_lies[0] && height[K-1:0] != '0));
+  assign in_frame = first_q ? begins : inside_q;
 
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni || start_i) first_q <= 1'b1;
-      else if (give || pass)  first_q <= last;
-      if (give || pass)
-        inside_q <= (lies[3] || (lies[2] && next_x < width[K-1:0]))
-                 && (lies[1] || (lies[0] && next_y < height[K-1:0]));
-    end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || start_i) first_q <= 1'b1;
+    else if (give || pass)  first_q <= last;
+    if (give || pass)       inside_q <= next_inside;
   end
 
   assign at_hand  = tile_valid && in_frame && !start_i;
@@ -143,12 +165,12 @@ module rc_sched (
   assign pixel_ready_o = hit_ready_i;
   assign hit_o         = {place, pixel_i};
 
-  assign cause_o = give ? rc_pkg::SchedBusyWork : slot_valid_o ? rc_pkg::SchedStalledRaygen
+  assign cause_o = give ? rc_pkg::SchedBusyWork : slot_valid_o ? Stalled
                  : at_hand ? rc_pkg::SchedStarvedContexts : rc_pkg::SchedStarvedDispatch;
 
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic                      unused;
   assign frame_flat = frame_i;
-  assign unused     = ^{frame_flat, at_q};
+  assign unused     = ^{frame_flat, at_q, next};
 endmodule
 `default_nettype wire

@@ -87,8 +87,17 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
     if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed, job.image);
-    if (config.shading) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
+    if (config.has_shade()) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
     job.frame = job_frame(job, camera);
+    return job;
+}
+
+Job make_stream_job(const Scene& scene, const glm::dvec3& eye, std::span<const RayRecord> rays, const Config& config,
+                    const Progress& progress) {
+    Job job{config, {}, compile_scene(scene, eye, config, progress), {}};
+    place_rays(job.image, rays, config);
+    check_capacity(job.image, config);
+    job.frame = make_stream_frame(job.image, rays.size(), config);
     return job;
 }
 
@@ -165,7 +174,7 @@ FrameResult frame_result(const RecordedFrame& frame, const FrameTiming& timing) 
 
 FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& timing, const RayWork& work,
                          std::vector<Closest> answers, Colours colours) {
-    FrameResult run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading};
+    FrameResult run{timing, work, scaled(job, frame, answers), {}, {}, job.config.has_shade()};
     run.digest = digest_of(answers, timing.cycles, colours);
     run.answers = std::move(answers);
     run.colours = std::move(colours);
@@ -203,9 +212,9 @@ namespace {
 FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
                           const UploadTiming& upload, const Progress& progress) {
     const Stopwatch watch;
-    const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
+    const std::uint64_t first = machine.cycle(), pixels = frame.pixels();
     const MemoryStats memory = machine.memory().stats();
-    FrameCollector collector(frame, job.config.shading);
+    FrameCollector collector(frame, job.config.has_shade());
     machine.start(frame);
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {
@@ -264,6 +273,7 @@ FrameResult run_rtl(const Job& job, Traffic traffic, const Progress& progress, i
 
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits) {
     HitFrame picture{job.size, {}};
+    if (job.config.is_stream()) return picture;
     picture.hits.reserve(hits.size());
     const HitScale scale(frame, job.image.lattice, job.config);
     const std::uint32_t beyond = (1u << job.config.t_bits()) - 1;

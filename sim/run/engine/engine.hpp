@@ -44,6 +44,10 @@ void check_capacity(const MemoryImage& image, const Config& config);
 /// Compiles a scene. Throws UserError if the size is wrong or the image does not fit.
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress = {}, const Whitted& settings = {});
+/// Compiles a scene, and puts a stream of rays behind it, for a chip whose rays come from memory. Pictures and
+/// hits in the scene's units are not made of such a job; `answers` of its frame are one for each ray.
+Job make_stream_job(const Scene& scene, const glm::dvec3& eye, std::span<const RayRecord> rays, const Config& config,
+                    const Progress& progress = {});
 /// Returns the job's frame, seen by another camera.
 Frame job_frame(const Job& job, const Camera& camera);
 
@@ -138,14 +142,11 @@ Picture picture_from_reference(const WhittedFrame& reference);
 /// Collects an RTL's hits as they arrive.
 class FrameCollector {
 public:
-    FrameCollector(const Frame& frame, bool shading)
-        : width_(frame.width),
-          height_(frame.height),
-          hits_(std::size_t(frame.width) * frame.height),
-          colours_(shading ? hits_.size() : 0) {}
+    FrameCollector(const Frame& frame, bool shades)
+        : width_(frame.width), hits_(std::size_t(frame.pixels())), colours_(shades ? hits_.size() : 0) {}
     void add(const HitOut& out) {
-        if (out.x >= width_ || out.y >= height_) return;
         const std::size_t at = std::size_t(out.y) * width_ + out.x;
+        if (out.x >= width_ || at >= hits_.size()) return;
         hits_[at] = out.closest;
         if (!colours_.empty()) colours_[at] = out.colour;
     }
@@ -153,7 +154,7 @@ public:
     const Colours& colours() const { return colours_; }
 
 private:
-    std::uint32_t width_, height_;
+    std::uint32_t width_;
     std::vector<Closest> hits_;
     Colours colours_;
 };

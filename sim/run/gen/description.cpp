@@ -23,7 +23,8 @@ std::string walked_text(When when) {
 
 std::string when_text(When when) {
     switch (when) {
-        case When::shading: return "`shading`";
+        case When::shade: return "`shading`";
+        case When::stream: return "`source=stream`";
         case When::shared_cache: return "`l2_sets` above 0";
         case When::nodes: return "`structure` is not none";
         case When::instances: return "`levels` is 2";

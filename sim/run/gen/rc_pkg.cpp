@@ -141,6 +141,7 @@ public:
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
+        constant("StreamWords", config_.stream_line / line_bytes);
         constant("L2Words", config_.l2_line / line_bytes);
     }
     void constant(const std::string& name, int value) {
@@ -263,6 +264,8 @@ void derived(Package& p, const Config& c) {
     p.constant("EdgeBits", c.edge_bits());
     p.constant("NumBits", c.num_bits());
     p.constant("OriginBits", c.origin_frac());
+    p.constant("Shades", int(c.has_shade()));
+    p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
     p.constant("Homes", int(c.has_homes()));   // rays start from instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());

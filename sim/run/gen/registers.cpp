@@ -84,11 +84,12 @@ std::vector<HostParameter> host_parameters(const Config& c) {
                                    {"smooth", u(c.smooth)},
                                    {"refraction", u(c.refraction)},
                                    {"supersampling", u(c.supersampling)},
-                                   {"lights", u(c.shading ? c.lights : 0)},
-                                   {"bounces", u(c.shading ? c.bounces : 0)},
+                                   {"lights", u(c.has_shade() ? c.lights : 0)},
+                                   {"bounces", u(c.has_shade() ? c.bounces : 0)},
                                    {"structure", u(int(c.engine()))},
                                    {"mesh_structure", u(int(c.lower_engine()))}};
     if (c.panes > 0) all.push_back({"panes", u(c.panes)});
+    if (c.is_stream()) all.push_back({"source", u(int(c.source))});
     return all;
 }
 

@@ -33,7 +33,7 @@ inline const char* driver_of(Link link, std::string_view field, const Config& co
     // The engine reports that a ray is done, list adds its hit, and sched adds its pixel.
     const char* const last = end.done_is_right ? "list" : "trav";
     if (link == Link::closest) return last;
-    if (link == Link::hit && !end.pixel_is_right) return config.shading ? "shade" : last;
+    if (link == Link::hit && !end.pixel_is_right) return config.has_shade() ? "shade" : last;
     // A cache adds the line that it read to the ray that requested it.
     if (link == Link::tri_req && is_one_of(sent_by_list)) return "list";
     if ((is_node_request(link) || link == Link::xform_req) && is_one_of(sent_by_trav)) return "trav";

@@ -27,6 +27,11 @@ std::string later_text(const char* who, std::uint64_t cycles, bool same) {
                 : fmt::format("{} makes another transfer there, {}", who, when);
 }
 
+/// Compares all but the context, which is not part of a pixel.
+bool same_answer(const Closest& a, const Closest& b) {
+    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v && a.back == b.back;
+}
+
 std::optional<CounterDifference> first_difference(const Accounts& model, const Accounts& rtl) {
     std::optional<CounterDifference> first;
     for (std::size_t u = 0; u < unit_count; ++u)
@@ -108,7 +113,7 @@ private:
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
-        FrameCollector hits(frame.frame, job_.config.shading);
+        FrameCollector hits(frame.frame, job_.config.has_shade());
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_->start(frame.frame);
@@ -136,10 +141,10 @@ private:
         if (stopped_ && !parted_) result_.cycle_gap += std::max<std::uint64_t>(1, model_.cycle() - *stopped_);
         if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
         if (!result_.model.partial)
-            for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
+            for (std::size_t i = 0; i < result_.model.answers.size(); ++i)
                 result_.value_mismatches +=
-                    !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]) ||
-                    (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
+                    !same_answer(result_.model.answers[i], result_.rtl.answers[i]) ||
+                    (job_.config.has_shade() && result_.model.colours[i] != result_.rtl.colours[i]);
         result_.runs.push_back(frame_result(frame, result_.model));
         compare_counters();
         tell_nonsense();

@@ -103,7 +103,7 @@ void RtlMachine::start(const Frame& frame) {
     for (const std::uint32_t value : frame_values(frame, config_)) write_register(address++, value);
     write_register(register_address("Count"), 1);
     write_register(register_address("Start"), 1);
-    pixels_ = std::uint64_t(frame.width) * frame.height;
+    pixels_ = frame.pixels();
     kept_done_ = false;
     for (int i = 0; i < patience_of_bus; ++i) {   // up to the frame's cycle 0
         rtl_.settle();
@@ -189,10 +189,11 @@ std::optional<Memory::Answer> RtlMachine::request() {
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
     // Long lines end at the next multiple of their length.
     const std::uint32_t line = std::uint32_t(
-        std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
-    if (req.addr / line > (image_->lines() - 1) / line)
+        std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.stream_line, config_.l2_line}) /
+        line_bytes);
+    if (req.addr / line > (image_->end() - 1) / line)
         complain(0, Link::mem_req,
-                 fmt::format("line {}, and the memory image has {}", req.addr, image_->lines()));
+                 fmt::format("line {}, and the memory image has {}", req.addr, image_->end()));
     if (under_way_[req.id]) {
         complain(0, Link::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
         return {};
@@ -208,9 +209,10 @@ bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
         complain(pipeline, Link::hit, what);
         return false;
     };
-    if (hit.x >= width_ || hit.y >= pixels_ / width_)
+    const std::size_t at = std::size_t(hit.y) * width_ + hit.x;
+    if (hit.x >= width_ || at >= pixels_)
         return refuse(fmt::format("pixel ({}, {}) outside the picture", hit.x, hit.y));
-    std::uint8_t& given = given_[std::size_t(hit.y) * width_ + hit.x];
+    std::uint8_t& given = given_[at];
     if (given) return refuse(fmt::format("pixel ({}, {}) for the second time", hit.x, hit.y));
     given = 1;
     if (hit.closest.found && hit.closest.prim >= image_->primitives) {
@@ -237,7 +239,11 @@ void RtlMachine::clock() {
     std::uint32_t finished = 0;
     for (std::size_t p = 0; p < links_.size(); ++p) {
         finished += std::uint32_t(fire_[p] >> index(Link::hit) & 1);
-        rays_.primary += fire_[p] >> index(Link::slot) & 1;
+        if (!config_.is_stream()) rays_.primary += fire_[p] >> index(Link::slot) & 1;
+        if (fire_[p] & bit(Link::record)) {
+            const std::uint32_t kind = get_data<StreamRsp>(*links_[p][index(Link::record)], config_).record.kind;
+            ++(ends_at_any(kind) ? rays_.shadow : rays_.primary);
+        }
         if (fire_[p] & bit(Link::spawn)) {
             const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Link::spawn)], config_).kind;
             ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary

@@ -1,0 +1,124 @@
+// Rays of any program as records in the chip's memory.
+#include "model/compile/stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/error.hpp"
+#include "model/layout/words.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// A largest component that lies less than this share below a power of two counts as that power.
+constexpr double close_to_power = 0x1p-40;
+
+/// The range of t in which a ray lies within the lattice.
+struct Within {
+    double from, to;
+};
+std::optional<Within> within_lattice(const StreamRay& ray, const Lattice& lattice) {
+    const double reach = std::ldexp(1.0, lattice.coord_bits - 1);
+    Within in{ray.t_min, ray.t_max};
+    for (int k = 0; k < 3; ++k) {
+        const double low = lattice.centre[k] - (reach - 1) * lattice.pitch[k],
+                     high = lattice.centre[k] + (reach - 1) * lattice.pitch[k], o = ray.origin[k],
+                     d = ray.direction[k];
+        if (d == 0) {
+            if (o < low || o > high) return std::nullopt;
+            continue;
+        }
+        const double a = (low - o) / d, b = (high - o) / d;
+        in.from = std::max(in.from, std::min(a, b));
+        in.to = std::min(in.to, std::max(a, b));
+    }
+    if (!(in.from <= in.to)) return std::nullopt;
+    return in;
+}
+
+/// Returns a point in lattice steps, with `frac` fraction bits, rounded to nearest.
+Vec3i fixed_point(const glm::dvec3& point, const Lattice& lattice, int frac) {
+    const double reach = std::ldexp(1.0, lattice.coord_bits - 1 + frac);
+    Vec3i p{};
+    for (int k = 0; k < 3; ++k)
+        p[std::size_t(k)] = std::int32_t(
+            std::clamp(std::round(std::ldexp((point[k] - lattice.centre[k]) / lattice.pitch[k], frac)), -reach,
+                       reach - 1));
+    return p;
+}
+
+}   // namespace
+
+std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattice, const Config& config) {
+    const std::optional<Within> in = within_lattice(ray, lattice);
+    if (!in) return std::nullopt;
+    LatticeRay made;
+    made.begin = in->from;
+    made.is_clipped = in->from > ray.t_min;
+    RayRecord& record = made.record;
+    const int frac = config.origin_frac();
+    const Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
+    if (ray.any_hit && std::isfinite(ray.t_max)) {
+        record.kind = std::uint32_t(RayKind::shadow);
+        const Vec3i end = fixed_point(ray.origin + in->to * ray.direction, lattice, 0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            record.o[k] = end[k] * (1 << frac);
+            record.d[k] = begin[k] - record.o[k];
+        }
+        if (record.d == Vec3i{}) record.d[0] = 1;   // too short to meet anything
+        return made;
+    }
+    record.kind = std::uint32_t(ray.any_hit ? RayKind::away : RayKind::bounce);
+    record.o = begin;
+    const glm::dvec3 steps = lattice.direction(ray.direction);
+    const double largest = std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)});
+    const auto most = double((1 << (config.dir_bits - 1)) - 1);
+    const int shift = config.dir_bits - 2 - std::ilogb(largest * (1 + close_to_power));
+    made.scale = std::ldexp(lattice.coarsest(), shift);
+    for (int k = 0; k < 3; ++k)
+        record.d[std::size_t(k)] = std::int32_t(std::clamp(std::round(std::ldexp(steps[k], shift)), -most, most));
+    return made;
+}
+
+RayRecord ray_to_nowhere(const Config& config) {
+    RayRecord record{std::uint32_t(RayKind::away), {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.o[k] = (1 << (config.origin_width() - 1)) - 1;
+        record.d[k] = (1 << (config.dir_bits - 1)) - 1;
+    }
+    return record;
+}
+
+void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config) {
+    const auto burst = std::uint32_t(config.stream_line / line_bytes);
+    const std::uint64_t first = (std::uint64_t(image.lines()) + burst - 1) / burst * burst,
+                        lines = (std::uint64_t(rays.size()) + 1) / 2,
+                        most = std::uint64_t(1) << config.addr_bits;
+    if (rays.size() >> 2 * config.pixel_bits != 0)
+        throw UserError(std::to_string(rays.size()) + " rays are more than the chip can number with pixel_bits=" +
+                        std::to_string(config.pixel_bits) + ", " +
+                        std::to_string((std::uint64_t(1) << 2 * config.pixel_bits) - 1));
+    if (first + lines > most)
+        throw UserError(std::to_string(rays.size()) + " rays and the scene need " +
+                        std::to_string(first + lines) + " lines of memory, and addr_bits=" +
+                        std::to_string(config.addr_bits) + " allows " + std::to_string(most));
+    image.rays = std::uint32_t(first);
+    image.records.assign(std::size_t(lines) * words_per_line, 0);
+    image.report.bytes = (std::uint64_t(first) + lines) * line_bytes;
+    Words scratch;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        write_payload(rays[i], config, &image.records[i * words_per_half], scratch);
+}
+
+Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config& config) {
+    Frame frame;
+    frame.width = 1u << config.pixel_bits;
+    frame.height = std::uint32_t((rays + frame.width - 1) / frame.width);
+    frame.count = std::uint32_t(rays);
+    frame.rays = image.rays;
+    frame.listed = image.listed;
+    return frame;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,94 @@
+// Rays from a file.
+#include "sim/load/rays/rays.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/files/npy.hpp"
+#include "sim/files/input.hpp"
+
+namespace rayclock {
+
+namespace {
+constexpr std::size_t least_columns = 6, most_columns = 9;
+}
+
+RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(any_hit) {
+    const std::string kind = extension(path);
+    if (kind != "npy" && kind != "rays")
+        throw UserError(printable(path) + ": rays come from .npy and .rays files");
+    bytes_ = read_file(path);
+    if (kind == "rays") {
+        if (bytes_.size() % (least_columns * 4) != 0)
+            throw UserError(fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are no multiple of that",
+                                        printable(path), bytes_.size()));
+        count_ = bytes_.size() / (least_columns * 4);
+    } else {
+        const NpyHead head = read_npy_head(bytes_, printable(path));
+        if (head.descr != "<f4" && head.descr != "<f8")
+            throw UserError(fmt::format("{}: rays are float32 or float64, little-endian (<f4, <f8), and these are {}",
+                                        printable(path), head.descr.empty() ? "a structure" : shown(head.descr)));
+        if (head.shape.size() != 2 || head.shape[1] < least_columns || head.shape[1] > most_columns) {
+            std::string shape;
+            for (const std::uint64_t n : head.shape) shape += (shape.empty() ? "" : " x ") + std::to_string(n);
+            throw UserError(fmt::format("{}: rays are n x 6, 7, 8 or 9 numbers, and these are {}", printable(path),
+                                        shape.empty() ? "a single number" : shape));
+        }
+        begin_ = head.begin;
+        count_ = head.shape[0];
+        columns_ = head.shape[1];
+        bytes_of_number_ = head.descr == "<f4" ? 4 : 8;
+    }
+    if (count_ == 0) throw UserError(printable(path) + ": there are no rays");
+    for (std::size_t i = 0; i < count_; ++i) check(i);
+}
+
+double RayFile::number(std::size_t i, std::size_t column) const {
+    const char* at = bytes_.data() + begin_ + (i * columns_ + column) * bytes_of_number_;
+    if (bytes_of_number_ == 4) {
+        float value;
+        std::memcpy(&value, at, 4);
+        return double(value);
+    }
+    double value;
+    std::memcpy(&value, at, 8);
+    return value;
+}
+
+StreamRay RayFile::operator[](std::size_t i) const {
+    StreamRay ray;
+    for (int k = 0; k < 3; ++k) {
+        ray.origin[k] = number(i, std::size_t(k));
+        ray.direction[k] = number(i, std::size_t(3 + k));
+    }
+    if (columns_ >= 8) ray.t_min = number(i, 6);
+    if (columns_ >= 7) ray.t_max = number(i, columns_ == 7 ? 6 : 7);
+    ray.any_hit = any_hit_ || (columns_ == 9 && number(i, 8) != 0);
+    return ray;
+}
+
+void RayFile::check(std::size_t i) const {
+    const auto refuse = [&](const std::string& what) {
+        throw UserError(fmt::format("{}: ray {} {}", printable(path_), i, what));
+    };
+    const StreamRay ray = (*this)[i];
+    bool finite = true;
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        finite = finite && std::isfinite(ray.origin[k]) && std::isfinite(ray.direction[k]);
+        largest = std::max(largest, std::abs(ray.direction[k]));
+    }
+    if (!finite) refuse("has a coordinate that is NaN or infinite");
+    if (largest == 0) refuse("has the direction 0");
+    if (!std::isfinite(ray.t_min) || std::isnan(ray.t_max))
+        refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));
+    if (ray.t_min > ray.t_max) refuse(fmt::format("has t_min {} above t_max {}", ray.t_min, ray.t_max));
+    if (columns_ == 9 && number(i, 8) != 0 && number(i, 8) != 1)
+        refuse(fmt::format("has {} in its ninth column, which is 1 for any hit and 0 for the closest", number(i, 8)));
+}
+
+}   // namespace rayclock

@@ -1,0 +1,139 @@
+// A stream of rays in place of a camera.
+#include "sim/run/stream/stream.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
+#include "model/compile/surfaces.hpp"
+#include "model/machine/machine.hpp"
+#include "model/unit/raygen/raygen.hpp"
+#include "sim/files/npy.hpp"
+#include "sim/judge/paths/answer.hpp"
+#include "sim/judge/paths/world.hpp"
+#include "sim/judge/reference/tiles.hpp"
+
+namespace rayclock {
+
+Config streaming(Config config) {
+    config.shading = true;
+    config.source = RaySource::stream;
+    config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = config.horizon =
+        false;
+    config.panes = 0;
+    return config;
+}
+
+StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config& config, Outside outside,
+                          const Progress& progress) {
+    StreamJob stream{scene, rays, {config, {}, compile_scene(scene, scene.camera->eye, config, progress), {}}};
+    std::vector<RayRecord> records;
+    records.reserve(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const StreamRay ray = rays[i];
+        const auto made = on_lattice(ray, stream.job.image.lattice, config);
+        if (outside == Outside::refuse && (!made || made->is_clipped))
+            throw UserError(fmt::format("{}: ray {} begins outside the lattice that holds the scene; --outside clip "
+                                        "leaves out the part before it",
+                                        printable(rays.path()), i));
+        ++(ray.any_hit ? stream.any : stream.closest);
+        stream.clipped += made && made->is_clipped;
+        stream.missing += !made;
+        records.push_back(made ? made->record : ray_to_nowhere(config));
+    }
+    place_rays(stream.job.image, records, config);
+    check_capacity(stream.job.image, config);
+    stream.job.frame = make_stream_frame(stream.job.image, rays.size(), config);
+    return stream;
+}
+
+StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    StreamHit hit{answer.found != 0, answer.back != 0, no_primitive, none, none, none};
+    const StreamRay given = stream.rays[ray];
+    const Config& config = stream.job.config;
+    if (!hit.hit || given.any_hit) return hit;
+    const auto made = on_lattice(given, stream.job.image.lattice, config);
+    const double t =
+        made->begin + std::ldexp(made->scale * answer.t, -(config.dir_bits - 1 + config.t_frac_bits));
+    if (t > given.t_max) return {false, false, no_primitive, none, none, none};
+    hit.primitive = answer.prim;
+    hit.t = t;
+    hit.u = std::ldexp(double(answer.u), -config.bary_bits);
+    hit.v = std::ldexp(double(answer.v), -config.bary_bits);
+    return hit;
+}
+
+std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
+                     const std::vector<std::uint64_t>& cycles) {
+    std::string bytes = npy_head("[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('t', '<f8'), ('u', '<f8'), "
+                                 "('v', '<f8'), ('cycle', '<u8')]",
+                                 answers.size());
+    const auto add = [&](const auto& value) {
+        char raw[sizeof value];
+        std::memcpy(raw, &value, sizeof value);
+        bytes.append(raw, sizeof value);
+    };
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const StreamHit hit = hit_of(stream, i, answers[i]);
+        add(std::uint8_t(hit.hit)), add(std::uint8_t(hit.back)), add(hit.primitive);
+        add(hit.t), add(hit.u), add(hit.v), add(cycles[i]);
+    }
+    return bytes;
+}
+
+std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
+                                       Traffic traffic) {
+    std::vector<std::uint64_t> cycles(frame.trace.rays.size());
+    Machine machine(config, khz, traffic);
+    machine.start(frame.frame, frame.trace);
+    const std::uint64_t first = machine.cycle();
+    while (!machine.done() && !interrupted()) {
+        const std::uint64_t now = machine.cycle() - first;
+        machine.step([&](const Move& move) {
+            if (move.link == Link::hit) cycles[std::size_t(move.y) * frame.trace.width + move.x] = now;
+        });
+    }
+    return cycles;
+}
+
+StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads,
+                             const Progress& progress) {
+    const Stopwatch watch;
+    const MemoryImage& image = stream.job.image;
+    const Config& config = stream.job.config;
+    const std::optional<Scene> moved = aligned(stream.scene, image.lattice);
+    const std::vector<oracle::Solid> primitives =
+        solids_of(moved ? *moved : stream.scene, image.lattice, config.coord_bits);
+    const oracle::Solids solids(primitives);
+    StreamJudgement judged{answers.size(), 0, {}, 0};
+    std::size_t first_wrong = answers.size();
+    std::mutex mutex;
+    constexpr int block = 1024;
+    for_each_tile({int(answers.size()), 1}, threads, "judging", progress,
+                  [&](const PixelTile& tile) {
+                      for (int i = tile.cols().begin(); i < tile.cols().end(); ++i) {
+                          const auto record =
+                              unpack<RayRecord>(image.record(std::uint32_t(i)), config);
+                          const char* fault = judge_answer(solids, config, recorded_ray(record, 0, config),
+                                                           answers[std::size_t(i)]);
+                          if (!fault) continue;
+                          const std::lock_guard lock(mutex);
+                          ++judged.wrong;
+                          if (std::size_t(i) >= first_wrong) continue;
+                          first_wrong = std::size_t(i);
+                          judged.first = fmt::format("ray {}: {}", i, fault);
+                      }
+                  },
+                  {block, 1});
+    judged.seconds = watch.seconds();
+    return judged;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,42 @@
+// Streams of random rays, for tests.
+#include "tests/support/check/streams.hpp"
+
+#include <cmath>
+
+#include "model/base/rng.hpp"
+
+namespace rayclock::test {
+
+std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::uint64_t seed) {
+    glm::dvec3 low{1e300}, high{-1e300};
+    for (const auto& p : scene.vertices) low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+    Rng dice(seed);
+    const auto unit = [&] { return double(dice.next() >> 11) * 0x1p-53; };
+    const auto point = [&] { return low + glm::dvec3(unit(), unit(), unit()) * (high - low); };
+    std::vector<StreamRay> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        StreamRay ray;
+        ray.origin = point();
+        ray.direction = point() - ray.origin;
+        const int axis = dice.below(6);
+        if (axis < 3) {
+            ray.direction = {};
+            ray.direction[axis] = i % 2 ? 1 : -1;
+        }
+        ray.any_hit = dice.below(2);
+        if (dice.below(2)) ray.t_max = unit();
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice, const Config& config) {
+    std::vector<RayRecord> records;
+    for (const StreamRay& ray : rays) {
+        const auto made = on_lattice(ray, lattice, config);
+        records.push_back(made ? made->record : ray_to_nowhere(config));
+    }
+    return records;
+}
+
+}   // namespace rayclock::test
