@@ -17,6 +17,7 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
+#include "sim/app/streamed.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/threads.hpp"
@@ -39,6 +40,7 @@ struct SimulateOptions {
     ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
+    StreamChoice stream;
     bool no_reference = false, no_judge = false;
     LimitsChoice limits;
     int threads = 0;
@@ -60,6 +62,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
+    stream_options(parser, o.stream);
     parser.option("--report", o.report,
                   "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
     parser.option("-o,--output", o.output,
@@ -333,7 +336,23 @@ void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simu
     if (progress) progress("writing the page", 1, 1);
 }
 
+/// Runs the command with a stream of rays, which leaves nothing to draw.
+int run_simulate_stream(const SimulateOptions& o) {
+    const char* odd = o.size != default_size               ? "--size"
+                      : o.finish.is_asked()                ? "--depth, --aa or another option of finished pictures"
+                      : o.view.is_asked()                  ? "an option of the camera or the material"
+                      : o.frames.frames > 1 || o.frames.pan != 0 ? "--frames or --pan"
+                      : o.engine != "model"                ? "--engine"
+                      : !o.report.empty()                  ? "--report"
+                      : !o.output.empty()                  ? "--output"
+                                                           : nullptr;
+    if (odd) throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    return simulate_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
+}
+
 int run_simulate(const SimulateOptions& o) {
+    check_stream_options(o.stream);
+    if (o.stream.is_asked()) return run_simulate_stream(o);
     const Stopwatch watch;
     const FrameSize size = parse_size(o.size);
     if (o.clock.find("fmax") == std::string::npos)

@@ -16,6 +16,7 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
+#include "sim/app/streamed.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/view/divergence/divergence.hpp"
 #include "sim/files/image/golden.hpp"
@@ -40,6 +41,7 @@ struct VerifyOptions {
     ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
+    StreamChoice stream;
     LimitsChoice limits;
     bool torture = false, no_judge = false, no_wave = false, netlist = false;
     int threads = 0;
@@ -71,6 +73,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
                 "takes some minutes to build, and no waveform is made");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
+    stream_options(parser, o.stream);
     json_option(parser, o.json);
 }
 
@@ -285,7 +288,23 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"digest", digest_text(frame.digest)}};
 }
 
+/// Runs the command with a stream of rays, which leaves nothing to draw.
+int run_verify_stream(const VerifyOptions& o) {
+    const char* odd = o.size != default_size ? "--size"
+                      : o.finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
+                      : o.view.is_asked()    ? "an option of the camera or the material"
+                      : o.torture            ? "--torture"
+                      : o.netlist            ? "--netlist"
+                      : !o.output.empty()    ? "--output"
+                                             : nullptr;
+    if (odd) throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
+    return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
+}
+
 int run_verify(const VerifyOptions& o) {
+    check_stream_options(o.stream);
+    if (o.stream.is_asked()) return run_verify_stream(o);
     if (o.netlist) build_netlists();
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");

@@ -104,7 +104,7 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
         CHECK(sum == instances * run.cycles);
     }
     CHECK(code(Unit::sched, 0) == pixels);
-    const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
+    const std::uint64_t sent = config.has_shade() ? trace.counts.all() - totally_reflected(trace) : pixels;
     CHECK(code(Unit::raygen, 0) == sent * std::uint64_t(config.raygen_interval));
     const std::uint64_t entered = code(Unit::xform, 0) / std::uint64_t(config.xform_interval);
     CHECK(code(Unit::xform, 0) % std::uint64_t(config.xform_interval) == 0);
@@ -124,11 +124,12 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == nodes);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
           run.triangle_tests);
-    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache})
+    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache, Unit::stream})
         CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
     const std::uint64_t words = code(Unit::node_cache, 1) * std::uint64_t(config.node_line / line_bytes) +
                                 code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes) +
-                                code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes);
+                                code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes) +
+                                code(Unit::stream, 1) * std::uint64_t(config.stream_line / line_bytes);
     CHECK(code(Unit::memport, 0) == words);
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
     const std::uint64_t asked =

@@ -1,0 +1,208 @@
+// simulate and verify with a stream of rays in place of a camera.
+#include "sim/app/streamed.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
+#include "model/core/settled.hpp"
+#include "model/engine/check.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/app/clock.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/run/lockstep/lockstep.hpp"
+#include "sim/run/stream/stream.hpp"
+#include "sim/view/report/accounts.hpp"
+#include "sim/view/report/lockstep.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock {
+
+void stream_options(Parser& parser, StreamChoice& choice) {
+    parser.option("--rays", choice.rays,
+                  "trace the rays of a file in place of a camera's: .npy (n x 6 to 9) or AnyDSL's .rays");
+    parser.flag("--any-hit", choice.any_hit, "with --rays: every ray asks for any hit, not for the closest");
+    parser.option("--outside", choice.outside, "with --rays: clip or refuse rays that begin outside the lattice")
+        .with_default();
+    parser.option("--hits", choice.hits, "with --rays: .npy file for each ray's hit and its cycle");
+}
+
+void check_stream_options(const StreamChoice& choice) {
+    if (choice.is_asked()) return;
+    const char* option = choice.any_hit ? "--any-hit" : !choice.hits.empty() ? "--hits" : nullptr;
+    if (option) throw UserError(fmt::format("{} needs --rays, a stream of rays", option));
+}
+
+namespace {
+
+/// A stream, ready to run.
+struct Streamed {
+    Scene scene;
+    RayFile rays;
+    std::unique_ptr<StreamJob> stream;   // refers to both
+};
+
+Config config_of(const StreamCommand& c) {
+    const Config base = settled(streaming(load_config({c.config.name, {}})));
+    return with_settings(base, c.config.set, base.name);
+}
+
+Outside outside_of(const StreamChoice& choice) {
+    if (choice.outside == "clip") return Outside::clip;
+    if (choice.outside == "refuse") return Outside::refuse;
+    throw UserError("--outside: " + shown(choice.outside) + " is not clip or refuse");
+}
+
+std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
+    const Outside outside = outside_of(c.stream);
+    auto s = std::make_unique<Streamed>(Streamed{told_scene(c.scene, progress), RayFile(c.stream.rays, c.stream.any_hit), {}});
+    if (!s->scene.spheres.empty() || !s->scene.planes.empty())
+        throw UserError(s->scene.name + ": a stream of rays meets triangles only, and the scene has spheres or planes");
+    if (!s->scene.camera) s->scene.camera = fit_camera(s->scene, 1);
+    s->stream = std::make_unique<StreamJob>(make_stream_job(s->scene, s->rays, config, outside, progress));
+    return s;
+}
+
+std::string heading_of(const StreamJob& s) {
+    std::string text = fmt::format("{}: {}; {}: {} rays, {} for the closest hit and {} for any hit", s.scene.name,
+                                   primitives_text(s.scene), printable(s.rays.path()), grouped(s.rays.size()),
+                                   grouped(s.closest), grouped(s.any));
+    if (s.clipped) text += fmt::format("; {} begin outside the lattice and are clipped", grouped(s.clipped));
+    if (s.missing) text += fmt::format("; {} miss the lattice", grouped(s.missing));
+    return text + fmt::format("\nconfiguration {}\n", s.job.config.name);
+}
+
+std::string judge_line(const StreamJudgement& judged) {
+    return fmt::format("  exact judge: {} rays, {} wrong{}\n", grouped(judged.rays), judged.wrong,
+                       judged.wrong ? "; " + judged.first : "");
+}
+
+nlohmann::ordered_json judgement_json(const std::optional<StreamJudgement>& judged) {
+    if (!judged) return nullptr;
+    return {{"rays", judged->rays}, {"wrong", judged->wrong}, {"first", judged->first}, {"seconds", judged->seconds}};
+}
+
+nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest>& answers) {
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
+    return {{"file", s.rays.path()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
+            {"clipped", s.clipped}, {"missing", s.missing}, {"hits", hits}};
+}
+
+nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& answers,
+                                const std::vector<FramesAtClock>& runs,
+                                const std::optional<StreamJudgement>& judged) {
+    const Config& config = s.job.config;
+    const FrameResult& first = runs[0].last();
+    nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
+    for (const FramesAtClock& run : runs) {
+        clocks.push_back(clock_json(config, run));
+        mark_clock(clocks.back(), config, run.khz);
+    }
+    return {{"scene", scene_json(s.scene)},
+            {"stream", stream_json(s, answers)},
+            {"config", config_json_object(config)},
+            {"partial", runs.back().partial()},
+            {"compile", compile_json(s.job.image.report)},
+            {"rays", rays_json(first.rays)},
+            {"work", work_json(first)},
+            {"clocks", clocks},
+            {"units", units_json(config, first)},
+            {"memory", memory_json(config, runs[0].khz, first)},
+            {"judge", judgement_json(judged)}};
+}
+
+void write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz, Traffic traffic) {
+    if (c.stream.hits.empty()) return;
+    write_bytes(c.stream.hits, hits_npy(s, frame.trace.hits, retirements(s.job.config, khz, frame, traffic)));
+    if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(c.stream.hits));
+}
+
+}   // namespace
+
+int simulate_stream(const StreamCommand& c) {
+    const Stopwatch watch;
+    const Traffic traffic = traffic_of(c.traffic);
+    c.json.check();
+    if (!c.stream.hits.empty()) check_writable(c.stream.hits);
+    const Progress progress = terminal_progress(), stop = stopping(progress);
+    const Config config = config_of(c);
+    const std::vector<int> clocks = clocks_of(c.clock, config);
+    const std::unique_ptr<Streamed> input = load(c, config, stop);
+    const StreamJob& s = *input->stream;
+    std::vector<RecordedFrame> frames;
+    frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
+    const std::vector<Closest>& answers = frames[0].trace.hits;
+    std::vector<FramesAtClock> runs;
+    for (const int khz : clocks) {
+        const std::vector<FrameTiming> timings = replay(config, khz, frames, traffic, progress);
+        runs.push_back({khz, {frame_result(frames[0], timings[0])}});
+        if (runs.back().partial()) break;
+    }
+    const bool partial = runs.back().partial();
+    std::optional<StreamJudgement> judged;
+    if (!c.no_judge && !partial) judged = judge_stream(s, answers, c.threads, stop);
+    if (!c.json.is_alone()) {
+        fmt::print("{}{}{}\n{}\n{}", heading_of(s), clock_table(config, runs), clock_line(config, clocks),
+                   work_table(config, runs[0]), unit_table(config, runs));
+        if (judged) fmt::print("\n{}", judge_line(*judged));
+        if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
+    }
+    if (!partial) write_hits(c, s, frames[0], clocks[0], traffic);
+    nlohmann::ordered_json json = run_json(s, answers, runs, judged);
+    Digest digest;
+    std::uint64_t cycles = 0;
+    for (const FramesAtClock& run : runs) digest.add(run.last().digest), cycles += run.last().cycles;
+    json["host"] = {{"seconds", watch.seconds()}, {"cycles_per_second", double(cycles) / watch.seconds()}};
+    json["digest"] = digest_text(digest.value());
+    c.json.write(json);
+    return partial || (judged && judged->wrong > 0) ? 1 : 0;
+}
+
+int verify_stream(const StreamCommand& c) {
+    const Stopwatch watch;
+    const Traffic traffic = traffic_of(c.traffic);
+    c.json.check();
+    if (!c.stream.hits.empty()) check_writable(c.stream.hits);
+    const int khz = parse_clocks(c.clock)[0];
+    const Progress progress = terminal_progress(), stop = stopping(progress);
+    const Config config = config_of(c);
+    check_rtl(config);
+    const std::unique_ptr<Streamed> input = load(c, config, stop);
+    StreamJob& s = *input->stream;
+    s.job.khz = khz;
+    std::vector<RecordedFrame> frames;
+    frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
+    const LockstepResult result = run_lockstep(s.job, frames, traffic, progress, int(c.traffic.seed));
+    const std::vector<FramesAtClock> runs{{khz, {result.model}}};
+    const bool partial = result.model.partial;
+    std::optional<StreamJudgement> judged;
+    if (!c.no_judge && !partial) judged = judge_stream(s, result.rtl.answers, c.threads, stop);
+    const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
+    if (!c.json.is_alone()) {
+        fmt::print("{}{}\n{}\n{}\n{}", heading_of(s), clock_table(config, runs), work_table(config, runs[0]),
+                   unit_table(config, runs), lockstep_lines(result));
+        if (judged) fmt::print("{}", judge_line(*judged));
+    }
+    if (!partial) write_hits(c, s, frames[0], khz, traffic);
+    if (!c.json.is_alone())
+        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : partial ? "PARTIAL: interrupted" : "FAILED",
+                   watch.seconds());
+    nlohmann::ordered_json json = run_json(s, result.rtl.answers, runs, judged);
+    json["events_compared"] = result.events_compared;
+    json["value_mismatches"] = result.value_mismatches;
+    json["account_mismatches"] = result.account_mismatches;
+    json["cycle_gap"] = result.cycle_gap;
+    json["first_divergence"] = divergence_json(result.first);
+    json["counters_compared"] = result.counters_compared;
+    json["first_counter"] = counter_json(result.counter);
+    json["host"] = {{"seconds", watch.seconds()}};
+    json["digest"] = digest_text(result.model.digest);
+    c.json.write(json);
+    return good ? 0 : 1;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,34 @@
+#pragma once
+// Commands with a stream of rays in place of a camera.
+#include <vector>
+
+#include "sim/app/options/options.hpp"
+
+namespace rayclock {
+
+/// The options of a stream.
+struct StreamChoice {
+    std::string rays, outside = "clip", hits;
+    bool any_hit = false;
+    bool is_asked() const { return !rays.empty(); }
+};
+void stream_options(Parser& parser, StreamChoice& choice);
+/// Throws UserError if a stream's option was given without a stream.
+void check_stream_options(const StreamChoice& choice);
+
+/// A command's input, when it has a stream.
+struct StreamCommand {
+    std::string scene, clock;
+    ConfigChoice config;
+    StreamChoice stream;
+    TrafficOptions traffic;
+    bool no_judge = false;
+    int threads = 0;
+    JsonOutput json;
+};
+/// Simulates a stream on the model at each clock. Returns the exit code. Throws UserError.
+int simulate_stream(const StreamCommand& command);
+/// Runs model and RTL in lockstep on a stream. Returns the exit code. Throws UserError.
+int verify_stream(const StreamCommand& command);
+
+}   // namespace rayclock
