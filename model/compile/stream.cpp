@@ -43,8 +43,8 @@ Vec3i fixed_point(const glm::dvec3& point, const Lattice& lattice, int frac) {
     Vec3i p{};
     for (int k = 0; k < 3; ++k)
         p[std::size_t(k)] = std::int32_t(
-            std::clamp(std::round(std::ldexp((point[k] - lattice.centre[k]) / lattice.pitch[k], frac)), -reach,
-                       reach - 1));
+            std::clamp(std::round(std::ldexp((point[k] - lattice.centre[k]) / lattice.pitch[k], frac)),
+                       -reach, reach - 1));
     return p;
 }
 
@@ -77,7 +77,8 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
     const int shift = config.dir_bits - 2 - std::ilogb(largest * (1 + close_to_power));
     made.scale = std::ldexp(lattice.coarsest(), shift);
     for (int k = 0; k < 3; ++k)
-        record.d[std::size_t(k)] = std::int32_t(std::clamp(std::round(std::ldexp(steps[k], shift)), -most, most));
+        record.d[std::size_t(k)] =
+            std::int32_t(std::clamp(std::round(std::ldexp(steps[k], shift)), -most, most));
     return made;
 }
 
@@ -96,9 +97,10 @@ void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Confi
                         lines = (std::uint64_t(rays.size()) + 1) / 2,
                         most = std::uint64_t(1) << config.addr_bits;
     if (rays.size() >> 2 * config.pixel_bits != 0)
-        throw UserError(std::to_string(rays.size()) + " rays are more than the chip can number with pixel_bits=" +
-                        std::to_string(config.pixel_bits) + ", " +
-                        std::to_string((std::uint64_t(1) << 2 * config.pixel_bits) - 1));
+        throw UserError(
+            std::to_string(rays.size()) +
+            " rays are more than the chip can number with pixel_bits=" + std::to_string(config.pixel_bits) +
+            ", " + std::to_string((std::uint64_t(1) << 2 * config.pixel_bits) - 1));
     if (first + lines > most)
         throw UserError(std::to_string(rays.size()) + " rays and the scene need " +
                         std::to_string(first + lines) + " lines of memory, and addr_bits=" +

@@ -15,12 +15,12 @@ struct StreamRay {
 };
 
 /// A ray on the lattice, and the way back: t = begin + scale * s for the point record.o + s * record.d of a
-/// closest hit. The record's origin is the point of t = begin, rounded to 2^-B lattice steps. Its direction is
-/// multiplied by a power of two, so that its largest component lies in 2^(M-2) ... 2^(M-1) - 1, and rounded to
-/// nearest. So a direction of such whole numbers stays as it is.
+/// closest hit. The record's origin is the point of t = begin, rounded to 2^-B lattice steps. Its direction
+/// is multiplied by a power of two, so that its largest component lies in 2^(M-2) ... 2^(M-1) - 1, and
+/// rounded to nearest. So a direction of such whole numbers stays as it is.
 ///
-/// Any hit up to t_max is found by a ray in the other direction: it begins at the lattice point nearest to the
-/// segment's end, and its direction leads exactly to the rounded origin, as that of a shadow ray
+/// Any hit up to t_max is found by a ray in the other direction: it begins at the lattice point nearest to
+/// the segment's end, and its direction leads exactly to the rounded origin, as that of a shadow ray
 /// (docs/origins.md).
 struct LatticeRay {
     RayRecord record;

@@ -17,8 +17,9 @@
 
 namespace rayclock {
 
-/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels. Its coordinates count such squares. With a
-/// stream: 4^tile_bits rays in sequence; x and y are the lower and upper bits of the number of such a group.
+/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels. Its coordinates count such squares. With
+/// a stream: 4^tile_bits rays in sequence; x and y are the lower and upper bits of the number of such a
+/// group.
 struct Tile {
     std::uint32_t x = 0, y = 0;
     template <class V> void fields(V& v, const Config& c) {

@@ -68,11 +68,11 @@ struct MemoryImage {
     Lattice lattice;
     /// With two levels: first line of the lower structures. The scene's tree and its instances lie before it.
     std::uint32_t meshes = 0;
-    std::uint32_t surfaces = 0;     ///< line of primitive 0's surface, if the chip shades
-    std::uint32_t rays = 0;         ///< with a stream: line of its first two rays
+    std::uint32_t surfaces = 0;             ///< line of primitive 0's surface, if the chip shades
+    std::uint32_t rays = 0;                 ///< with a stream: line of its first two rays
     std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from line `rays` on
-    std::uint32_t primitives = 0;   ///< all primitive numbers lie below
-    std::uint32_t listed = 0;       ///< primitives of a list; 0 if there is a tree
+    std::uint32_t primitives = 0;           ///< all primitive numbers lie below
+    std::uint32_t listed = 0;               ///< primitives of a list; 0 if there is a tree
     /// With two levels: the first primitives of the instances whose mesh was moved to its place beforehand,
     /// rising.
     std::vector<std::uint32_t> written_out{};
@@ -84,8 +84,7 @@ struct MemoryImage {
     const std::uint32_t* line(std::uint32_t addr) const {
         static constexpr std::array<std::uint32_t, 16> nothing{};
         if (addr < lines()) return &words[std::size_t(addr) * 16];
-        return addr >= rays && addr < end() ? &records[std::size_t(addr - rays) * 16]
-                                                               : nothing.data();
+        return addr >= rays && addr < end() ? &records[std::size_t(addr - rays) * 16] : nothing.data();
     }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
     const std::uint32_t* record(std::uint32_t ray) const { return &records[std::size_t(ray) * 8]; }
@@ -111,8 +110,8 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 /// with the sheared test: rounding its corners may give it area that its neighbour loses.
 bool counts(const PrimData& triangle, const Config& config);
 
-/// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few lines or
-/// a chip cannot number them.
+/// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few
+/// lines or a chip cannot number them.
 void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config);
 
 /// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or

@@ -70,7 +70,8 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 if (source_ == Rays::stream) clock_stream(moves_, shared);
                 break;
             case Unit::shade:
-                if (source_ == Rays::shade) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
+                if (source_ == Rays::shade)
+                    levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
             default: break;   // box stands for all units that decide nodes
         }
@@ -80,7 +81,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
 void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::surf_req];
     third_deed_ = third_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
-                                   shared.third_fill, shared.third_miss);
+                                     shared.third_fill, shared.third_miss);
     last_third_ = std::uint32_t(third_deed_) | m.shade_code << 3;
     ++thirds_[last_third_];
 }
@@ -135,7 +136,8 @@ LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
-                    at(shared.prim_fill, Link::prim_fill) | at(third_miss_valid(), third(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.prim_fill, Link::prim_fill) |
+                    at(third_miss_valid(), third(Link::surf_miss, Link::stream_miss)) |
                     at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
@@ -144,14 +146,16 @@ LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
 LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
-                    at(shared.prim_fill, Link::prim_fill) | at(shared.third_miss, third(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.prim_fill, Link::prim_fill) |
+                    at(shared.third_miss, third(Link::surf_miss, Link::stream_miss)) |
                     at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
 
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
-    if (node_cache_.answers() || prim_cache_.answers() || (source_ != Rays::camera && third_cache_.answers())) return now;
+    if (node_cache_.answers() || prim_cache_.answers() || (source_ != Rays::camera && third_cache_.answers()))
+        return now;
     std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
     if (levels_) wakes = std::min(wakes, xform_.due(now));
     if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});

@@ -141,7 +141,7 @@ private:
         bool read = false;      // node_cache's answer is accepted
         bool placing = false;   // surf_cache's answer is an instance
         bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
-        std::uint32_t record = 0;   // line of the record of sched's next ray
+        std::uint32_t record = 0;                           // line of the record of sched's next ray
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -202,12 +202,12 @@ private:
     template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
     Rays source_;
-    bool levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
-    NodeUnit upper_, lower_;          // units that decide nodes of the scene's tree, and of meshes
-    std::uint32_t records_ = 0;       // line of the stream's first record
+    bool levels_, lists_;         // levels_: there are instances; lists_: there are no nodes
+    NodeUnit upper_, lower_;      // units that decide nodes of the scene's tree, and of meshes
+    std::uint32_t records_ = 0;   // line of the stream's first record
     int pixel_bits_;
-    std::uint32_t meshes_ = ~0u;      // first line whose nodes lower_ decides
-    bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
+    std::uint32_t meshes_ = ~0u;   // first line whose nodes lower_ decides
+    bool box_is_low_;              // if two units exist: lower_ is box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -224,7 +224,7 @@ private:
     Delay tri_, tried_;
     std::uint32_t tri_rests_, tri_rest_ = 0;   // the same of tri, after a primitive
     bool late_;                                // boxed_ and tried_ are in use
-    Cache third_cache_;   // surf_cache or stream
+    Cache third_cache_;                        // surf_cache or stream
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;

@@ -132,7 +132,8 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_));
             return;
         case Link::record: {
-            const StreamRsp given{m.id, unpack<RayRecord>(image_.record(m.y << config_.pixel_bits | m.x), config_)};
+            const StreamRsp given{m.id,
+                                  unpack<RayRecord>(image_.record(m.y << config_.pixel_bits | m.x), config_)};
             walk(m).start_at(recorded_ray(given.record, m.id, config_));
             return tell(given);
         }

@@ -107,8 +107,8 @@ struct Recording::Work {
         std::vector<std::uint32_t>& words = trace.chunks[chunk];
         words.assign(scratch.words.begin(), scratch.words.begin() + std::ptrdiff_t(end));
         for (std::size_t i = first; i < last; ++i)
-            std::atomic_ref(trace.rays[i]).store(words.data() + scratch.starts[i - first],
-                                                 std::memory_order_release);
+            std::atomic_ref(trace.rays[i])
+                .store(words.data() + scratch.starts[i - first], std::memory_order_release);
         report();
     }
 

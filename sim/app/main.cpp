@@ -39,7 +39,7 @@ struct Group {
 
 const std::vector<Group>& groups() {
     static const std::vector<Group> all{
-        {"Run", {scenes_command, config_command, render_command, simulate_command}},
+        {"Run", {scenes_command, config_command, render_command, simulate_command, rays_command}},
         {"Look", {explain_command, trace_command, compare_command}},
         {"Explore", {sweep_command, merge_command, fit_command}},
         {"Build", {rtl_command, export_command, chip_command}},

@@ -25,7 +25,9 @@ void stream_options(Parser& parser, StreamChoice& choice) {
     parser.option("--rays", choice.rays,
                   "trace the rays of a file in place of a camera's: .npy (n x 6 to 9) or AnyDSL's .rays");
     parser.flag("--any-hit", choice.any_hit, "with --rays: every ray asks for any hit, not for the closest");
-    parser.option("--outside", choice.outside, "with --rays: clip or refuse rays that begin outside the lattice")
+    parser
+        .option("--outside", choice.outside,
+                "with --rays: clip or refuse rays that begin outside the lattice")
         .with_default();
     parser.option("--hits", choice.hits, "with --rays: .npy file for each ray's hit and its cycle");
 }
@@ -58,18 +60,20 @@ Outside outside_of(const StreamChoice& choice) {
 
 std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
     const Outside outside = outside_of(c.stream);
-    auto s = std::make_unique<Streamed>(Streamed{told_scene(c.scene, progress), RayFile(c.stream.rays, c.stream.any_hit), {}});
+    auto s = std::make_unique<Streamed>(
+        Streamed{told_scene(c.scene, progress), RayFile(c.stream.rays, c.stream.any_hit), {}});
     if (!s->scene.spheres.empty() || !s->scene.planes.empty())
-        throw UserError(s->scene.name + ": a stream of rays meets triangles only, and the scene has spheres or planes");
+        throw UserError(s->scene.name +
+                        ": a stream of rays meets triangles only, and the scene has spheres or planes");
     if (!s->scene.camera) s->scene.camera = fit_camera(s->scene, 1);
     s->stream = std::make_unique<StreamJob>(make_stream_job(s->scene, s->rays, config, outside, progress));
     return s;
 }
 
 std::string heading_of(const StreamJob& s) {
-    std::string text = fmt::format("{}: {}; {}: {} rays, {} for the closest hit and {} for any hit", s.scene.name,
-                                   primitives_text(s.scene), printable(s.rays.path()), grouped(s.rays.size()),
-                                   grouped(s.closest), grouped(s.any));
+    std::string text = fmt::format("{}: {}; {}: {} rays, {} for the closest hit and {} for any hit",
+                                   s.scene.name, primitives_text(s.scene), printable(s.rays.path()),
+                                   grouped(s.rays.size()), grouped(s.closest), grouped(s.any));
     if (s.clipped) text += fmt::format("; {} begin outside the lattice and are clipped", grouped(s.clipped));
     if (s.missing) text += fmt::format("; {} miss the lattice", grouped(s.missing));
     return text + fmt::format("\nconfiguration {}\n", s.job.config.name);
@@ -82,14 +86,17 @@ std::string judge_line(const StreamJudgement& judged) {
 
 nlohmann::ordered_json judgement_json(const std::optional<StreamJudgement>& judged) {
     if (!judged) return nullptr;
-    return {{"rays", judged->rays}, {"wrong", judged->wrong}, {"first", judged->first}, {"seconds", judged->seconds}};
+    return {{"rays", judged->rays},
+            {"wrong", judged->wrong},
+            {"first", judged->first},
+            {"seconds", judged->seconds}};
 }
 
 nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest>& answers) {
     std::size_t hits = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
     return {{"file", s.rays.path()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
-            {"clipped", s.clipped}, {"missing", s.missing}, {"hits", hits}};
+            {"clipped", s.clipped},  {"missing", s.missing},  {"hits", hits}};
 }
 
 nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& answers,
@@ -115,7 +122,8 @@ nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& 
             {"judge", judgement_json(judged)}};
 }
 
-void write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz, Traffic traffic) {
+void write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz,
+                Traffic traffic) {
     if (c.stream.hits.empty()) return;
     write_bytes(c.stream.hits, hits_npy(s, frame.trace.hits, retirements(s.job.config, khz, frame, traffic)));
     if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(c.stream.hits));
@@ -189,7 +197,10 @@ int verify_stream(const StreamCommand& c) {
     }
     if (!partial) write_hits(c, s, frames[0], khz, traffic);
     if (!c.json.is_alone())
-        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : partial ? "PARTIAL: interrupted" : "FAILED",
+        fmt::print("  {} in {:.1f} s\n",
+                   good      ? "VERIFIED"
+                   : partial ? "PARTIAL: interrupted"
+                             : "FAILED",
                    watch.seconds());
     nlohmann::ordered_json json = run_json(s, result.rtl.answers, runs, judged);
     json["events_compared"] = result.events_compared;

@@ -297,7 +297,8 @@ int run_verify_stream(const VerifyOptions& o) {
                       : o.netlist            ? "--netlist"
                       : !o.output.empty()    ? "--output"
                                              : nullptr;
-    if (odd) throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    if (odd)
+        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
 }

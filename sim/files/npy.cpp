@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 
-/// The text of a head, read from left to right: a Python dictionary of literals, as numpy.lib.format writes it.
+/// The text of a head, read from left to right: a Python dictionary of literals, as numpy.lib.format writes
+/// it.
 class HeadText {
 public:
     HeadText(std::string_view text, const std::string& name) : left_(text), name_(name) {}
@@ -141,8 +142,10 @@ NpyHead read_npy_head(std::string_view bytes, const std::string& name) {
     return head;
 }
 
-std::string npy_head(const std::string& descr, std::uint64_t count) {
-    std::string text = fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({},), }}", descr, count);
+std::string npy_head(const std::string& descr, const std::vector<std::uint64_t>& shape) {
+    std::string sizes;
+    for (const std::uint64_t n : shape) sizes += std::to_string(n) + ", ";
+    std::string text = fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({}), }}", descr, sizes);
     constexpr std::size_t alignment = 64;
     const std::size_t before = magic.size() + 4;
     text.append((alignment - (before + text.size() + 1) % alignment) % alignment, ' ');

@@ -1,5 +1,6 @@
 #pragma once
-// NumPy's array files, format versions 1.0 to 3.0 (numpy.lib.format). Arrays are read in C order, little-endian.
+// NumPy's array files, format versions 1.0 to 3.0 (numpy.lib.format). Arrays are read in C order,
+// little-endian.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,11 +15,11 @@ struct NpyHead {
     std::size_t begin = 0;   ///< of the data, in bytes
 };
 
-/// Reads the head of the file's bytes. Throws UserError, which names the file, if the file is no .npy file, is in
-/// Fortran order, holds Python objects, or has another number of bytes than the shape says.
+/// Reads the head of the file's bytes. Throws UserError, which names the file, if the file is no .npy file,
+/// is in Fortran order, holds Python objects, or has another number of bytes than the shape says.
 NpyHead read_npy_head(std::string_view bytes, const std::string& name);
 
-/// Returns the head of a one-dimensional array. `descr` is Python's text of its type.
-std::string npy_head(const std::string& descr, std::uint64_t count);
+/// Returns the head of an array. `descr` is Python's text of its type.
+std::string npy_head(const std::string& descr, const std::vector<std::uint64_t>& shape);
 
 }   // namespace rayclock

@@ -36,7 +36,8 @@ Job stream_job(const std::string& name, std::size_t count, const Config& config,
     const Scene scene = load_scene(name);
     const glm::dvec3 eye = fit_camera(scene, 1).eye;
     const MemoryImage image = compile_scene(scene, eye, config);
-    return make_stream_job(scene, eye, records_of(random_rays(scene, count, seed), image.lattice, config), config);
+    return make_stream_job(scene, eye, records_of(random_rays(scene, count, seed), image.lattice, config),
+                           config);
 }
 
 }   // namespace

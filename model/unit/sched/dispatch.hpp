@@ -4,8 +4,8 @@
 namespace rayclock {
 
 /// Distributes the picture in tiles of 2^tile_bits x 2^tile_bits pixels, row by row. It gives one tile per
-/// cycle, round-robin, to the pipelines that have room. With a stream it distributes groups of 4^tile_bits rays.
-/// Mirror of rtl/unit/sched/rc_dispatch.sv.
+/// cycle, round-robin, to the pipelines that have room. With a stream it distributes groups of 4^tile_bits
+/// rays. Mirror of rtl/unit/sched/rc_dispatch.sv.
 class Dispatch {
 public:
     explicit Dispatch(const Config& config)

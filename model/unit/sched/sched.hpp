@@ -6,9 +6,8 @@ namespace rayclock {
 
 /// Gives the pixels of its tiles, in Morton order, to free contexts, and adds the pixel to the hit of a
 /// finished ray. It holds two tiles. A tile's pixel outside the picture costs a cycle without output. A fresh
-/// machine uses contexts 0..T-1 first, and after that the context that has been free longest. With a stream, a tile is
-/// a group of rays in sequence. Mirror of
-/// rtl/unit/sched/rc_sched.sv.
+/// machine uses contexts 0..T-1 first, and after that the context that has been free longest. With a stream,
+/// a tile is a group of rays in sequence. Mirror of rtl/unit/sched/rc_sched.sv.
 class Sched {
 public:
     explicit Sched(const Config& config)

@@ -12,6 +12,7 @@ constexpr const char* study_what = "make a page of docs again: area, counts, fig
 Command scenes_command();
 Command render_command();
 Command simulate_command();
+Command rays_command();
 Command verify_command();
 Command stress_command();
 Command explain_command();

@@ -24,19 +24,22 @@ RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(
     bytes_ = read_file(path);
     if (kind == "rays") {
         if (bytes_.size() % (least_columns * 4) != 0)
-            throw UserError(fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are no multiple of that",
-                                        printable(path), bytes_.size()));
+            throw UserError(
+                fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are no multiple of that",
+                            printable(path), bytes_.size()));
         count_ = bytes_.size() / (least_columns * 4);
     } else {
         const NpyHead head = read_npy_head(bytes_, printable(path));
         if (head.descr != "<f4" && head.descr != "<f8")
-            throw UserError(fmt::format("{}: rays are float32 or float64, little-endian (<f4, <f8), and these are {}",
-                                        printable(path), head.descr.empty() ? "a structure" : shown(head.descr)));
+            throw UserError(
+                fmt::format("{}: rays are float32 or float64, little-endian (<f4, <f8), and these are {}",
+                            printable(path), head.descr.empty() ? "a structure" : shown(head.descr)));
         if (head.shape.size() != 2 || head.shape[1] < least_columns || head.shape[1] > most_columns) {
             std::string shape;
-            for (const std::uint64_t n : head.shape) shape += (shape.empty() ? "" : " x ") + std::to_string(n);
-            throw UserError(fmt::format("{}: rays are n x 6, 7, 8 or 9 numbers, and these are {}", printable(path),
-                                        shape.empty() ? "a single number" : shape));
+            for (const std::uint64_t n : head.shape)
+                shape += (shape.empty() ? "" : " x ") + std::to_string(n);
+            throw UserError(fmt::format("{}: rays are n x 6, 7, 8 or 9 numbers, and these are {}",
+                                        printable(path), shape.empty() ? "a single number" : shape));
         }
         begin_ = head.begin;
         count_ = head.shape[0];
@@ -88,7 +91,8 @@ void RayFile::check(std::size_t i) const {
         refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));
     if (ray.t_min > ray.t_max) refuse(fmt::format("has t_min {} above t_max {}", ray.t_min, ray.t_max));
     if (columns_ == 9 && number(i, 8) != 0 && number(i, 8) != 1)
-        refuse(fmt::format("has {} in its ninth column, which is 1 for any hit and 0 for the closest", number(i, 8)));
+        refuse(fmt::format("has {} in its ninth column, which is 1 for any hit and 0 for the closest",
+                           number(i, 8)));
 }
 
 }   // namespace rayclock

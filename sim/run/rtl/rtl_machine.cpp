@@ -188,9 +188,10 @@ std::optional<Memory::Answer> RtlMachine::request() {
     if (!(shared_fire_ & bit(Link::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
     // Long lines end at the next multiple of their length.
-    const std::uint32_t line = std::uint32_t(
-        std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.stream_line, config_.l2_line}) /
-        line_bytes);
+    const std::uint32_t line =
+        std::uint32_t(std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.stream_line,
+                                config_.l2_line}) /
+                      line_bytes);
     if (req.addr / line > (image_->end() - 1) / line)
         complain(0, Link::mem_req,
                  fmt::format("line {}, and the memory image has {}", req.addr, image_->end()));
@@ -241,7 +242,8 @@ void RtlMachine::clock() {
         finished += std::uint32_t(fire_[p] >> index(Link::hit) & 1);
         if (!config_.is_stream()) rays_.primary += fire_[p] >> index(Link::slot) & 1;
         if (fire_[p] & bit(Link::record)) {
-            const std::uint32_t kind = get_data<StreamRsp>(*links_[p][index(Link::record)], config_).record.kind;
+            const std::uint32_t kind =
+                get_data<StreamRsp>(*links_[p][index(Link::record)], config_).record.kind;
             ++(ends_at_any(kind) ? rays_.shadow : rays_.primary);
         }
         if (fire_[p] & bit(Link::spawn)) {

@@ -24,24 +24,38 @@ namespace rayclock {
 Config streaming(Config config) {
     config.shading = true;
     config.source = RaySource::stream;
-    config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = config.horizon =
-        false;
+    config.spheres = config.planes = config.smooth = config.refraction = config.supersampling =
+        config.horizon = false;
     config.panes = 0;
     return config;
 }
 
+namespace {
+
+/// Returns the origin of all rays if they have the same.
+std::optional<glm::dvec3> common_origin(const RayFile& rays) {
+    const glm::dvec3 first = rays[0].origin;
+    for (std::size_t i = 1; i < rays.size(); ++i)
+        if (rays[i].origin != first) return std::nullopt;
+    return first;
+}
+
+}   // namespace
+
 StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config& config, Outside outside,
                           const Progress& progress) {
-    StreamJob stream{scene, rays, {config, {}, compile_scene(scene, scene.camera->eye, config, progress), {}}};
+    const glm::dvec3 eye = common_origin(rays).value_or(scene.camera->eye);
+    StreamJob stream{scene, rays, {config, {}, compile_scene(scene, eye, config, progress), {}}};
     std::vector<RayRecord> records;
     records.reserve(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const StreamRay ray = rays[i];
         const auto made = on_lattice(ray, stream.job.image.lattice, config);
         if (outside == Outside::refuse && (!made || made->is_clipped))
-            throw UserError(fmt::format("{}: ray {} begins outside the lattice that holds the scene; --outside clip "
-                                        "leaves out the part before it",
-                                        printable(rays.path()), i));
+            throw UserError(
+                fmt::format("{}: ray {} begins outside the lattice that holds the scene; --outside clip "
+                            "leaves out the part before it",
+                            printable(rays.path()), i));
         ++(ray.any_hit ? stream.any : stream.closest);
         stream.clipped += made && made->is_clipped;
         stream.missing += !made;
@@ -72,9 +86,10 @@ StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer
 
 std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
                      const std::vector<std::uint64_t>& cycles) {
-    std::string bytes = npy_head("[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('t', '<f8'), ('u', '<f8'), "
-                                 "('v', '<f8'), ('cycle', '<u8')]",
-                                 answers.size());
+    std::string bytes = npy_head(
+        "[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('t', '<f8'), ('u', '<f8'), "
+        "('v', '<f8'), ('cycle', '<u8')]",
+        {answers.size()});
     const auto add = [&](const auto& value) {
         char raw[sizeof value];
         std::memcpy(raw, &value, sizeof value);
@@ -119,8 +134,7 @@ StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>
     for_each_tile({int(answers.size()), 1}, threads, "judging", progress,
                   [&](const PixelTile& tile) {
                       for (int i = tile.cols().begin(); i < tile.cols().end(); ++i) {
-                          const auto record =
-                              unpack<RayRecord>(image.record(std::uint32_t(i)), config);
+                          const auto record = unpack<RayRecord>(image.record(std::uint32_t(i)), config);
                           const char* fault = judge_answer(solids, config, recorded_ray(record, 0, config),
                                                            answers[std::size_t(i)]);
                           if (!fault) continue;

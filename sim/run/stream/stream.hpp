@@ -6,8 +6,8 @@
 
 namespace rayclock {
 
-/// What happens to a ray that begins outside the lattice, which holds the scene: it may lose the part before the
-/// lattice, where nothing is, or be refused.
+/// What happens to a ray that begins outside the lattice, which holds the scene: it may lose the part before
+/// the lattice, where nothing is, or be refused.
 enum class Outside { clip, refuse };
 
 /// A scene, compiled for a chip whose rays come from memory, with the rays behind it.
@@ -15,10 +15,11 @@ struct StreamJob {
     const Scene& scene;
     const RayFile& rays;
     Job job;
-    std::size_t closest = 0, any = 0;      ///< rays by what they ask for
-    std::size_t clipped = 0, missing = 0;  ///< rays that begin outside the lattice, and rays that miss it
+    std::size_t closest = 0, any = 0;       ///< rays by what they ask for
+    std::size_t clipped = 0, missing = 0;   ///< rays that begin outside the lattice, and rays that miss it
 };
-/// Puts the rays on the scene's lattice. The lattice has the scene's camera as a point, as for a picture. Throws
+/// Puts the rays on the scene's lattice. The lattice has a point where all rays begin, or
+/// else the scene's camera, as for a picture. Throws
 /// UserError, which names the ray, for a ray that begins outside the lattice if these are refused.
 StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
@@ -35,13 +36,15 @@ struct StreamHit {
 /// Returns the answer to a ray in scene units. A closest hit beyond t_max is none.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
 
-/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), t, u, v (f8), cycle (u8).
-/// `cycles`: when each ray's answer left the chip.
+/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), t, u, v (f8),
+/// cycle (u8). `cycles`: when each ray's answer left the chip.
 std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
                      const std::vector<std::uint64_t>& cycles);
 
-/// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first cycle on.
-std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame, Traffic traffic);
+/// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
+/// cycle on.
+std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
+                                       Traffic traffic);
 
 /// The exact judge's verdict on every answer.
 struct StreamJudgement {

@@ -9,7 +9,8 @@ namespace rayclock::test {
 
 std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::uint64_t seed) {
     glm::dvec3 low{1e300}, high{-1e300};
-    for (const auto& p : scene.vertices) low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+    for (const auto& p : scene.vertices)
+        low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
     Rng dice(seed);
     const auto unit = [&] { return double(dice.next() >> 11) * 0x1p-53; };
     const auto point = [&] { return low + glm::dvec3(unit(), unit(), unit()) * (high - low); };
@@ -30,7 +31,8 @@ std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::u
     return rays;
 }
 
-std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice, const Config& config) {
+std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice,
+                                  const Config& config) {
     std::vector<RayRecord> records;
     for (const StreamRay& ray : rays) {
         const auto made = on_lattice(ray, lattice, config);

@@ -6,11 +6,12 @@
 
 namespace rayclock::test {
 
-/// Returns rays of all kinds in and around a scene: closest hits, any hits, and any hits up to a point. Some have
-/// directions along an axis.
+/// Returns rays of all kinds in and around a scene: closest hits, any hits, and any hits up to a point. Some
+/// have directions along an axis.
 std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::uint64_t seed);
 
 /// Returns the records of the rays on the scene's lattice for this configuration.
-std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice, const Config& config);
+std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice,
+                                  const Config& config);
 
 }   // namespace rayclock::test

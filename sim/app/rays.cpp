@@ -1,0 +1,102 @@
+// rayclock rays: writes a stream of rays that a renderer would send.
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/run/stream/make_rays.hpp"
+#include "sim/view/report/tables.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct RaysOptions {
+    std::string scene, size = "256x192", kind = "camera", order = "recorded", output;
+    ConfigChoice config;
+    ViewChoice view;
+    int bounce = 1, samples = 1, threads = 0;
+    std::optional<double> radius;
+    std::uint64_t seed = default_seed;
+    JsonOutput json;
+};
+
+void declare_rays(Parser& parser, RaysOptions& o) {
+    scene_option(parser, o.scene).required();
+    parser
+        .option(
+            "--kind", o.kind,
+            "camera; shadow: to every light; mirror; ao: ambient occlusion; diffuse: cosine-weighted bounces")
+        .with_default();
+    parser.option("--bounce", o.bounce, "of mirror and diffuse: which bounce, 1 to 16").with_default();
+    parser.option("--samples", o.samples, "of ao and diffuse: rays of each hit, 1 to 1024").with_default();
+    parser.option("--radius", o.radius,
+                  "of ao: longest distance, in scene units; a tenth of the scene otherwise");
+    parser.option("--order", o.order, "recorded: pixel by pixel; morton: by place and direction; random")
+        .with_default();
+    parser.option("--seed", o.seed, "of random directions and orders").with_default();
+    view_options(parser, o.view);
+    size_option(parser, o.size);
+    config_options(parser, o.config);
+    threads_option(parser, o.threads);
+    parser.option("-o,--output", o.output, ".npy file to write").required();
+    json_option(parser, o.json);
+}
+
+/// Returns the position of a word among others. Throws UserError.
+int chosen(const char* option, const std::string& typed, const std::vector<std::string>& words) {
+    const auto at = std::find(words.begin(), words.end(), typed);
+    if (at == words.end()) {
+        std::string all;
+        for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+        throw UserError(fmt::format("{}: {} is not one of {}", option, shown(typed), all));
+    }
+    return int(at - words.begin());
+}
+
+int run_rays(const RaysOptions& o) {
+    RayStreamPlan plan;
+    plan.kind = RayStreamKind(chosen("--kind", o.kind, {"camera", "shadow", "mirror", "ao", "diffuse"}));
+    plan.order = RayOrder(chosen("--order", o.order, {"recorded", "morton", "random"}));
+    plan.size = parse_size(o.size);
+    plan.bounce = o.bounce, plan.samples = o.samples, plan.seed = o.seed;
+    if (o.bounce < 1 || o.bounce > 16)
+        throw UserError(fmt::format("--bounce must lie in 1..16, not {}", o.bounce));
+    if (o.samples < 1 || o.samples > 1024)
+        throw UserError(fmt::format("--samples must lie in 1..1024, not {}", o.samples));
+    if (o.radius && !(*o.radius > 0 && std::isfinite(*o.radius)))
+        throw UserError(fmt::format("--radius must be above 0, not {}", *o.radius));
+    plan.radius = o.radius.value_or(0);
+    o.json.check();
+    check_writable(o.output);
+    const Progress stop = stopping(terminal_progress());
+    const Config config = load_config(o.config);
+    const Scene scene = ready_scene(o.scene, plan.size, stop, o.view);
+    const std::vector<StreamRay> rays = make_rays(scene, plan, config, o.threads, stop);
+    if (rays.empty())
+        throw UserError(scene.name + ": no camera ray hits a triangle, so there are no such rays");
+    write_bytes(o.output, rays_npy(rays));
+    if (!o.json.is_alone())
+        fmt::print("{}: {} {} rays in {} order: {}\n", scene.name, grouped(rays.size()), o.kind, o.order,
+                   printable(o.output));
+    o.json.write({{"scene", scene_json(scene)},
+                  {"kind", o.kind},
+                  {"order", o.order},
+                  {"rays", rays.size()},
+                  {"file", o.output}});
+    return 0;
+}
+
+}   // namespace
+
+Command rays_command() {
+    return command("rays",
+                   "write a stream of rays: camera, shadow, mirror, ambient occlusion, diffuse bounces",
+                   "rayclock rays gears:4 --kind diffuse -o rays.npy", declare_rays, run_rays);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,44 @@
+#pragma once
+// Streams of rays from the reference tracer: what a renderer would send after the camera's rays.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/base/progress.hpp"
+#include "model/compile/stream.hpp"
+#include "model/scene/camera.hpp"
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+enum class RayStreamKind {
+    camera,    ///< of the chip: as raygen sends them, so a picture and its stream have the same hits
+    shadow,    ///< from a camera ray's hit to each light: any hit before t = 1
+    mirror,    ///< mirrored at the hits of camera rays, or of mirrored rays
+    ao,        ///< ambient occlusion: cosine-weighted, any hit within a radius
+    diffuse,   ///< cosine-weighted bounces
+};
+enum class RayOrder { recorded, morton, random };
+
+struct RayStreamPlan {
+    RayStreamKind kind = RayStreamKind::camera;
+    FrameSize size;
+    int bounce = 1;      ///< of mirror and diffuse: the first has 1
+    int samples = 1;     ///< rays of each hit, of ao and diffuse
+    double radius = 0;   ///< of ao, in scene units; 0: a tenth of the diagonal of the scene's bounds
+    std::uint64_t seed = 1;
+    RayOrder order = RayOrder::recorded;
+};
+
+/// Makes the rays of a stream, pixel by pixel. A ray from a surface begins off it, on the side from which it
+/// was seen: by 2^-16 of the diagonal of the scene's bounds. Diffuse directions are cosine-weighted (Shirley,
+/// Morley 2003: a point of the unit sphere around the tip of the normal). The rays depend on the seed alone,
+/// not on the number of threads. `config` gives the directions of camera rays. Throws UserError for a scene
+/// without lights if shadow rays are asked for.
+std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, const Config& config,
+                                 int threads = 0, const Progress& progress = {});
+
+/// Returns rays as an .npy file of float64: n x 6, or n x 9 if some have a t_max or ask for any hit.
+std::string rays_npy(const std::vector<StreamRay>& rays);
+
+}   // namespace rayclock
