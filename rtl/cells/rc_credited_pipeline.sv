@@ -20,9 +20,6 @@ module rc_credited_pipeline #(
   output logic              admit_o,
   output logic [Stages-1:0] valid_q_o
 );
-  if (Stages < 1) begin : gen_refuse
-    $error("rc_credited_pipeline: Stages must be at least 1");
-  end
 
   logic is_open;
 
@@ -32,9 +29,13 @@ module rc_credited_pipeline #(
   rc_credit_counter #(.Credits(Credits)) u_credits (
     .clk_i, .rst_ni, .admit_i(admit_o), .leave_i, .open_o(is_open));
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q_o <= '0;
-    else         valid_q_o <= Stages'({valid_q_o, admit_o});
+  if (Stages < 1) begin : gen_refuse
+    $error("rc_credited_pipeline: Stages must be at least 1");
+  end else begin : gen_stages
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) valid_q_o <= '0;
+      else         valid_q_o <= Stages'({valid_q_o, admit_o});
+    end
   end
 endmodule
 `default_nettype wire

@@ -129,7 +129,7 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(20, 18);
     config.structure = Structure::bsp;
-    CHECK(refused(config, scene).find("leaves 0 of its 512 free") != std::string::npos);
+    CHECK(refused(config, scene).find("leaves 0 of 512: coord_bits") != std::string::npos);
     config = format(18, 20);
     PlacedScene round = scene;
     round.own.spheres.emplace_back();

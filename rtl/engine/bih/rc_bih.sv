@@ -2,8 +2,8 @@
 //
 // Latency rc_pkg::BihLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
 //
-// Conservative: it reports every exit that contains a point of the ray, and t_near never exceeds the
-// time of such a point. Model: model/engine/bih/bih.hpp, which has the formulas.
+// Conservative: it reports every exit that contains a point of the ray, and t_near never exceeds
+// the time of such a point. Model: model/engine/bih/bih.hpp, which has the formulas.
 `default_nettype none
 module rc_bih (
   input  logic                 clk_i,

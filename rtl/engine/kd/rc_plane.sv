@@ -2,8 +2,8 @@
 // other side (far). It also gives the end of the near side, rounded up, and the begin of the far
 // side, rounded down.
 //
-// Part of rc_treelet, rc_bih and rc_bounds, which have the valid bits. Operands come with valid_i[0]; the
-// answer comes rc_pkg::PlaneStages later.
+// Part of rc_treelet, rc_bih and rc_bounds, which have the valid bits. Operands come with
+// valid_i[0]; the answer comes rc_pkg::PlaneStages later.
 //
 // way is the distance to the plane in lattice steps, rounded down. far_from is floor(2^shift r
 // way). One shift serves both times: near_to is far_from plus these bounds:
