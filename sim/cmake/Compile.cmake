@@ -30,7 +30,7 @@ endfunction()
 # it.
 set(rc_less_optimised $<$<CONFIG:Release>:-O1>)
 
-# rc_jumbo(NAME): compiles eight sources of a target as one, so that headers are parsed and templates
+# rc_jumbo(NAME): compiles sixteen sources of a target as one, so that headers are parsed and templates
 # instantiated once for all of them. Sources with options of their own (rc_define) stay alone. The sources of
 # a target share file-local names. A source's global property rc_jumbo_PATH lists the sources of its group, of
 # which a mutant is made (tests/meta).
@@ -46,7 +46,7 @@ function(rc_jumbo name)
       list(APPEND members ${source})
     endif()
     list(LENGTH members length)
-    if(length EQUAL 8)
+    if(length EQUAL 16)
       rc_jumbo_group(${group} ${members})
       math(EXPR group "${group} + 1")
       set(members)

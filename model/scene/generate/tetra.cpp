@@ -8,16 +8,16 @@
 namespace rayclock {
 namespace {
 
-constexpr std::array<glm::dvec3, 4> corners{{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}};
+constexpr std::array<glm::dvec3, 4> tetra_corners{{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}};
 
 void pyramid(MeshWriter& mesh, int depth, const glm::dvec3& centre, double half_side) {
     if (depth > 1) {
-        for (const glm::dvec3& corner : corners)
+        for (const glm::dvec3& corner : tetra_corners)
             pyramid(mesh, depth - 1, centre + half_side / 2 * corner, half_side / 2);
         return;
     }
     std::array<std::uint32_t, 4> p{};
-    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.vertex(centre + half_side * corners[k]);
+    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.vertex(centre + half_side * tetra_corners[k]);
     mesh.triangle(p[0], p[1], p[2]);
     mesh.triangle(p[3], p[2], p[1]);
     mesh.triangle(p[2], p[3], p[0]);
