@@ -117,7 +117,7 @@ Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config
     Frame frame;
     frame.width = 1u << config.pixel_bits;
     frame.height = std::uint32_t((rays + frame.width - 1) / frame.width);
-    frame.count = std::uint32_t(rays);
+    frame.ray_count = std::uint32_t(rays);
     frame.rays = image.rays;
     frame.listed = image.listed;
     return frame;

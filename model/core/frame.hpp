@@ -85,9 +85,9 @@ struct ShadeFrame {
 /// by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half
 /// of the range of t.
 struct Frame {
-    std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `count` rays
+    std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `ray_count` rays
                                            ///< take
-    std::uint32_t count = 0;               ///< with a stream: its rays
+    std::uint32_t ray_count = 0;               ///< with a stream: its rays
     std::uint32_t rays = 0;                ///< with a stream: line of the first two rays
     std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
     std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree
@@ -96,7 +96,7 @@ struct Frame {
     ShadeFrame shade;
     template <class V> void fields(V& v, const Config& c) {
         if (c.is_stream()) {
-            v("count", count, 2 * c.pixel_bits);
+            v("ray_count", ray_count, 2 * c.pixel_bits);
             v("rays", rays, c.addr_bits);
         } else {
             v("width", width, c.pixel_bits + 1);
@@ -112,7 +112,7 @@ struct Frame {
         if (c.has_shade()) shade.fields(v, c);
     }
     /// Pixels of the picture, or rays of the stream.
-    std::uint64_t pixels() const { return count > 0 ? count : std::uint64_t(width) * height; }
+    std::uint64_t pixels() const { return ray_count > 0 ? ray_count : std::uint64_t(width) * height; }
 };
 
 }   // namespace rayclock

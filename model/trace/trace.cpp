@@ -24,9 +24,9 @@ struct Recording::Work {
         : frame(frame_),
           trace(trace_),
           progress(progress_),
-          columns(frame.count > 0 ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
+          columns(frame.ray_count > 0 ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
                                   : (frame.width + block - 1) / block),
-          rows(frame.count > 0 ? 1 : (frame.height + block - 1) / block),
+          rows(frame.ray_count > 0 ? 1 : (frame.height + block - 1) / block),
           image(image_),
           job(image, frame, config),
           record(record_block()),
@@ -50,7 +50,7 @@ struct Recording::Work {
         if (job.config().has_shade()) shaded.emplace(image, frame, job.config(), *decoder);
         try {
             for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++)
-                frame.count > 0 ? record_stream(chunk, scratch, totals, streamed)
+                frame.ray_count > 0 ? record_stream(chunk, scratch, totals, streamed)
                                 : record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
@@ -64,7 +64,7 @@ struct Recording::Work {
         trace.turns += totals.turns;
         if (shaded)
             trace.counts += shaded->counts();
-        else if (frame.count == 0)
+        else if (frame.ray_count == 0)
             trace.counts.primary = trace.rays.size();
         else
             trace.counts += streamed;
@@ -94,7 +94,7 @@ struct Recording::Work {
     /// Records the next rays of a stream. Those that ask for any hit count as shadow rays.
     void record_stream(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals, RayCounts& counts) {
         const std::size_t first = chunk * stream_chunk,
-                          last = std::min<std::size_t>(first + stream_chunk, frame.count);
+                          last = std::min<std::size_t>(first + stream_chunk, frame.ray_count);
         scratch.starts.clear();
         std::size_t end = 0;
         for (std::size_t i = first; i < last; ++i) {

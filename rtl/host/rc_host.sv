@@ -123,8 +123,8 @@ module rc_host #(
   end
 
   if (rc_pkg::Streams != 0) begin : gen_rays
-    assign has_some = frame_o.count != '0;
-    assign prepared = 32'(frame_o.count);
+    assign has_some = frame_o.ray_count != '0;
+    assign prepared = 32'(frame_o.ray_count);
   end else begin : gen_picture
     logic [15:0] rest_q;   // remaining bits of the height, top bit first
 

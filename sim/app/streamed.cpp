@@ -72,7 +72,7 @@ std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, con
 
 std::string heading_of(const StreamJob& s) {
     std::string text = fmt::format("{}: {}; {}: {} rays, {} for the closest hit and {} for any hit",
-                                   s.scene.name, primitives_text(s.scene), printable(s.rays.path()),
+                                   s.scene.name, primitives_text(s.scene), printable(s.rays.name()),
                                    grouped(s.rays.size()), grouped(s.closest), grouped(s.any));
     if (s.clipped) text += fmt::format("; {} begin outside the lattice and are clipped", grouped(s.clipped));
     if (s.missing) text += fmt::format("; {} miss the lattice", grouped(s.missing));
@@ -95,7 +95,7 @@ nlohmann::ordered_json judgement_json(const std::optional<StreamJudgement>& judg
 nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest>& answers) {
     std::size_t hits = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
-    return {{"file", s.rays.path()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
+    return {{"file", s.rays.name()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
             {"clipped", s.clipped},  {"missing", s.missing},  {"hits", hits}};
 }
 

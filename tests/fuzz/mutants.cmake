@@ -30,3 +30,6 @@ fuzz_mutant(state_of_other_rays FILE sim/explore/stress/state.cpp TARGET state R
 fuzz_mutant(options_clock_of_any_rate FILE sim/app/options/values.cpp TARGET options RUNS 100000
   OLD [[ || mhz > 100000)]]
   NEW [[)]])
+fuzz_mutant(rays_one_beyond FILE sim/load/rays/rays.cpp TARGET rays RUNS 100000
+  OLD [[        count_ = head.shape[0];]]
+  NEW [[        count_ = head.shape[0] + 1;]])

@@ -3,6 +3,8 @@
 
 #include "model/base/error.hpp"
 #include "sim/load/load.hpp"
+#include "sim/run/stream/make_rays.hpp"
+#include "sim/run/stream/stream.hpp"
 #include "tests/support/check/streams.hpp"
 #include "tests/system/frames.hpp"
 
@@ -29,6 +31,7 @@ Config narrow_stream() {
                                                     {"l2_sets", 8},
                                                     {"raygen_interval", 4},
                                                     {"stack_depth", 64},
+                                                    {"pixel_bits", 7},
                                                     {"timing", int(Timing::fast)}});
 }
 
@@ -57,4 +60,88 @@ TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") 
     const Config config = GENERATE(0, 1) == 0 ? streaming_config(quick_config("default")) : narrow_stream();
     const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
     check_lockstep(stream_job("teapot:6", 500, config, traffic.seed), traffic, int(traffic.seed));
+}
+
+TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
+    const Config drawn = with(quick_config("default"), {{"shading", 1}});
+    const FrameSize size{48, 36};
+    Scene scene = load_scene("gears:2");
+    scene.camera = fit_camera(scene, 4.0 / 3);
+    const Job picture = make_job(scene, *scene.camera, size, drawn);
+    const RecordedFrame frame = record_frame(picture, picture.frame);
+
+    RayStreamPlan plan;
+    plan.size = size;
+    const ListedRays rays("camera rays", make_rays(scene, plan, drawn));
+    const StreamJob stream = make_stream_job(scene, rays, streaming(drawn), Outside::refuse);
+    const RecordedFrame traced = record_frame(stream.job, stream.job.frame);
+    REQUIRE(traced.trace.hits.size() == frame.trace.hits.size());
+    std::size_t found = 0, differ = 0;
+    for (std::size_t i = 0; i < traced.trace.hits.size(); ++i) {
+        const Closest &a = frame.trace.hits[i], &b = traced.trace.hits[i];
+        found += a.found;
+        differ += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v || a.back != b.back;
+    }
+    CHECK(differ == 0);
+    CHECK(found > 500);
+}
+
+TEST_CASE("the judge of streams passes right answers and names a wrong one", "[stream]") {
+    const Config config = streaming_config(quick_config("default"));
+    Scene scene = load_scene("gears:1");
+    scene.camera = fit_camera(scene, 1);
+    const ListedRays rays("random rays", random_rays(scene, 3000, 5));
+    const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
+    std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
+    CHECK(judge_stream(stream, answers).wrong == 0);
+    std::size_t hit = 0;
+    while (!answers[hit].found || rays[hit].any_hit) ++hit;
+    std::size_t blocked = 0;
+    while (!answers[blocked].found || !rays[blocked].any_hit) ++blocked;
+    const Closest right = answers[hit];
+    answers[hit].t += 1;
+    StreamJudgement judged = judge_stream(stream, answers);
+    CHECK(judged.wrong == 1);
+    CHECK(judged.first.starts_with("ray " + std::to_string(hit) + ": "));
+    answers[hit] = right;
+    answers[blocked].found = 0;
+    judged = judge_stream(stream, answers);
+    CHECK(judged.wrong == 1);
+    CHECK(judged.first.starts_with("ray " + std::to_string(blocked) + ": "));
+}
+
+TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
+    // A square of 2 x 2 in the plane z = 1, seen from below.
+    Scene scene;
+    scene.name = "square";
+    scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+    scene.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+    scene.materials.emplace_back();
+    scene.camera = Camera{{0, 0, -1}, {0, 0, 1}, {0, 1, 0}, 60};
+    const auto ray = [](double t_min, double t_max, bool any) {
+        return StreamRay{{0.5, 0.25, 0}, {0, 0, 0.125}, t_min, t_max, any};   // meets the square at t = 8
+    };
+    const double inf = std::numeric_limits<double>::infinity();
+    std::vector<StreamRay> given{ray(0, inf, false), ray(0, 7.9, false),  ray(0, 8.1, false), ray(8.1, inf, false),
+                                 ray(0, inf, true),  ray(0, 7.9, true),   ray(0, 8.1, true),  ray(8.1, inf, true),
+                                 ray(7.9, 8.1, true), {{0.5, 0.25, -900}, {0, 0, 1}, 0, inf, false},
+                                 {{5000, 0, 0}, {0, 0, 1}, 0, inf, false}};
+    const std::vector<bool> expected{true, false, true, false, true, false, true, false, true, true, false};
+    const ListedRays rays("rays by hand", given);
+    const StreamJob stream = make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::clip);
+    CHECK(stream.clipped == 1);
+    CHECK(stream.missing == 1);
+    const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
+    CHECK(judge_stream(stream, answers).wrong == 0);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        INFO(i);
+        const StreamHit hit = hit_of(stream, i, answers[i]);
+        CHECK(hit.hit == expected[i]);
+        if (!hit.hit || given[i].any_hit) continue;
+        CHECK(hit.t == Approx(i == 9 ? 901 : 8).epsilon(1e-4));
+        CHECK(hit.primitive == 0);
+        CHECK(hit.u == Approx(0.125).epsilon(1e-3));   // weights of the second and third corner
+        CHECK(hit.v == Approx(0.625).epsilon(1e-3));
+    }
+    CHECK_THROWS_AS(make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::refuse), UserError);
 }

@@ -16,8 +16,8 @@ public:
     void start(const Frame& frame) {
         columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
         rows_ = (frame.height + (1u << tile_bits_) - 1) >> tile_bits_;
-        if (frame.count > 0) {
-            const std::uint32_t groups = (frame.count + (1u << 2 * tile_bits_) - 1) >> 2 * tile_bits_;
+        if (frame.ray_count > 0) {
+            const std::uint32_t groups = (frame.ray_count + (1u << 2 * tile_bits_) - 1) >> 2 * tile_bits_;
             columns_ = 1u << coord_bits_;
             rows_ = (groups + columns_ - 1) >> coord_bits_;
             last_columns_ = groups - (rows_ - 1) * columns_;

@@ -26,7 +26,7 @@ public:
         at_ = 0;
         width_ = frame.width;
         height_ = frame.height;
-        count_ = frame.count;
+        count_ = frame.ray_count;
         look();
     }
     bool tile_ready() const { return !tiles_.full(); }

@@ -58,7 +58,7 @@ module rc_dispatch (
     assign after  = {1'b0, y_q, x_q} + 1'b1;
     assign last_x = x_q == '1;
     assign last   = {after, {(2*rc_pkg::TileBits){1'b0}}}
-                  >= (2*rc_pkg::PixelBits+1)'(frame_i.count);
+                  >= (2*rc_pkg::PixelBits+1)'(frame_i.ray_count);
   end else begin : gen_picture
     logic last_y;
 

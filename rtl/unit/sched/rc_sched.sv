@@ -78,8 +78,8 @@ module rc_sched (
 
     assign {y, x}      = number;
     assign tile_lies   = '0;
-    assign tile_begins = first_number < frame_i.count;
-    assign next_inside = next_number < frame_i.count;
+    assign tile_begins = first_number < frame_i.ray_count;
+    assign next_inside = next_number < frame_i.ray_count;
 
     logic unused;
     assign unused = ^lies;

@@ -7,7 +7,7 @@ namespace rayclock {
 
 /// The command whose subcommands make pages of docs.
 constexpr const char* study_name = "study";
-constexpr const char* study_what = "make a page of docs again: area, counts, figures, structures, ...";
+constexpr const char* study_what = "make a page of docs again: area, counts, figures, streams, structures, ...";
 
 Command scenes_command();
 Command render_command();
@@ -26,6 +26,7 @@ Command yardstick_command();
 Command figures_command();
 Command counts_command();
 Command structures_command();
+Command streams_command();
 Command gigahertz_command();
 Command area_command();
 Command chip_command();

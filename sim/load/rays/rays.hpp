@@ -1,10 +1,35 @@
 #pragma once
 // Rays from a file.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "model/compile/stream.hpp"
 
 namespace rayclock {
+
+/// A stream of rays, numbered from 0.
+class Rays {
+public:
+    virtual ~Rays() = default;
+    virtual std::size_t size() const = 0;
+    virtual StreamRay operator[](std::size_t i) const = 0;
+    /// Returns the stream's name, for messages: its file's path.
+    virtual const std::string& name() const = 0;
+};
+
+/// Rays in memory.
+class ListedRays : public Rays {
+public:
+    ListedRays(std::string name, std::vector<StreamRay> rays) : name_(std::move(name)), rays_(std::move(rays)) {}
+    std::size_t size() const override { return rays_.size(); }
+    StreamRay operator[](std::size_t i) const override { return rays_[i]; }
+    const std::string& name() const override { return name_; }
+
+private:
+    std::string name_;
+    std::vector<StreamRay> rays_;
+};
 
 /// The rays of a file, which stay as they are stored and are converted one at a time. docs/streams.md
 /// describes the formats:
@@ -12,16 +37,16 @@ namespace rayclock {
 /// (8), and 1
 ///   for any hit (9);
 /// - .rays of AnyDSL's traversal: 6 float32 for each ray, and nothing else.
-class RayFile {
+class RayFile : public Rays {
 public:
     /// Reads a file and checks every ray. `any_hit`: every ray asks for any hit. Throws UserError that names
     /// the file and the first faulty ray: a number that is NaN, an origin or t_min that is infinite, a
     /// direction that is zero or infinite, t_min above t_max, or a ninth number other than 0 and 1.
     explicit RayFile(const std::string& path, bool any_hit = false);
 
-    std::size_t size() const { return count_; }
-    StreamRay operator[](std::size_t i) const;
-    const std::string& path() const { return path_; }
+    std::size_t size() const override { return count_; }
+    StreamRay operator[](std::size_t i) const override;
+    const std::string& name() const override { return path_; }
 
 private:
     double number(std::size_t i, std::size_t column) const;

@@ -33,7 +33,7 @@ Config streaming(Config config) {
 namespace {
 
 /// Returns the origin of all rays if they have the same.
-std::optional<glm::dvec3> common_origin(const RayFile& rays) {
+std::optional<glm::dvec3> common_origin(const Rays& rays) {
     const glm::dvec3 first = rays[0].origin;
     for (std::size_t i = 1; i < rays.size(); ++i)
         if (rays[i].origin != first) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<glm::dvec3> common_origin(const RayFile& rays) {
 
 }   // namespace
 
-StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config& config, Outside outside,
+StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress) {
     const glm::dvec3 eye = common_origin(rays).value_or(scene.camera->eye);
     StreamJob stream{scene, rays, {config, {}, compile_scene(scene, eye, config, progress), {}}};
@@ -55,7 +55,7 @@ StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config&
             throw UserError(
                 fmt::format("{}: ray {} begins outside the lattice that holds the scene; --outside clip "
                             "leaves out the part before it",
-                            printable(rays.path()), i));
+                            printable(rays.name()), i));
         ++(ray.any_hit ? stream.any : stream.closest);
         stream.clipped += made && made->is_clipped;
         stream.missing += !made;

@@ -13,7 +13,7 @@ enum class Outside { clip, refuse };
 /// A scene, compiled for a chip whose rays come from memory, with the rays behind it.
 struct StreamJob {
     const Scene& scene;
-    const RayFile& rays;
+    const Rays& rays;
     Job job;
     std::size_t closest = 0, any = 0;       ///< rays by what they ask for
     std::size_t clipped = 0, missing = 0;   ///< rays that begin outside the lattice, and rays that miss it
@@ -21,7 +21,7 @@ struct StreamJob {
 /// Puts the rays on the scene's lattice. The lattice has a point where all rays begin, or
 /// else the scene's camera, as for a picture. Throws
 /// UserError, which names the ray, for a ray that begins outside the lattice if these are refused.
-StreamJob make_stream_job(const Scene& scene, const RayFile& rays, const Config& config, Outside outside,
+StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
 
 /// The configuration with exactly the parameters that a stream of rays needs.

@@ -21,7 +21,7 @@ struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
 };
-constexpr std::array<Target, 18> targets{{{"obj", obj},
+constexpr std::array<Target, 19> targets{{{"obj", obj},
                                           {"mtl", mtl},
                                           {"ply", ply},
                                           {"stl", stl},
@@ -38,6 +38,7 @@ constexpr std::array<Target, 18> targets{{{"obj", obj},
                                           {"compare", compare},
                                           {"yosys", yosys},
                                           {"nextpnr", nextpnr},
+                                          {"rays", rays},
                                           {"options", options}}};
 
 void (*chosen)(std::string_view) = nullptr;

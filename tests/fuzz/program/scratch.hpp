@@ -15,7 +15,7 @@ inline std::string scratch_file(const std::string& name, std::string_view bytes)
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     static const bool is_removed =
         std::atexit([] {
-            for (const char* left : {"part.json", "report"})
+            for (const char* left : {"part.json", "report", "fuzzed.npy", "fuzzed.rays"})
                 ::unlink(("/dev/shm/rc_fuzz-" + std::to_string(::getpid()) + "-" + left).c_str());
         }) == 0;
     (void)is_removed;

@@ -29,6 +29,7 @@ void merge(std::string_view bytes);
 void compare(std::string_view bytes);
 void yosys(std::string_view bytes);
 void nextpnr(std::string_view bytes);
+void rays(std::string_view bytes);
 void options(std::string_view bytes);
 
 /// Returns the path of a fuzzed file, in a folder with the files to which it may refer.

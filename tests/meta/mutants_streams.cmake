@@ -1,0 +1,58 @@
+# Faults in streams of rays: the hardware, the way from floats to the lattice and back, files, the judge.
+mutant(stream_halves_are_swapped QUICK FILE rtl/unit/stream/rc_stream.sv TEST system [stream]
+  OLD [[assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;]]
+  NEW [[assign {beyond_lower, lower, beyond_upper, upper} = fill_i.line;]])
+mutant(stream_number_is_turned FILE rtl/unit/stream/rc_stream.sv TEST system [stream]
+  OLD [[assign number = {slot_i.y, slot_i.x};]]
+  NEW [[assign number = {slot_i.x, slot_i.y};]])
+mutant(stream_begins_at_the_next_half FILE rtl/unit/stream/rc_stream.sv TEST system [stream]
+  OLD [[{frame_i.rays, 1'b0}]]
+  NEW [[{frame_i.rays, 1'b1}]])
+mutant(stream_shadow_ray_is_short FILE rtl/unit/raygen/rc_raygen_stream.sv TEST system [stream]
+  OLD [[s1_q.kind != rc_pkg::RayShadow]]
+  NEW [[s1_q.kind != rc_pkg::RayBounce]])
+mutant(stream_ray_is_a_cycle_early FILE rtl/unit/raygen/rc_raygen_stream.sv TEST system [stream]
+  OLD [[.data_i(s1_q), .data_o(end_record)]]
+  NEW [[.data_i(record_i), .data_o(end_record)]])
+mutant(stream_ray_too_many FILE rtl/unit/sched/rc_sched.sv TEST system [stream]
+  OLD [[next_number < frame_i.ray_count]]
+  NEW [[next_number <= frame_i.ray_count]])
+mutant(stream_group_of_one_too_many FILE rtl/unit/sched/rc_sched.sv TEST system [stream]
+  OLD [[first_number < frame_i.ray_count]]
+  NEW [[first_number <= frame_i.ray_count]])
+mutant(stream_empty_group FILE rtl/unit/sched/rc_dispatch.sv TEST system [stream]
+  OLD [[                  >= (2*rc_pkg::PixelBits+1)'(frame_i.ray_count)]]
+  NEW [[                  > (2*rc_pkg::PixelBits+1)'(frame_i.ray_count)]])
+mutant(stream_host_waits_for_one_more FILE rtl/host/rc_host.sv TEST system [stream]
+  OLD [[assign prepared = 32'(frame_o.ray_count);]]
+  NEW [[assign prepared = 32'(frame_o.ray_count) + 32'd1;]])
+mutant(stream_blames_sched FILE rtl/rc_pipeline.sv TEST system [stream]
+  OLD [[: rc_pkg::RaygenStarvedStream;]]
+  NEW [[: rc_pkg::RaygenStarvedSched;]])
+mutant(stream_blames_raygen FILE rtl/unit/sched/rc_sched.sv TEST system [stream]
+  OLD [[rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream]]
+  NEW [[rc_pkg::Streams == 2 ? rc_pkg::SchedStalledStream]])
+mutant(stream_segment_leads_away FILE model/compile/stream.cpp TEST system "hits of a stream*"
+  OLD [[record.d[k] = begin[k] - record.o[k];]]
+  NEW [[record.d[k] = record.o[k] - begin[k];]])
+mutant(stream_is_not_clipped FILE model/compile/stream.cpp TEST system "hits of a stream*"
+  OLD [[in.from = std::max(in.from, std::min(a, b));]]
+  NEW [[in.from = std::max(in.from, in.from);]])
+mutant(stream_direction_is_half_as_long FILE model/compile/stream.cpp TEST system "the stream of a picture's*"
+  OLD [[config.dir_bits - 2 - std::ilogb]]
+  NEW [[config.dir_bits - 3 - std::ilogb]])
+mutant(stream_scale_is_doubled FILE model/compile/stream.cpp TEST system "hits of a stream*"
+  OLD [[made.scale = std::ldexp(lattice.coarsest(), shift);]]
+  NEW [[made.scale = std::ldexp(lattice.coarsest(), shift + 1);]])
+mutant(stream_hit_beyond_its_end FILE sim/run/stream/stream.cpp TEST system "hits of a stream*"
+  OLD [[if (t > given.t_max)]]
+  NEW [[if (t > 2 * given.t_max)]])
+mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge of streams*"
+  OLD [[if (!fault) continue;]]
+  NEW [[if (fault == nullptr || judged.rays > 0) continue;]])
+mutant(stream_t_max_of_eight_columns FILE sim/load/rays/rays.cpp TEST load [rays]
+  OLD [[columns_ == 7 ? 6 : 7]]
+  NEW [[columns_ == 7 ? 6 : 6]])
+mutant(stream_file_may_be_longer FILE sim/files/npy.cpp TEST load [rays]
+  OLD [[too_many || need != have]]
+  NEW [[too_many || need > have]])
