@@ -18,13 +18,15 @@ constexpr double close_to_power = 0x1p-40;
 struct Within {
     double from, to;
 };
-std::optional<Within> within_lattice(const StreamRay& ray, const Lattice& lattice) {
+/// The lattice of origins ends a step beyond the scene's vertices on the lower sides, and a step less 2^-frac
+/// on the upper ones. So a ray that begins at its border meets a surface there at t > 0.
+std::optional<Within> within_lattice(const StreamRay& ray, const Lattice& lattice, int frac) {
     const double reach = std::ldexp(1.0, lattice.coord_bits - 1);
     Within in{ray.t_min, ray.t_max};
     for (int k = 0; k < 3; ++k) {
-        const double low = lattice.centre[k] - (reach - 1) * lattice.pitch[k],
-                     high = lattice.centre[k] + (reach - 1) * lattice.pitch[k], o = ray.origin[k],
-                     d = ray.direction[k];
+        const double low = lattice.centre[k] - reach * lattice.pitch[k],
+                     high = lattice.centre[k] + (reach - std::ldexp(1.0, -frac)) * lattice.pitch[k],
+                     o = ray.origin[k], d = ray.direction[k];
         if (d == 0) {
             if (o < low || o > high) return std::nullopt;
             continue;
@@ -51,23 +53,27 @@ Vec3i fixed_point(const glm::dvec3& point, const Lattice& lattice, int frac) {
 }   // namespace
 
 std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattice, const Config& config) {
-    const std::optional<Within> in = within_lattice(ray, lattice);
+    const int frac = config.origin_frac();
+    const std::optional<Within> in = within_lattice(ray, lattice, frac);
     if (!in) return std::nullopt;
     LatticeRay made;
     made.begin = in->from;
     made.is_clipped = in->from > ray.t_min;
     RayRecord& record = made.record;
-    const int frac = config.origin_frac();
     const Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
-    if (ray.any_hit && std::isfinite(ray.t_max)) {
-        record.kind = std::uint32_t(RayKind::shadow);
+    // A segment that leaves the scene needs no end.
+    if (ray.any_hit && in->to == ray.t_max) {
         const Vec3i end = fixed_point(ray.origin + in->to * ray.direction, lattice, 0);
-        for (std::size_t k = 0; k < 3; ++k) {
-            record.o[k] = end[k] * (1 << frac);
-            record.d[k] = begin[k] - record.o[k];
+        const std::int32_t most = (1 << (config.coord_bits - 1)) - 1;
+        if (std::all_of(end.begin(), end.end(), [&](std::int32_t x) { return std::abs(x) <= most; })) {
+            record.kind = std::uint32_t(RayKind::shadow);
+            for (std::size_t k = 0; k < 3; ++k) {
+                record.o[k] = end[k] * (1 << frac);
+                record.d[k] = begin[k] - record.o[k];
+            }
+            if (record.d == Vec3i{}) record.d[0] = 1;   // too short to meet anything
+            return made;
         }
-        if (record.d == Vec3i{}) record.d[0] = 1;   // too short to meet anything
-        return made;
     }
     record.kind = std::uint32_t(ray.any_hit ? RayKind::away : RayKind::bounce);
     record.o = begin;

@@ -23,10 +23,11 @@ struct Kind {
     RayStreamKind kind;
     int bounce;
 };
-constexpr Kind kinds[]{{"camera", RayStreamKind::camera, 1},       {"shadow", RayStreamKind::shadow, 1},
-                       {"mirror", RayStreamKind::mirror, 1},       {"ambient occlusion", RayStreamKind::ao, 1},
-                       {"diffuse, 1st", RayStreamKind::diffuse, 1}, {"diffuse, 2nd", RayStreamKind::diffuse, 2},
-                       {"diffuse, 3rd", RayStreamKind::diffuse, 3}};
+constexpr Kind kinds[]{
+    {"camera", RayStreamKind::camera, 1},        {"shadow", RayStreamKind::shadow, 1},
+    {"mirror", RayStreamKind::mirror, 1},        {"ambient occlusion", RayStreamKind::ao, 1},
+    {"diffuse, 1st", RayStreamKind::diffuse, 1}, {"diffuse, 2nd", RayStreamKind::diffuse, 2},
+    {"diffuse, 3rd", RayStreamKind::diffuse, 3}};
 constexpr std::pair<const char*, RayOrder> orders[]{
     {"recorded", RayOrder::recorded}, {"Morton", RayOrder::morton}, {"random", RayOrder::random}};
 
@@ -75,7 +76,8 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
                     const Config config = settled(streaming(structure.config));
                     check_config(config, structure.name);
                     Row row = trace(scene, rays, config, study);
-                    row.scene = name, row.kind = kind.name, row.structure = structure.name, row.order = order_name;
+                    row.scene = name, row.kind = kind.name, row.structure = structure.name,
+                    row.order = order_name;
                     rows.push_back(std::move(row));
                 }
             }
@@ -99,16 +101,17 @@ and {} were wrong.
 
 Every ray of a stream waits for its record, 32 bytes. "bytes" counts them.
 )",
-                                   command, study.size.width, study.size.height, study.base.name, study.khz / 1e3,
-                                   name_of(study.base.dram), grouped(judged), wrong);
+                                   command, study.size.width, study.size.height, study.base.name,
+                                   study.khz / 1e3, name_of(study.base.dram), grouped(judged), wrong);
     std::vector<std::string> structures;
     for (const Row& row : rows)
         if (std::find(structures.begin(), structures.end(), row.structure) == structures.end())
             structures.push_back(row.structure);
     const auto heading = [&](const std::string& scene) { text += fmt::format("\n### {}\n\n", scene); };
-    text += fmt::format("\n## What coherence is worth\n\nThe structure is {}. A ray is one of the stream; figures are "
-                        "per ray.\n",
-                        structures[0]);
+    text += fmt::format(
+        "\n## What coherence is worth\n\nThe structure is {}. A ray is one of the stream; figures are "
+        "per ray.\n",
+        structures[0]);
     for (const std::string& scene : study.scenes) {
         heading(scene);
         Table table({"rays", "order", "number", "visits", "tests", "node hits", "tri hits", "bytes", "cycles",
@@ -118,9 +121,10 @@ Every ray of a stream waits for its record, 32 bytes. "bytes" counts them.
             if (row.scene == scene && row.structure == structures[0])
                 table.add({row.kind, row.order, grouped(row.rays), fmt::format("{:.2f}", row.visits),
                            fmt::format("{:.2f}", row.tests), fmt::format("{:.1f} %", 100 * row.node_hits),
-                           fmt::format("{:.1f} %", 100 * row.primitive_hits), fmt::format("{:.1f}", row.bytes),
-                           fmt::format("{:.2f}", row.cycles_per_ray()), fmt::format("{:.2f}", row.mrays_per_s),
-                           row.bound, fmt::format("{:.0f} %", 100 * row.reached)});
+                           fmt::format("{:.1f} %", 100 * row.primitive_hits),
+                           fmt::format("{:.1f}", row.bytes), fmt::format("{:.2f}", row.cycles_per_ray()),
+                           fmt::format("{:.2f}", row.mrays_per_s), row.bound,
+                           fmt::format("{:.0f} %", 100 * row.reached)});
         text += table.markdown();
     }
     text += "\n## Acceleration structures\n\nCycles per ray, in recorded order. The fewest are bold.\n";

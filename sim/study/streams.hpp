@@ -1,6 +1,6 @@
 #pragma once
-// The page docs/stream-figures.md: streams of rays of many kinds, on every acceleration structure and in three
-// orders.
+// The page docs/stream-figures.md: streams of rays of many kinds, on every acceleration structure and in
+// three orders.
 #include <string>
 #include <vector>
 
@@ -29,8 +29,8 @@ struct Row {
     double cycles_per_ray() const { return double(cycles) / double(rays); }
 };
 
-/// Traces every stream with every structure as recorded, and with the base's structure in the other orders too.
-/// Judges all answers exactly.
+/// Traces every stream with every structure as recorded, and with the base's structure in the other orders
+/// too. Judges all answers exactly.
 std::vector<Row> measure(const Study& study, const Progress& progress);
 
 /// Returns the page as Markdown. `command` is the command that makes it.

@@ -36,7 +36,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
         CHECK(traced["judge"]["rays"] == made["rays"]);
         const std::string bytes = bytes_of(hits);
         CHECK(bytes.find("('primitive', '<u4')") != std::string::npos);
-        CHECK((bytes.size() - 256) / 38 == made["rays"].get<std::size_t>());
+        CHECK((bytes.size() - 192) / 38 == made["rays"].get<std::size_t>());
         CHECK(report({"simulate", "gears:1", "--rays", rays, "--clock", "66"})["clocks"][0]["cycles"] ==
               traced["clocks"][0]["cycles"]);
     }
@@ -62,8 +62,8 @@ TEST_CASE("a stream has no picture, and says so", "[rays]") {
           std::string::npos);
     CHECK(refused({"simulate", "gears:1", "--rays", rays, "--outside", "keep"}).find("not clip or refuse") !=
           std::string::npos);
-    CHECK(refused({"simulate", "gears:1", "--rays", rays, "--set", "smooth=1"}).find("smooth=1 needs source=camera") !=
-          std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--rays", rays, "--set", "smooth=1"})
+              .find("smooth=1 needs source=camera") != std::string::npos);
     CHECK(refused({"simulate", "spheres", "--rays", rays}).find("meets triangles only") != std::string::npos);
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
           std::string::npos);

@@ -12,7 +12,8 @@ using namespace rayclock::test;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns an .npy file of version 1.0 with this head and data.
 std::string npy(std::string head, const std::string& data) {
@@ -65,9 +66,10 @@ TEST_CASE("rays of every width and type are read", "[rays]") {
     };
     const auto read = [&](const std::string& type, const std::vector<double>& row, bool any = false) {
         const std::string data = type == "<f4" ? data_of<float>(row) : data_of<double>(row);
-        return RayFile(folder.write("a.npy", npy(head_of("'" + type + "'", "(1, " + std::to_string(row.size()) + ")"),
-                                                 data)),
-                       any);
+        return RayFile(
+            folder.write("a.npy",
+                         npy(head_of("'" + type + "'", "(1, " + std::to_string(row.size()) + ")"), data)),
+            any);
     };
     for (const std::string type : {"<f4", "<f8"}) {
         check(read(type, numbers), 0, inf, false);
@@ -85,12 +87,13 @@ TEST_CASE("a file of rays of another form is refused in a sentence", "[rays]") {
     CHECK(complaint(npy(head_of("'<f8'", "(1, 6)"), data)).empty());
     CHECK(complaint("hello").find("does not begin as an .npy file does") != std::string::npos);
     CHECK(complaint("\x93NUMPY\1").find("ends within its head") != std::string::npos);
-    CHECK(complaint(npy(head_of("'<f8'", "(1, 6)", "True"), data)).find("Fortran order") != std::string::npos);
+    CHECK(complaint(npy(head_of("'<f8'", "(1, 6)", "True"), data)).find("Fortran order") !=
+          std::string::npos);
     CHECK(complaint(npy(head_of("'>f8'", "(1, 6)"), data)).find(">f8") != std::string::npos);
     CHECK(complaint(npy(head_of("'<i8'", "(1, 6)"), data)).find("<i8") != std::string::npos);
     CHECK(complaint(npy(head_of("'|O'", "(6,)"), data)).find("never loaded") != std::string::npos);
-    CHECK(complaint(npy(head_of("[('o', '<f8', (3,)), ('d', '<f8', (3,))]", "(1,)"), data)).find("a structure") !=
-          std::string::npos);
+    CHECK(complaint(npy(head_of("[('o', '<f8', (3,)), ('d', '<f8', (3,))]", "(1,)"), data))
+              .find("a structure") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(6,)"), data)).find("and these are 6") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(2, 3)"), data)).find("and these are 2 x 3") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(2, 6)"), data)).find("needs 96 bytes") != std::string::npos);
@@ -104,7 +107,8 @@ TEST_CASE("a file of rays of another form is refused in a sentence", "[rays]") {
 }
 
 TEST_CASE("a faulty ray is refused with its number", "[rays]") {
-    CHECK(complaint_of_numbers({0, 1, not_a_number, 0, 0, -1}) == "ray 0 has a coordinate that is NaN or infinite");
+    CHECK(complaint_of_numbers({0, 1, not_a_number, 0, 0, -1}) ==
+          "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, inf, -1}) == "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 0}) == "ray 0 has the direction 0");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, 2, 1}) == "ray 0 has t_min 2 above t_max 1");

@@ -63,9 +63,9 @@ TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") 
 }
 
 TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
-    const Config drawn = with(quick_config("default"), {{"shading", 1}});
     const FrameSize size{48, 36};
     Scene scene = load_scene("gears:2");
+    const Config drawn = fitted_config(scene, {}, quick_config("default"));
     scene.camera = fit_camera(scene, 4.0 / 3);
     const Job picture = make_job(scene, *scene.camera, size, drawn);
     const RecordedFrame frame = record_frame(picture, picture.frame);
@@ -80,7 +80,8 @@ TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stre
     for (std::size_t i = 0; i < traced.trace.hits.size(); ++i) {
         const Closest &a = frame.trace.hits[i], &b = traced.trace.hits[i];
         found += a.found;
-        differ += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v || a.back != b.back;
+        differ += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v ||
+                  a.back != b.back;
     }
     CHECK(differ == 0);
     CHECK(found > 500);
@@ -111,24 +112,32 @@ TEST_CASE("the judge of streams passes right answers and names a wrong one", "[s
 }
 
 TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
-    // A square of 2 x 2 in the plane z = 1, seen from below.
+    // A square of 2 x 2 in the plane z = 1, seen from below, and a triangle that makes the scene larger.
     Scene scene;
     scene.name = "square";
-    scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
-    scene.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+    scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {5, 5, 3}, {6, 5, 3}, {6, 6, 3}};
+    scene.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}, {{4, 5, 6}, 0}};
     scene.materials.emplace_back();
     scene.camera = Camera{{0, 0, -1}, {0, 0, 1}, {0, 1, 0}, 60};
     const auto ray = [](double t_min, double t_max, bool any) {
         return StreamRay{{0.5, 0.25, 0}, {0, 0, 0.125}, t_min, t_max, any};   // meets the square at t = 8
     };
     const double inf = std::numeric_limits<double>::infinity();
-    std::vector<StreamRay> given{ray(0, inf, false), ray(0, 7.9, false),  ray(0, 8.1, false), ray(8.1, inf, false),
-                                 ray(0, inf, true),  ray(0, 7.9, true),   ray(0, 8.1, true),  ray(8.1, inf, true),
-                                 ray(7.9, 8.1, true), {{0.5, 0.25, -900}, {0, 0, 1}, 0, inf, false},
+    std::vector<StreamRay> given{ray(0, inf, false),
+                                 ray(0, 7.9, false),
+                                 ray(0, 8.1, false),
+                                 ray(8.1, inf, false),
+                                 ray(0, inf, true),
+                                 ray(0, 7.9, true),
+                                 ray(0, 8.1, true),
+                                 ray(8.1, inf, true),
+                                 ray(7.9, 8.1, true),
+                                 {{0.5, 0.25, -900}, {0, 0, 1}, 0, inf, false},
                                  {{5000, 0, 0}, {0, 0, 1}, 0, inf, false}};
     const std::vector<bool> expected{true, false, true, false, true, false, true, false, true, true, false};
     const ListedRays rays("rays by hand", given);
-    const StreamJob stream = make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::clip);
+    const StreamJob stream =
+        make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::clip);
     CHECK(stream.clipped == 1);
     CHECK(stream.missing == 1);
     const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
@@ -143,5 +152,26 @@ TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
         CHECK(hit.u == Approx(0.125).epsilon(1e-3));   // weights of the second and third corner
         CHECK(hit.v == Approx(0.625).epsilon(1e-3));
     }
-    CHECK_THROWS_AS(make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::refuse), UserError);
+    CHECK_THROWS_AS(make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::refuse),
+                    UserError);
+}
+
+TEST_CASE("a ray from outside meets what lies on the border of the scene", "[stream]") {
+    Scene scene;
+    scene.name = "panel";
+    scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}};
+    scene.triangles = {{{0, 1, 2}, 0}};
+    scene.materials.emplace_back();
+    scene.camera = Camera{{0.5, -0.5, -1}, {0, 0, 1}, {0, 1, 0}, 60};
+    const double inf = std::numeric_limits<double>::infinity();
+    const ListedRays rays("rays by hand", {{{0.5, -0.5, 9}, {0, 0, -1}, 0, inf, false},
+                                           {{0.5, -0.5, 9}, {0, 0, -1}, 0, inf, true},
+                                           {{0.5, -0.5, 9}, {0, 0, -1}, 0, 8.5, true},
+                                           {{0.5, -0.5, -9}, {0, 0, 1}, 0, inf, false},
+                                           {{0.5, -0.5, -9}, {0, 0, 1}, 0, 10.5, true}});
+    const StreamJob stream =
+        make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::clip);
+    CHECK(stream.clipped == 5);
+    for (const Closest& answer : record_frame(stream.job, stream.job.frame).trace.hits)
+        CHECK(answer.found == 1);
 }

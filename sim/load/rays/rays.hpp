@@ -21,7 +21,8 @@ public:
 /// Rays in memory.
 class ListedRays : public Rays {
 public:
-    ListedRays(std::string name, std::vector<StreamRay> rays) : name_(std::move(name)), rays_(std::move(rays)) {}
+    ListedRays(std::string name, std::vector<StreamRay> rays)
+        : name_(std::move(name)), rays_(std::move(rays)) {}
     std::size_t size() const override { return rays_.size(); }
     StreamRay operator[](std::size_t i) const override { return rays_[i]; }
     const std::string& name() const override { return name_; }

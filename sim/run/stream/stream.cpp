@@ -45,7 +45,12 @@ std::optional<glm::dvec3> common_origin(const Rays& rays) {
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress) {
     const glm::dvec3 eye = common_origin(rays).value_or(scene.camera->eye);
-    StreamJob stream{scene, rays, {config, {}, compile_scene(scene, eye, config, progress), {}}};
+    return make_stream_job(scene, rays, config, compile_scene(scene, eye, config, progress), outside);
+}
+
+StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, MemoryImage image,
+                          Outside outside) {
+    StreamJob stream{scene, rays, {config, {}, std::move(image), {}}};
     std::vector<RayRecord> records;
     records.reserve(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {

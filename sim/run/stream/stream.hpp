@@ -24,6 +24,10 @@ struct StreamJob {
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
 
+/// Does the same with a scene that is compiled already.
+StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, MemoryImage image,
+                          Outside outside);
+
 /// The configuration with exactly the parameters that a stream of rays needs.
 Config streaming(Config config);
 

@@ -17,7 +17,8 @@ void rays(std::string_view bytes) {
                 const StreamRay ray = read[i];
                 demand(ray.t_min <= ray.t_max, "a ray has a part");
                 for (int k = 0; k < 3; ++k)
-                    demand(std::isfinite(ray.origin[k]) && std::isfinite(ray.direction[k]), "a ray is finite");
+                    demand(std::isfinite(ray.origin[k]) && std::isfinite(ray.direction[k]),
+                           "a ray is finite");
             }
         });
     }
