@@ -31,8 +31,16 @@ constexpr Kind kinds[]{
 constexpr std::pair<const char*, RayOrder> orders[]{
     {"recorded", RayOrder::recorded}, {"Morton", RayOrder::morton}, {"random", RayOrder::random}};
 
-Row trace(const Scene& scene, const Rays& rays, const Config& config, const Study& study) {
-    const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
+/// A structure's machine, with the scene in its memory.
+struct Machinery {
+    std::string name;
+    Config config;
+    MemoryImage image;
+};
+
+Row trace(const Scene& scene, const Rays& rays, const Machinery& machine, const Study& study) {
+    const Config& config = machine.config;
+    const StreamJob stream = make_stream_job(scene, rays, config, machine.image, Outside::clip);
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(stream.job, stream.job.frame, study.threads));
     const FrameResult run = frame_result(frames[0], replay(config, study.khz, frames)[0]);
@@ -63,6 +71,13 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
     for (const std::string& name : study.scenes) {
         Scene scene = load_scene(name);
         if (!scene.camera) scene.camera = fit_camera(scene, double(study.size.width) / study.size.height);
+        std::vector<Machinery> machines;
+        for (const structures::NamedStructure& structure : structures) {
+            const Config config = settled(streaming(structure.config));
+            check_config(config, structure.name);
+            machines.push_back(
+                {structure.name, config, compile_scene(scene, scene.camera->eye, config, progress)});
+        }
         for (const Kind& kind : kinds) {
             if (progress) progress("streams", done++, all);
             for (const auto& [order_name, order] : orders) {
@@ -71,12 +86,10 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
                 std::vector<StreamRay> made = make_rays(scene, plan, study.base, study.threads);
                 if (made.empty()) continue;
                 const ListedRays rays(kind.name, std::move(made));
-                for (const structures::NamedStructure& structure : structures) {
-                    if (order != RayOrder::recorded && structure.name != structures[0].name) continue;
-                    const Config config = settled(streaming(structure.config));
-                    check_config(config, structure.name);
-                    Row row = trace(scene, rays, config, study);
-                    row.scene = name, row.kind = kind.name, row.structure = structure.name,
+                for (const Machinery& machine : machines) {
+                    if (order != RayOrder::recorded && &machine != &machines[0]) continue;
+                    Row row = trace(scene, rays, machine, study);
+                    row.scene = name, row.kind = kind.name, row.structure = machine.name,
                     row.order = order_name;
                     rows.push_back(std::move(row));
                 }

@@ -13,6 +13,11 @@ using namespace rayclock::test;
 
 namespace {
 
+bool same(const Closest& a, const Closest& b) {
+    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
+           a.back == b.back;
+}
+
 /// The parameters of a chip for streams.
 Config streaming_config(const Config& config, Values more = {}) {
     more.insert(more.begin(), {{"shading", 1}, {"source", 1}});
@@ -78,10 +83,8 @@ TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stre
     REQUIRE(traced.trace.hits.size() == frame.trace.hits.size());
     std::size_t found = 0, differ = 0;
     for (std::size_t i = 0; i < traced.trace.hits.size(); ++i) {
-        const Closest &a = frame.trace.hits[i], &b = traced.trace.hits[i];
-        found += a.found;
-        differ += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v ||
-                  a.back != b.back;
+        found += frame.trace.hits[i].found;
+        differ += !same(frame.trace.hits[i], traced.trace.hits[i]);
     }
     CHECK(differ == 0);
     CHECK(found > 500);
@@ -109,6 +112,25 @@ TEST_CASE("the judge of streams passes right answers and names a wrong one", "[s
     judged = judge_stream(stream, answers);
     CHECK(judged.wrong == 1);
     CHECK(judged.first.starts_with("ray " + std::to_string(blocked) + ": "));
+}
+
+TEST_CASE("every structure answers a stream alike, and right", "[stream][structures]") {
+    Scene scene = load_scene("teapot:6");
+    scene.camera = fit_camera(scene, 1);
+    const ListedRays rays("random rays", random_rays(scene, 2000, 7));
+    std::vector<Closest> first;
+    for (int s = 0; s < int(names_of<Structure>().size()); ++s) {
+        INFO(name_of(Structure(s)));
+        const Config config =
+            streaming_config(quick_config("default"), {{"structure", s}, {"stack_depth", 64}});
+        const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
+        const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
+        CHECK(judge_stream(stream, answers).wrong == 0);
+        if (first.empty()) first = answers;
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < answers.size(); ++i) differ += !same(first[i], answers[i]);
+        CHECK(differ == 0);
+    }
 }
 
 TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
