@@ -5,12 +5,12 @@
 
 namespace rayclock {
 
-/// Direction of a camera ray from the frame's registers, by the rule in model/core/frame.hpp. Of a sample of
-/// the pixel, or of its middle.
+/// Returns the direction of a camera ray through a sample of the pixel, or through its middle. It follows
+/// from the frame's registers by the rule in model/core/frame.hpp.
 Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y,
                       int sample);
 
-/// Equal except for the context and the side.
+/// True if the answers are equal except for the context and the side.
 bool same_answer(const Closest& a, const Closest& b);
 
 }   // namespace rayclock

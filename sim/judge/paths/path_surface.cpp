@@ -51,7 +51,8 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         return;
     }
     place_ = {};
-    if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere) return;   // no such primitive: told
+    if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
+        return;   // the fault is already recorded
     place_.ratio = ratio_of(
         rules_.placed ? rules_.placed->material(answer_.prim) : material_of(rules_.asked.scene, answer_.prim),
         answer_.back != 0);
