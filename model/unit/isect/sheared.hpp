@@ -1,4 +1,5 @@
 #pragma once
+// The sheared triangle test of unit tri, as pure functions.
 #include "model/unit/isect/primitive.hpp"
 
 namespace rayclock {

@@ -1,3 +1,4 @@
+// Sums the multipliers, dividers and memory bits of a configuration.
 #include "sim/explore/fit/cost.hpp"
 
 #include <algorithm>

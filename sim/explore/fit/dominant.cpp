@@ -1,3 +1,4 @@
+// Looks for a material, or for a few triangles, that make a scene large.
 #include "model/base/quote.hpp"
 #include "sim/explore/fit/dominant.hpp"
 

@@ -1,3 +1,4 @@
+// Renders a scene for a configuration, and caches images and results.
 #include "sim/explore/fit/measure.hpp"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// Formats the result of fit as tables and as JSON.
 #include "sim/explore/fit/report.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// The search for the smallest formats: bisection, then descent.
 #include "sim/explore/fit/search.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"

@@ -1,3 +1,4 @@
+// Computes the registers of torture frames.
 #include "sim/explore/torture/frames.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Draws primitives, surfaces and trees for torture images.
 #include "sim/explore/torture/image.hpp"
 
 #include <cmath>

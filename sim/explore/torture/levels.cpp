@@ -1,3 +1,4 @@
+// Builds torture images with instances.
 #include "sim/explore/torture/levels.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The chips of the torture set, and lockstep runs of their cases.
 #include "sim/explore/torture/torture.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Computes the line that each instance sees, and its first hit.
 #include "sim/judge/cause/seam.hpp"
 
 #include <algorithm>

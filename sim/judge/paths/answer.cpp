@@ -1,3 +1,4 @@
+// Compares a ray's answer with the exact oracle.
 #include "sim/judge/paths/answer.hpp"
 
 #include "sim/judge/paths/placed.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// The judge of a single ray's answer.
 #include "model/core/payloads.hpp"
 #include "sim/judge/oracle/solids.hpp"
 

@@ -1,3 +1,4 @@
+// Computes directions of camera rays in integers of 128 bits.
 #include "sim/judge/paths/camera.hpp"
 
 #include <algorithm>

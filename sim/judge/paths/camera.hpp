@@ -1,4 +1,5 @@
 #pragma once
+// Exact directions of camera rays.
 #include "model/core/payloads.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/whitted.hpp"

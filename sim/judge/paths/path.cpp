@@ -1,3 +1,4 @@
+// Judges the rays, the passes and the colour of a pixel.
 #include "sim/judge/paths/path.hpp"
 
 #include "model/core/payloads.hpp"

@@ -1,3 +1,4 @@
+// Judges all pixels of a picture in parallel.
 #include "sim/judge/paths/picture.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Computes the correct meshes, instances and maps of a machine of two levels.
 #include "sim/judge/paths/placed.hpp"
 
 #include <cmath>

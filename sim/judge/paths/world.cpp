@@ -1,3 +1,4 @@
+// Computes the correct surfaces, lights and registers of a frame.
 #include "sim/judge/paths/world.hpp"
 
 #include <algorithm>
