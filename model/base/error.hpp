@@ -1,4 +1,5 @@
 #pragma once
+// The exception for wrong input.
 #include <stdexcept>
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The exception for work that a signal stopped.
 #include <stdexcept>
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The callback by which long work reports its progress.
 #include <cstdint>
 #include <functional>
 #include <string_view>

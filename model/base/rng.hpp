@@ -1,4 +1,5 @@
 #pragma once
+// A seeded random generator, the same on every machine.
 #include <cstdint>
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// Splits text at a separator.
 #include <string>
 #include <string_view>
 #include <vector>

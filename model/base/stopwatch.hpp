@@ -1,4 +1,5 @@
 #pragma once
+// Measures wall time.
 #include <chrono>
 
 namespace rayclock {

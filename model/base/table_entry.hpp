@@ -1,4 +1,5 @@
 #pragma once
+// The entry type of the tables that shade and globe interpolate.
 #include <cstdint>
 
 namespace rayclock {

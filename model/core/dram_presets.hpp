@@ -1,4 +1,5 @@
 #pragma once
+// The memories that a configuration can name.
 #include "model/core/dram_parts.hpp"
 
 namespace rayclock {

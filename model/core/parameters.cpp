@@ -1,3 +1,4 @@
+// Turns the rows of parameters.inl into a table, with the condition under which each parameter matters.
 #include "model/core/parameters.hpp"
 
 #include <algorithm>

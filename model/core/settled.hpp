@@ -1,4 +1,5 @@
 #pragma once
+// Dependent parameters, adjusted to the others.
 #include "model/core/config.hpp"
 
 namespace rayclock {

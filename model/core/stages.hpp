@@ -1,4 +1,5 @@
 #pragma once
+// Stages of the pipelines, in relaxed and fast chips.
 #include "model/core/config.hpp"
 
 namespace rayclock {

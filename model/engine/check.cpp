@@ -1,3 +1,4 @@
+// Checks a whole configuration, including the bits of its nodes.
 #include "model/engine/check.hpp"
 
 #include "model/base/error.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// Places of all rays in a machine that is stuck.
 #include <string>
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The payload of every transfer, for lockstep.
 #include <deque>
 #include <unordered_map>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The arbiter of the memory port.
 #include <bit>
 #include <cstdint>
 

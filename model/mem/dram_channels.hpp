@@ -1,4 +1,5 @@
 #pragma once
+// Several DRAMs behind one memory port.
 #include <vector>
 
 #include "model/mem/dram.hpp"

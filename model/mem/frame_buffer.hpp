@@ -1,4 +1,5 @@
 #pragma once
+// Traffic of a screen and of finished pixels on the memory.
 #include <algorithm>
 #include <cstdint>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The camera's axes, and checks of vectors in scenes.
 #include <string>
 
 #include <glm/vec3.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// The memory image, decoded into nodes and primitives on first use.
 #include "model/layout/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/engine/engines.hpp"

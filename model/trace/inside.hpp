@@ -1,4 +1,5 @@
 #pragma once
+// A ray in the space of the instance that it entered last.
 #include "model/engine/engines.hpp"
 #include "model/unit/xform/xform.hpp"
 

@@ -1,4 +1,5 @@
 #pragma once
+// A table of objects that threads decode on their first request.
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>

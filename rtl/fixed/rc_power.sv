@@ -10,7 +10,7 @@ module rc_power #(
 ) (
   input  logic        clk_i,
   input  logic        valid_i,
-  input  logic [16:0] c_i,// U1.16
+  input  logic [16:0] c_i,      // U1.16
   input  logic [13:0] n_i,
   output logic [16:0] power_o
 );

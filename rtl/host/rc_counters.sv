@@ -12,7 +12,7 @@ module rc_counters #(
   input  logic [3*Units-1:0]           causes_i,   // shared units lowest, then pipeline by pipeline
   input  logic                         clear_i,    // clears which_i's cause in all units
   input  logic [10:0]                  which_i,
-  output logic                         there_o,// which_i names a counter of this chip
+  output logic                         there_o,    // which_i names a counter of this chip
   output logic [rc_pkg::TallyBits-1:0] count_o     // valid only while nothing is counted
 );
   localparam int unsigned W = rc_pkg::TallyBits;

@@ -47,8 +47,9 @@ module rc_cache #(
   output logic                             rsp_valid_o,
   input  logic                             rsp_ready_i,
   output logic [IdBits+PartW-1:0]          rsp_o,          // {id, part of a word}
-  output logic                             next_fires_o,   // in a fast chip: an answer comes to the
-  output logic [IdBits-1:0]                next_id_o,      // head, and its id
+  // In a fast chip: an answer comes to the head of the queue, and its id
+  output logic                             next_fires_o,
+  output logic [IdBits-1:0]                next_id_o,
   // To and from memory
   output logic                             miss_valid_o,
   input  logic                             miss_ready_i,

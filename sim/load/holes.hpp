@@ -1,4 +1,5 @@
 #pragma once
+// Polygons with holes, joined into one ring.
 #include <vector>
 
 #include "sim/load/place.hpp"

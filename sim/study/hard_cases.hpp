@@ -1,4 +1,5 @@
 #pragma once
+// The page of hard cases.
 #include "sim/explore/stress/run.hpp"
 
 namespace rayclock::stress {

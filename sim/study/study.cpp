@@ -1,3 +1,4 @@
+// Runs the points of a study, from the cache where possible.
 #include "model/core/parameters.hpp"
 #include "sim/study/study.hpp"
 

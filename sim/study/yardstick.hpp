@@ -1,4 +1,5 @@
 #pragma once
+// The page that compares this machine with SaarCOR and RPU.
 #include <string>
 
 #include "model/base/progress.hpp"

@@ -156,9 +156,9 @@ mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit
   OLD [[if (held_) return chosen_;]]
   NEW [[if (held_ && valid == 0) return chosen_;]])
 mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
-  OLD [[        height_ = frame.height;
+  OLD [[        count_ = frame.ray_count;
         look();]]
-  NEW [[        height_ = frame.height;]])
+  NEW [[        count_ = frame.ray_count;]])
 mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit [shade][interval]
   OLD [[i < late_; ++i)]]
   NEW [[i < late_ && !(i == 0 && closest.there); ++i)]])

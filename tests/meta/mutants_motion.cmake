@@ -76,8 +76,8 @@ mutant(film_writes_one_line_less FILE model/compile/levels/moving.cpp TEST motio
   OLD [[part(root_, levels_.upper_lines, nullptr);]]
   NEW [[part(root_ + 1, levels_.upper_lines - 1, nullptr);]])
 mutant(film_resets_leave_surfaces FILE model/core/config.cpp TEST motion "model and RTL draw the same finished film*"
-  OLD [[prim_sets, shading ? surf_sets : 0, l2_sets});]]
-  NEW [[prim_sets, l2_sets});]])
+  OLD [[prim_sets, has_shade() ? surf_sets : 0, is_stream()]]
+  NEW [[prim_sets, is_stream()]])
 
 # ---- Writes through the memory.
 mutant(dram_reads_too_soon_after_a_write FILE model/mem/dram_banks.cpp TEST motion [dram]

@@ -1,5 +1,5 @@
 // The registers of the chip's host interface alone: which can be read and written and when, their values, and
-// the begin and end of a frame.
+// the start and end of a frame.
 #include <bit>
 #include <cstring>
 #include <map>

@@ -1,4 +1,5 @@
 #pragma once
+// The pages of a list of primitives (structure=none).
 #include <algorithm>
 
 #include "model/engine/bvh/box.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// Bounding spheres for the children of a tree's nodes.
 #include <functional>
 
 #include "model/engine/bvh/collapse.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// The generators of built-in scenes, and the numbers of their primitives.
 #include <cstdint>
 
 #include "model/scene/builtin.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// The Bezier patches of the teapot.
 #include <array>
 #include <vector>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Converts a hit of a floating-point test to the machine's numbers.
 #include <algorithm>
 #include <cmath>
 

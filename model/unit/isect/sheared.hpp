@@ -1,4 +1,5 @@
 #pragma once
+// The sheared triangle test of unit tri, as pure functions.
 #include "model/unit/isect/primitive.hpp"
 
 namespace rayclock {
@@ -35,7 +36,7 @@ namespace rayclock {
 /// num < 2^(3N+2).
 ///
 /// Mirror of rtl/unit/isect/rc_shear.sv in rc_tri.sv, latency Config::tri_latency() + 1, one
-/// triangle per cycle.
+/// triangle every Config::tri_interval cycles.
 void sheared_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
                   const Config& config, TriRsp& out);
 

@@ -21,7 +21,7 @@ namespace rayclock {
 ///
 /// Closest: num1 det2 < num2 det1, exact. Equal t goes to the lower primitive number. Widths: |u|, |v|, |w|,
 /// det < 2^(2N+M+1), |num| < 2^(3N+1). Mirror of rtl/unit/isect/rc_tri.sv, latency Config::tri_latency() + 1,
-/// one triangle per cycle.
+/// one triangle every Config::tri_interval cycles.
 void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
               const Config& config, TriRsp& out);
 

@@ -1,4 +1,5 @@
 #pragma once
+// A triangle test in truncated fixed point, a baseline.
 #include "model/unit/isect/primitive.hpp"
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The triangle test of SaarCOR and RPU in 24-bit floats, a baseline.
 #include "model/unit/isect/primitive.hpp"
 
 namespace rayclock {

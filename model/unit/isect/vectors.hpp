@@ -1,4 +1,5 @@
 #pragma once
+// Exact vector arithmetic of the triangle tests.
 #include "model/core/frame.hpp"
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The float32 triangle test of Woop, Benthin and Wald, a baseline.
 #include "model/unit/isect/primitive.hpp"
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// The unit list in time. ray_tests.hpp has its decisions.
 #include "model/core/ring.hpp"
 
 namespace rayclock {

@@ -9,8 +9,8 @@ namespace rayclock {
 /// origin and direction.
 ///
 /// Frame defines a camera ray's direction: the sum of the pixel's steps, shifted up until it fills M bits,
-/// and rounded. Mirror of rtl/unit/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per
-/// cycle.
+/// and rounded. Mirror of rtl/unit/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray every
+/// Config::raygen_interval cycles.
 Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config);
 
 /// Returns the camera ray of a context's new pixel, through the pixel's middle or its first sample.

@@ -1,4 +1,5 @@
 #pragma once
+// The unit dispatch: gives tiles to pipelines.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {

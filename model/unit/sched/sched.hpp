@@ -1,4 +1,5 @@
 #pragma once
+// The unit sched: gives the pixels of tiles to contexts.
 #include "model/core/payloads.hpp"
 #include "model/core/ring.hpp"
 

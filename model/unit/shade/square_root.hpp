@@ -1,4 +1,5 @@
 #pragma once
+// The integer square root of the unit shade and of spheres.
 #include <cstdint>
 
 namespace rayclock {

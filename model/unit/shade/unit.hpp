@@ -1,4 +1,5 @@
 #pragma once
+// The unit shade in time. pass.hpp computes the passes.
 #include <array>
 #include <utility>
 

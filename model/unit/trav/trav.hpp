@@ -1,4 +1,5 @@
 #pragma once
+// The unit trav in time. stack.hpp has its decisions.
 #include "model/core/ring.hpp"
 #include "model/unit/trav/stack.hpp"
 #include "model/core/stages.hpp"

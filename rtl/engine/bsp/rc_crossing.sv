@@ -1,6 +1,6 @@
 // One plane of a slant, in any direction. It decides whether the ray may be on the side that it
 // meets first (near), and on the other side (far). It also gives the end of the near side, rounded
-// up, and the begin of the far side, rounded down.
+// up, and the start of the far side, rounded down.
 //
 // Part of rc_slant, which has the valid bits. Operands come with valid_i[0]; the answer comes
 // rc_pkg::CrossingStages later.

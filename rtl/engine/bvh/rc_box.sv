@@ -53,8 +53,7 @@ module rc_box (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  // A stage accepts its input if the input is a node. In a fast chip it accepts unconditionally: an
-  // enable of hundreds of registers is a long path, and invalid data is never used.
+  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [L:0] moves;
 
   assign moves = valid | {(L+1){rc_pkg::Cut != 0}};

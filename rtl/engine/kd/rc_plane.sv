@@ -1,5 +1,5 @@
 // One plane of a treelet: whether the ray may be on the side that it meets first (near), and on the
-// other side (far). It also gives the end of the near side, rounded up, and the begin of the far
+// other side (far). It also gives the end of the near side, rounded up, and the start of the far
 // side, rounded down.
 //
 // Part of rc_treelet, rc_bih and rc_bounds, which have the valid bits. Operands come with

@@ -1,4 +1,4 @@
-// The intersection of three intervals of a ray: the latest begin, the earliest end, and whether all
+// The intersection of three intervals of a ray: the latest start, the earliest end, and whether all
 // three exist. Part of rc_bounds and rc_exits.
 //
 // Latency 1. In a fast chip it is 2: the comparison of the first two intervals is a stage of its
@@ -8,7 +8,7 @@ module rc_span #(
   localparam int unsigned T = rc_pkg::TBits
 ) (
   input  logic           clk_i,
-  input  logic           valid_i,// the last stage holds a node
+  input  logic           valid_i,   // the last stage holds a node
   input  logic [3*T-1:0] from_i,
   input  logic [3*T-1:0] to_i,
   input  logic [2:0]     there_i,

@@ -35,7 +35,7 @@ module rc_globe (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  // moves[i]: stage i + 1 accepts its input; unconditionally in a fast chip, as in rc_box.
+  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [L:0] moves;
   assign moves = valid | {(L+1){Cut != 0}};
 

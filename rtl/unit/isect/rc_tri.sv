@@ -78,9 +78,7 @@ module rc_tri (
     assign rests_o = 1'b0;
   end
 
-  // A stage accepts its input if the input is a primitive. In a fast chip it accepts
-  // unconditionally: an enable of hundreds of registers is a long path, and invalid data is never
-  // used.
+  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [L:0] moves;
 
   assign moves = valid | {(L+1){Cut != 0}};

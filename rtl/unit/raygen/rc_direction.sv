@@ -15,7 +15,7 @@ module rc_direction #(
   localparam int unsigned M = rc_pkg::DirBits,
   localparam int unsigned L = rc_pkg::DirectionStages
 ) (
-  input  logic           clk_i,// valid_i[i]: stage i holds a ray
+  input  logic           clk_i,
   input  logic [L-1:0]   valid_i,   // valid_i[i]: stage i holds a ray
   input  logic [3*G-1:0] sum_i,
   output logic [3*M-1:0] dir_o

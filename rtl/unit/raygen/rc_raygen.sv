@@ -75,7 +75,7 @@ module rc_raygen (
 
   assign req = req_flat;
 
-  // Admission: an answer has a place in the result queue. valid[i]: stage i accepts a ray.
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a ray.
   logic               admit;
   logic [Latency-1:0] valid_q;
   logic [Latency:0]   valid;
@@ -95,8 +95,7 @@ module rc_raygen (
     assign rests_o = 1'b0;
   end
 
-  // A stage accepts its input if the input is a ray. In a fast chip it accepts unconditionally: an
-  // enable of hundreds of registers is a long path, and invalid data is never used.
+  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [Latency:0] moves;
 
   assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
@@ -107,7 +106,7 @@ module rc_raygen (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
     .data_i(req.ray), .data_o(end_ray));
 
-  // Position in the picture, in pixels with SubBits of fraction, at the begin of stage SampleL.
+  // Position in the picture, in pixels with SubBits of fraction, at the start of stage SampleL.
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic signed [Q-1:0]       x, y;
 

@@ -24,7 +24,7 @@ module rc_raygen_stream (
   localparam int unsigned Every   = rc_pkg::RaygenInterval;
   localparam int unsigned RecordW = rc_pkg::RecordW;
 
-  // Admission: an answer has a place in the result queue. valid[i]: stage i accepts a ray.
+  // Admission: an answer has a place in the result queue. valid[i]: stage i holds a ray.
   logic               admit;
   logic [Latency-1:0] valid_q;
   logic [Latency:0]   valid;

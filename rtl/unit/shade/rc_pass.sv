@@ -38,7 +38,7 @@ module rc_pass #(
   input  rc_pkg::waiting_t     top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t place_i,
-  // To rc_contexts: at the begin of a pass the material of the surface that was hit; its end
+  // To rc_contexts: at the start of a pass the material of the surface that was hit; its end
   output logic                        look_valid_o,
   output logic [I-1:0]                look_ray_o,
   output rc_pkg::material_t           look_o,
@@ -178,7 +178,7 @@ module rc_pass #(
 
   assign face_at = surf_at | turn_at;
 
-  // ---- State known at the begin of the pass: delayed to the end.
+  // ---- State known at the start of the pass: delayed to the end.
   logic                 goes_on, mirrors, transmits;   // goes_on: one cycle before the first stage
   logic [I-1:0]         end_ray;                       // ends, with fewer loads
   rc_pkg::shade_state_t was;

@@ -1,4 +1,4 @@
-// The begin of a pass: its purpose, and the context's state that is known then. Part of rc_pass;
+// The start of a pass: its purpose, and the context's state that is known then. Part of rc_pass;
 // combinational. Model: pass() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(

@@ -22,7 +22,7 @@ module rc_pass_end #(
   input  logic                 clk_i,
   input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
-  // The context's state as known at the begin of the pass. Of its surface: the point, and whether
+  // The context's state as known at the start of the pass. Of its surface: the point, and whether
   // it mirrors and transmits
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t was_i,

@@ -1,4 +1,4 @@
-// Delays a context's state from the begin of a pass to its end. Fields that a pass does not change,
+// Delays a context's state from the start of a pass to its end. Fields that a pass does not change,
 // or makes anew, are left out. Of the surface that was hit, the end needs its point, and whether it
 // mirrors and transmits. Part of rc_pass; all other fields of was_o are 0.
 `default_nettype none
@@ -11,7 +11,7 @@ module rc_pass_state #(
   input  logic                 rst_ni,
   input  logic                 come_i,        // as in rc_stage_delay
   input  logic                 leave_i,
-  // Begin of the pass
+  // Start of the pass
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t known_i,
   // End of the pass

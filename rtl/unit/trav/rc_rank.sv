@@ -60,7 +60,7 @@ module rc_rank #(
   for (genvar l = 0; l < Levels; l++) begin : gen_level
     localparam int unsigned K = l == 0 ? 2 : l < 3 ? 4 : 8;
     localparam int unsigned J = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
-    logic holds;   // relaxed: invalid keys cost a simulation no work
+    logic holds;
     assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
 
     for (genvar i = 0; i < W; i++) begin : gen_key

@@ -5,9 +5,8 @@
 // each ray and instance, so all primitives of the instance see the same integers. d' is not
 // normalised: a point of the ray has the same t in both spaces.
 //
-// The scene's compiler ensures that the magnitudes of a row of A sum to at most 1. It also ensures
-// that
-// A o + b| is below 2^(CoordBits-1). So o' and d' need not more bits than o and d.
+// The scene's compiler ensures that the magnitudes of a row of A sum to at most 1, and that each
+// component of |A o + b| is below 2^(CoordBits-1). So o' and d' need no more bits than o and d.
 //
 // If the chip shades, o and o' have OriginBits of fraction. A shadow ray's o' is rounded to a
 // lattice point. For the instance that a ray leaves, or at which a shadow ray ends, o' and d' come
@@ -70,7 +69,7 @@ module rc_xform (
 
   assign req_ready_o = !rests_o;
 
-  // valid[i]: stage i accepts a ray.
+  // valid[i]: stage i holds a ray.
   logic [L-1:0] valid_q;
   logic [L:0]   valid;
 

@@ -1,3 +1,4 @@
+// Sums the multipliers, dividers and memory bits of a configuration.
 #include "sim/explore/fit/cost.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace rayclock::fit {
 
 namespace {
 
-/// Multipliers of rc_raygen, rc_slab, rc_edges and rc_tri.
+/// Returns the adders in multipliers of rc_raygen, rc_slab, rc_edges and rc_tri.
 std::uint64_t multipliers(const Config& c) {
     const int d = c.coord_bits + 1, r1 = c.recip_bits + 1, cross = c.dir_bits + d + 1, x = 2 * d + 1;
     const int raygen = 3 * 2 * c.guard_dir_bits() * c.pixel_bits;
@@ -19,7 +20,7 @@ std::uint64_t multipliers(const Config& c) {
     return std::uint64_t(raygen + box + edges + 2 * c.num_bits() * c.edge_bits());
 }
 
-/// Dividers of rc_recip and rc_hitdiv.
+/// Returns the adders in dividers of rc_recip and rc_hitdiv.
 std::uint64_t dividers(const Config& c) {
     const auto even = [](int bits) { return (bits + 1) / 2 * 2; };
     const int quotients = even(std::max(c.t_bits(), c.bary_bits)) + 2 * even(c.bary_bits);
@@ -28,7 +29,7 @@ std::uint64_t dividers(const Config& c) {
 
 int log2(int power) { return index_bits(power + 1) - 1; }
 
-/// Tags with a valid bit, and the words as the units want them.
+/// Returns the bits of a cache: tags with a valid bit, and words in the form that the units read.
 std::uint64_t cache(const Config& c, int sets, int ways, int line, int word_bits) {
     const int words = line / line_bytes, tag = c.addr_bits - log2(words) - log2(sets);
     return std::uint64_t(sets) * std::uint64_t(ways) * std::uint64_t(tag + 1 + words * word_bits);

@@ -1,3 +1,4 @@
+// Looks for a material, or for a few triangles, that make a scene large.
 #include "model/base/quote.hpp"
 #include "sim/explore/fit/dominant.hpp"
 
@@ -18,7 +19,7 @@ struct Box {
     double extent() const { return std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z}); }
 };
 
-/// Of the triangles that are kept, and the eye.
+/// Returns the extent of the kept triangles and the eye.
 double extent(const Scene& scene, const std::function<bool(std::size_t)>& kept) {
     Box box{scene.camera->eye, scene.camera->eye};
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
@@ -63,7 +64,7 @@ std::optional<Dominant> material(const Scene& scene) {
     return part;
 }
 
-/// Those above the widest gap between neighbours, by extent, in the larger half.
+/// Returns the triangles above the widest gap between neighbouring extents, within the larger half.
 std::optional<Dominant> triangles(const Scene& scene) {
     std::vector<std::size_t> order(scene.triangles.size());
     std::iota(order.begin(), order.end(), std::size_t(0));

@@ -1,5 +1,5 @@
 #pragma once
-// Why no width will do: the part of a scene that makes it large.
+// Explains why no width is enough: finds the part of a scene that makes it large.
 #include <optional>
 #include <string>
 
@@ -7,18 +7,18 @@
 
 namespace rayclock::fit {
 
-/// A material's triangles, or the few largest triangles, without which the rest and the eye would lie closer
-/// together.
+/// The triangles of a material, or the few largest triangles. Without them the scene and the eye have a
+/// smaller extent.
 struct Dominant {
     std::string what;   ///< "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12
                         ///< first)"
     Scene without;      ///< the scene without them; primitives are numbered anew
-    std::size_t triangles = 0;   ///< left out
-    double ratio = 1;            ///< extent of the whole scene with its eye over that without them
+    std::size_t triangles = 0;   ///< number of removed triangles
+    double ratio = 1;            ///< extent of the whole scene with its eye, over the extent without them
 };
 
-/// The material whose triangles make the scene largest, or else its largest triangles; none if the extent
-/// would not halve, or nothing would be left. `scene` must have a camera.
+/// Returns the material whose triangles enlarge the scene most, or else its largest triangles. Returns
+/// nothing unless their removal halves the extent and leaves a triangle. `scene` must have a camera.
 std::optional<Dominant> dominant_part(const Scene& scene);
 
 }   // namespace rayclock::fit

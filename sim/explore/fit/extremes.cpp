@@ -22,22 +22,22 @@ Vec cross(const Vec& a, const Vec& b) {
 void add(Interval& range, Wide value) { range = hull(range, point(value)); }
 void add(Interval& range, const Interval& more) { range = hull(range, more); }
 
-/// d . a for any direction; `term` gets its products.
+/// Returns the range of d . a over all directions, and that of its products in `term`.
 Interval dot(const Extremes::Axes& d, const Vec& a) {
     return d[0] * point(a[0]) + d[1] * point(a[1]) + d[2] * point(a[2]);
 }
-/// Component k of d x e.
+/// Returns the range of component k of d x e.
 Interval turned(const Extremes::Axes& d, const Vec& e, std::size_t k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     return d[i] * point(e[j]) - d[j] * point(e[i]);
 }
 
-/// What raygen sums for the pixels x and y.
+/// Returns the range of raygen's sum for the pixels x and y.
 Interval sum_of(const Frame& f, std::size_t k, const Interval& x, const Interval& y) {
     return point(f.corner[k]) + point(f.right[k]) * x + point(f.down[k]) * y;
 }
 
-/// Of every pixel: a box of all directions may hold zero although no direction is near it.
+/// Computes this pixel by pixel: the box of all directions may contain zero although no direction is near it.
 void measure_directions(const Frame& f, const Config& config, Extremes& e) {
     e.least_direction = std::int64_t(1) << 62;
     for (std::uint32_t y = 0; y < f.height; ++y)

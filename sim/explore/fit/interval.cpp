@@ -1,3 +1,4 @@
+// Bits of intervals, and decimal text of 128-bit integers.
 #include "sim/explore/fit/interval.hpp"
 
 namespace rayclock::fit {

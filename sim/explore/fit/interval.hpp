@@ -1,6 +1,6 @@
 #pragma once
-// Interval arithmetic in whole numbers: what a signal can be, from what its operands can be. Exact in 128
-// bits; the widest signal of the machine, a product of numerator and determinant, has 125.
+// Interval arithmetic in integers: the range of a signal follows from the ranges of its operands. It is exact
+// in 128 bits; the machine's widest signal, a product of numerator and determinant, has 125.
 #include <algorithm>
 #include <string>
 
@@ -8,7 +8,7 @@ namespace rayclock::fit {
 
 __extension__ using Wide = __int128;
 
-/// All whole numbers from lo to hi; nothing if lo > hi, and then every result is nothing.
+/// All integers from lo to hi. It is empty if lo > hi; operations on empty intervals give empty ones.
 struct Interval {
     Wide lo = 1, hi = 0;
 
@@ -40,17 +40,17 @@ inline Interval operator*(const Interval& a, const Interval& b) {
     return {std::min({p, q, r, s}), std::max({p, q, r, s})};
 }
 
-/// Times 2^n; divided by 2^n and rounded down, or up.
+/// Return a 2^n, and a / 2^n rounded down and up.
 inline Interval left(const Interval& a, int n) { return a * point(Wide(1) << n); }
 inline Interval right(const Interval& a, int n) { return {a.lo >> n, a.hi >> n}; }
 inline Interval right_up(const Interval& a, int n) { return -right(-a, n); }
 
-/// The low n bits of what is not negative.
+/// Returns the range of the low n bits of a non-negative number.
 inline Interval low_bits(const Interval& a, int n) {
     return a.empty() || a.hi >> n == 0 ? a : Interval{0, (Wide(1) << n) - 1};
 }
 
-/// |a|, and what of it is not below zero.
+/// Return the range of |a|, and the non-negative part of a.
 inline Interval magnitude(const Interval& a) {
     if (a.empty()) return {};
     if (a.lo >= 0) return a;
@@ -58,11 +58,11 @@ inline Interval magnitude(const Interval& a) {
 }
 inline Interval not_negative(const Interval& a) { return meet(a, {0, std::max(Wide(0), a.hi)}); }
 
-/// Fewest bits that hold every value of it, at least 1: two's complement, or without a sign.
+/// Return the fewest bits that hold every value, at least 1: in two's complement, and without a sign.
 int signed_bits(const Interval& a);
 int unsigned_bits(const Interval& a);
 
-/// In decimal.
+/// Returns the value in decimal.
 std::string text(Wide value);
 
 }   // namespace rayclock::fit

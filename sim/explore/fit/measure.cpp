@@ -1,3 +1,4 @@
+// Renders a scene for a configuration, and caches images and results.
 #include "sim/explore/fit/measure.hpp"
 
 #include <limits>
@@ -15,11 +16,11 @@ namespace rayclock::fit {
 
 namespace {
 
-/// What the bytes of an image depend on.
+/// Returns the parameters that affect the bytes of an image.
 std::vector<int> image_key(const Config& c) {
     return {c.coord_bits, c.box_bits, c.node_width, c.leaf_size, c.addr_bits, c.prim_bits, c.stack_depth};
 }
-/// What an outcome depends on.
+/// Returns the parameters that affect an outcome.
 std::vector<int> outcome_key(const Config& c) {
     std::vector<int> key = image_key(c);
     key.insert(key.end(),
@@ -27,7 +28,7 @@ std::vector<int> outcome_key(const Config& c) {
     return key;
 }
 
-/// Of any pixel's direction.
+/// Returns the largest square of a direction's length, over all pixels.
 std::int64_t largest_square(const Frame& frame, const Config& config) {
     std::int64_t largest = 0;
     for (std::uint32_t y = 0; y < frame.height; ++y)
@@ -39,7 +40,7 @@ std::int64_t largest_square(const Frame& frame, const Config& config) {
     return largest;
 }
 
-/// Hits of another primitive than the reference's.
+/// Returns the number of pixels that hold another primitive than the reference's.
 std::uint64_t others(const HitFrame& frame, const HitFrame& reference) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < frame.hits.size(); ++i)

@@ -1,6 +1,6 @@
 #pragma once
-// What a configuration does to one scene and frame: measured with the model, against the reference on the
-// scene as given.
+// Measures the errors and the work of a configuration on one scene and frame, with the model. The reference
+// renders the scene as given.
 #include <map>
 #include <optional>
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace rayclock::fit {
 
-/// One configuration's frame, or all frames of a film: sums, and the worst.
+/// The result of one configuration's frame, or of all frames of a film: sums, and the worst value.
 struct Outcome {
-    std::string refused;   ///< why the scene cannot be compiled for it; nothing else is known then
+    std::string refused;   ///< why the scene cannot be compiled; the other members are then unset
     std::uint64_t pixels = 0;
     std::uint64_t other = 0;              ///< pixels that hold another primitive than the reference's
-    double psnr_db = 0;                   ///< of the pictures; infinite if they are equal
+    double psnr_db = 0;                   ///< infinite if the pictures are equal
     std::uint64_t work = 0;               ///< nodes visited and triangles tested
     std::int64_t direction_squares = 0;   ///< largest square of a direction's length
     CompileReport compile;
@@ -25,23 +25,24 @@ struct Outcome {
     double other_percent() const { return pixels ? 100.0 * double(other) / double(pixels) : 100; }
 };
 
-/// Measures configurations of one base; what was measured once is remembered. Images are kept, by what they
-/// depend on.
+/// Measures configurations that share one base. Results and memory images are cached by the parameters that
+/// affect them.
 class Measure {
 public:
-    /// `scene` must have a camera, and stay. The reference works at once.
+    /// Runs the reference. `scene` must have a camera, and outlive the object.
     Measure(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice = {});
 
     /// Throws std::runtime_error if interrupted().
     const Outcome& operator()(const Config& config);
 
-    /// A sentence before each measurement that is not remembered, and how many there were.
+    /// Called before each measurement that is not cached, with the number of earlier ones.
     std::function<void(const Config& config, std::size_t done)> tell;
     std::size_t done() const { return done_.size(); }
     FrameSize size() const { return size_; }
     const Scene& scene() const { return scene_; }
     const PictureChoice& choice() const { return choice_; }
-    /// One picture of what camera rays hit in triangles: the rest is done once more for each configuration.
+    /// True if camera rays draw triangles alone, in one picture. Any other picture is rendered completely for
+    /// each configuration.
     bool is_plain() const;
 
 private:
@@ -55,7 +56,7 @@ private:
     FrameSize size_;
     int threads_;
     PictureChoice choice_;
-    std::vector<HitFrame> references_;   ///< of each frame
+    std::vector<HitFrame> references_;   ///< one for each frame
     std::vector<Picture> expected_;
     std::map<std::vector<int>, Outcome> done_;
     std::map<std::vector<int>, MemoryImage> images_;

@@ -1,3 +1,4 @@
+// Combines the range proofs of the units.
 #include "sim/explore/fit/ranges.hpp"
 
 namespace rayclock::fit {

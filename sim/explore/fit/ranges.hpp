@@ -1,6 +1,6 @@
 #pragma once
-// Proof of ranges: what every signal of the units can be, for one scene and one frame, by interval arithmetic
-// from the vertices, the nodes, the eye and the directions of all pixels. Nothing is sampled.
+// Proves the range of every signal of the units, for one scene and one frame. Interval arithmetic starts from
+// the vertices, the nodes, the eye and the directions of all pixels. Nothing is sampled.
 #include <array>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace rayclock::fit {
 
-/// What becomes of a value that its signal could not hold.
+/// The treatment of a value that its signal cannot hold.
 enum class Excess {
     never,       ///< it must fit: the proof fails otherwise
     wraps,       ///< taken modulo 2^bits on purpose: it is a term of a sum that fits
@@ -19,7 +19,7 @@ enum class Excess {
 
 /// One signal, all axes and all children of a node together.
 struct Signal {
-    std::string unit, name;   ///< of the RTL, with its stage, where it is one there
+    std::string unit, name;   ///< as in the RTL, with the stage
     Interval range;           ///< before it wraps or saturates
     bool is_signed = false;
     int there = 0;   ///< bits
@@ -29,18 +29,18 @@ struct Signal {
     bool fits() const { return needed() <= there; }
 };
 
-/// What the ranges are made of: the extremes of what lies in memory and in the frame's registers.
+/// The inputs of the proof: extremes of the values in memory and in the frame's registers.
 struct Extremes {
     using Axes = std::array<Interval, 3>;
     Axes vertex, eye, direction;
     Axes corner, right, down, sum;      ///< camera registers and raygen's sum
     Interval right_x, down_y;           ///< terms of that sum, all axes
-    std::int64_t least_direction = 0;   ///< no direction's largest component is smaller
+    std::int64_t least_direction = 0;   ///< least value of a direction's largest component
     Interval reach;                     ///< largest component of vertex - eye, of any vertex
     Axes p1, p2, edge, to_eye;          ///< of all triangles: d x e1, d x e2; e1 and e2; s
     Axes normal;
-    Interval det, u, v, w, num;     ///< of all triangles, before the signs are turned
-    Interval edge_term, num_term;   ///< of the sums of three products
+    Interval det, u, v, w, num;     ///< over all triangles, before the signs are changed
+    Interval edge_term, num_term;   ///< terms of the sums of three products
     /// Nodes of one exponent along one axis.
     struct Group {
         Interval origin, lo, hi;
@@ -52,12 +52,12 @@ Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& co
 
 struct Ranges {
     std::vector<Signal> signals;
-    /// Every signal that must fit does, and every sum whose terms wrap.
+    /// True if every signal that must fit does, and every sum whose terms wrap.
     bool proven() const;
 };
 Ranges prove_ranges(const MemoryImage& image, const Frame& frame, const Config& config);
 
-/// The parts, in the order in which a ray meets them.
+/// Append the signals of the units, in the order in which a ray meets them.
 void raygen_ranges(const Extremes& e, const Frame& frame, const Config& config, std::vector<Signal>& out);
 void box_ranges(const Extremes& e, const Config& config, std::vector<Signal>& out);
 void tri_ranges(const Extremes& e, const Config& config, std::vector<Signal>& out);

@@ -1,3 +1,4 @@
+// Formats the result of fit as tables and as JSON.
 #include "sim/explore/fit/report.hpp"
 
 #include <array>
@@ -25,7 +26,7 @@ const char* verdict(const Signal& s) {
     return "OVERFLOWS";
 }
 
-/// Long numbers by their power of two: the decimal digits are in the JSON.
+/// Writes long numbers as a power of two. The JSON has their decimal digits.
 std::string shorter(Wide value) {
     const Wide size = value < 0 ? -value : value;
     if (size < 10'000'000) return text(value);
@@ -33,7 +34,7 @@ std::string shorter(Wide value) {
     return fmt::format("{}2^{:.2f}", value < 0 ? "-" : "", power);
 }
 
-/// Widths that are constants of the machine, and what the scene would need.
+/// A width that is a constant of the machine, and the width that the scene needs.
 struct Constant {
     const char* name;
     int there, needed;
@@ -49,7 +50,7 @@ std::array<Constant, 3> constants(const Ranges& ranges) {
              {"count_bits", count_bits, needed("box", "kind")}}};
 }
 
-/// What a cost is made of.
+/// Formats the parts of a cost.
 struct CostPart {
     const char *words, *key;
     std::uint64_t Cost::*of;

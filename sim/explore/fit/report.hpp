@@ -1,5 +1,5 @@
 #pragma once
-// What fit found out, as text for people and as JSON; every key is explained in docs/report.md.
+// Results of fit as text and as JSON. docs/report.md explains every key.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -8,14 +8,14 @@
 
 namespace rayclock::fit {
 
-/// Which parameters have which width, why, and what happens one step below.
+/// Returns a table of the parameters: width, purpose, and the effect of one step less.
 std::string parameter_table(const Fit& fit, const Config& base);
-/// Memory that the scene needs, off and on the chip, and the cost of the formats. If `ranges` is
+/// Returns the memory that the scene needs, off and on the chip, and the cost of the formats. If `ranges` is
 /// empty, fit has proven nothing.
 std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges);
-/// Which units the scene needs, and what the machine leaves out.
+/// Returns the units that the scene needs, and the features that the machine leaves out.
 std::string units_text(const Config& config);
-/// Every signal: interval, bits needed, bits there.
+/// Returns a table of all signals: interval, bits needed, bits present.
 std::string range_table(const Ranges& ranges);
 
 nlohmann::ordered_json parameters_json(const Fit& fit, const Config& base);

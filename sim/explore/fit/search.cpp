@@ -1,3 +1,4 @@
+// The search for the smallest formats: bisection, then descent.
 #include "sim/explore/fit/search.hpp"
 
 #include <algorithm>
@@ -17,12 +18,13 @@ namespace rayclock::fit {
 namespace {
 
 constexpr double colour_loss = 0.1,
-                 colour_enough = 60;   // dB that bary_bits may cost, and beyond which it may cost all
+                 colour_enough = 60;   // dB: the loss that bary_bits may cause, and the PSNR above which any
+                                       // loss is allowed
 
 int most(int Config::*member) { return parameter(member).hi; }
 int least(int Config::*member) { return parameter(member).lo; }
 
-/// The least value that is enough, by bisection: `top` is, `low` is not.
+/// Returns the least value that is enough, by bisection. `top` is enough, `low` is not.
 template <class Enough> int least_of(int low, int top, const Enough& enough) {
     while (top - low > 1) {
         const int middle = (low + top) / 2;
@@ -65,8 +67,8 @@ Config Search::widest(const Config& config) const {
          {&Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::t_frac_bits})
         wide.*member = most(member);
     if (wide.planes) wide.bary_bits = std::min(wide.bary_bits, 31 - plane_bits);
-    // Distances may not go together with wide edges: rc_box has 64 bits.
-    if (wide.shading)   // the least that shadow rays and bounces beyond the lattice need
+    // The widest distances may not fit with wide coordinates: rc_box has 64 bits.
+    if (wide.shading)   // the minimum for shadow rays and bounces beyond the lattice
         wide.origin_bits = std::max(
             {least(&Config::origin_bits), wide.dir_bits - wide.coord_bits - 1, wide.horizon ? far_drop : 0});
     while (wide.t_frac_bits > 0 && !broken_rule(wide).empty()) --wide.t_frac_bits;
@@ -105,7 +107,7 @@ std::string Search::violation(const Config& config) {
 
 std::optional<int> Search::smallest_coord_bits() {
     const auto widest_at = [&](int n) { return widest(n, std::min(most(&Config::dir_bits), 62 - 2 * n)); };
-    // Beyond 62 / 3 bits or so more for N is fewer for M: the widest N need not be the best.
+    // Above about 62 / 3 bits a wider N needs a narrower M, so the widest N may not be the best.
     int top = 0;
     for (int n = most(&Config::coord_bits); n >= least(&Config::coord_bits) && top == 0; --n) {
         const Config config = widest_at(n);
@@ -119,7 +121,7 @@ std::optional<int> Search::smallest_coord_bits() {
     return least_of(least(&Config::coord_bits) - 1, top, [&](int n) { return keeps(widest_at(n)); });
 }
 
-/// The smallest M for this N, if that is less than what is known.
+/// Finds the smallest M for this N, if the pair costs less than the best one so far.
 void Search::find_directions(int n) {
     const bool known = !best_.name.empty();
     int top = std::min(most(&Config::dir_bits), 62 - 2 * n), low = least(&Config::dir_bits) - 1;
@@ -161,7 +163,7 @@ void Search::descend() {
     }
 }
 
-/// What must be there for this scene, this picture and these caches, no more and no less.
+/// Sets the widths and the stack depth that this scene, picture and caches need.
 void Search::fit_to_scene() {
     const Outcome& outcome = measure_(best_);
     const auto bits_for = [](std::uint64_t count) { return int(std::bit_width(count - 1)); };
@@ -174,9 +176,9 @@ void Search::fit_to_scene() {
                  bits_for(std::uint64_t(std::max(measure_.size().width, measure_.size().height))));
 }
 
-/// What the last round of descend() found one step below; all of it is remembered.
+/// Reports why descend() stopped at this width. The measurement is cached.
 Fitted Search::fitted(int Config::*member, Purpose purpose) {
-    Fitted f{&parameter(member), purpose, best_.*member, "there is no less"};
+    Fitted f{&parameter(member), purpose, best_.*member, "this is the minimum"};
     if (f.value == f.parameter->lo) return f;
     Config lower = best_;
     --(lower.*member);
@@ -186,13 +188,13 @@ Fitted Search::fitted(int Config::*member, Purpose purpose) {
     return f;
 }
 
-/// A width that tells things apart: with one bit fewer, or half the places, some have none.
+/// A width that must number all items: one bit fewer, or half the places, leaves some without a number.
 Fitted Search::needed(int Config::*member, const std::string& why) const {
     Fitted f{&parameter(member), Purpose::correctness, best_.*member, why};
     Config lower = best_;
     lower.*member = f.parameter->power_of_two() ? f.value / 2 : f.value - 1;
     if (f.value == f.parameter->lo)
-        f.below = "there is no less";
+        f.below = "this is the minimum";
     else if (const std::string rule = broken_rule(lower); !rule.empty())
         f.below = rule;
     return f;

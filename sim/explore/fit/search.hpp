@@ -9,20 +9,20 @@
 namespace rayclock::fit {
 
 struct Goal {
-    double max_error = 0.1;   ///< per cent of pixels that may hold another primitive than the reference's
+    double max_error = 0.1;   ///< allowed percentage of pixels with another primitive than the reference's
     std::optional<double> min_psnr;   ///< dB, against the reference's picture
-    double max_work = 2;              ///< per cent of nodes and triangles above what the widest fields need
+    double max_work = 2;   ///< allowed percentage of additional nodes and triangles, over the widest fields
 };
 
-/// What a parameter's width is for.
+/// The purpose of a parameter's width.
 enum class Purpose {
-    correctness,   ///< below it something is lost: an address, a number, a sibling
-    accuracy,      ///< below it the picture is worse than the bound
-    work,          ///< below it rays meet more boxes; the picture stays the same
+    correctness,   ///< a smaller width loses an address, a number or a sibling
+    accuracy,      ///< a smaller width makes the picture worse than the bound
+    work,          ///< a smaller width makes rays meet more boxes; the picture stays the same
 };
 const char* purpose_name(Purpose purpose);
 
-/// A parameter that was fitted, and what happens one step below.
+/// A fitted parameter, and the effect of one step less.
 struct Fitted {
     const Parameter* parameter = nullptr;
     Purpose purpose = Purpose::accuracy;
@@ -32,32 +32,32 @@ struct Fitted {
 
 struct Fit {
     Config config;
-    Outcome outcome;        ///< of this configuration
-    Outcome widest;         ///< of the same N and M with all other fields at their widest
-    Cost cost, base_cost;   ///< base: of the configuration that was given
+    Outcome outcome;        ///< the outcome of `config`
+    Outcome widest;         ///< the outcome with the same N and M and all other fields at their widest
+    Cost cost, base_cost;   ///< base: the given configuration
     std::vector<Fitted> parameters;
 };
 
-/// How the search goes. Which pixels hold another primitive is decided by N and M alone: everything after
-/// them is exact or conservative. So first the pair (N, M) of the least cost that keeps the goal, all else at
-/// its widest: the smallest N by bisection, then for each larger N the smallest M, as long as that is
-/// cheaper. Then R, box_bits, F and bary_bits one after the other, each by bisection. Bisection takes for
-/// granted that more bits are never worse, and that is nearly true; so in the end every parameter is tried
-/// one step lower, again and again, until none can be lowered any more.
+/// Searches the smallest formats that keep a goal. N and M alone decide which pixels hold another primitive,
+/// because all later steps are exact or conservative. So the search starts with the cheapest pair (N, M) that
+/// keeps the goal, with all other fields at their widest. It finds the smallest N by bisection. For each
+/// larger N it finds the smallest M, while the pair becomes cheaper. Then it fits R, box_bits, F and
+/// bary_bits, each by bisection. Bisection assumes that more bits are never worse, which is nearly true. So
+/// finally it lowers every parameter by one step, again and again, until none can be lowered.
 class Search {
 public:
     Search(Measure& measure, const Config& base, const Goal& goal);
 
-    /// Nothing if no width keeps the goal: closest() is then the one that came closest.
+    /// Returns nothing if no width keeps the goal. closest() is then the best attempt.
     std::optional<Fit> run();
     const Config& closest() const { return closest_; }
 
-    /// Smallest N that keeps the goal with the widest of all other fields, if any does.
+    /// Returns the smallest N that keeps the goal with all other fields at their widest, if any does.
     std::optional<int> smallest_coord_bits();
 
-    /// Which rule or bound a configuration breaks, as a sentence; empty if none.
+    /// Returns the rule or bound that a configuration breaks, as a sentence; empty if none.
     std::string violation(const Config& config);
-    /// The same N, M and shape with all other fields at their widest.
+    /// Returns the configuration with the same N, M and shape, and all other fields at their widest.
     Config widest(const Config& config) const;
 
 private:
@@ -72,8 +72,8 @@ private:
     Fitted needed(int Config::*member, const std::string& why) const;
 
     Measure& measure_;
-    Config given_, base_;     ///< base: with the widest addresses and the deepest stack
-    Config best_, closest_;   ///< without a name: none yet
+    Config given_, base_;     ///< base: the given one with the widest addresses and the deepest stack
+    Config best_, closest_;   ///< none yet if the name is empty
     Goal goal_;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+// Drawings of the families of hard cases.
 #include <string>
 
 #include "sim/explore/stress/families.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// Counts rays that slip through closed surfaces.
 #include "model/base/progress.hpp"
 #include "sim/run/engine/engine.hpp"
 

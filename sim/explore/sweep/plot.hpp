@@ -1,4 +1,5 @@
 #pragma once
+// Diagrams of a sweep.
 #include "sim/view/plot/chart.hpp"
 #include "sim/explore/sweep/front.hpp"
 

@@ -1,3 +1,4 @@
+// Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"
@@ -11,7 +12,7 @@ namespace rayclock::torture {
 
 namespace {
 
-/// Memories, clocks and disturbances, one after the other.
+/// Sets the memory, clock and disturbances of case `number`; six sets take turns.
 void disturb(TortureCase& t, int number) {
     struct Disturbance {
         DramName dram;
@@ -29,7 +30,7 @@ void disturb(TortureCase& t, int number) {
     t.seed = number + 1;
 }
 
-/// The axes one place on, so many times.
+/// Rotates the axes by `turns` places.
 template <class V> V turned(const V& v, int turns) {
     V out = v;
     for (std::size_t k = 0; k < 3; ++k) out[(k + std::size_t(turns)) % 3] = v[k];
@@ -54,7 +55,7 @@ public:
         if (config_.spheres) add_balls(), add_beads(), add_contacts();
         if (config_.planes) add_planes();
         if (config_.supersampling) add_contrast(), add_samples();
-        // What comes last changes no draw of the others.
+        // Add new cases at the end, so the random numbers of earlier cases stay the same.
         add_film();
         if (config_.is_list()) add_last_lines();
         if (config_.pixel_bits == max_pixel_bits && !config_.shading && !config_.has_instances()) add_large();
@@ -67,8 +68,8 @@ public:
     }
 
 private:
-    /// Frames that differ in everything: eye, angle, lights, depth, threshold, contrast, background, size,
-    /// and the root if the tree has a second node to begin with.
+    /// Frames that differ in all registers: eye, angle, lights, depth, threshold, contrast, background, size.
+    /// One starts at another root, if the tree has a second node.
     void add_soup(int number, const Size* sizes) {
         const std::vector<PrimData> prims = soup(config_, dice_, few(8 + 12 * (number % 3)));
         TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
@@ -80,7 +81,7 @@ private:
         end(std::move(t));
     }
 
-    /// The first child of the root, if it is a node itself. Of a list the second page.
+    /// Returns the first child of the root if it is a node, else 0. For a list, returns the second page.
     std::uint32_t inner_root(const MemoryImage& image) const {
         const std::uint32_t page = page_lines(config_.node_width);
         if (config_.is_list()) return 2 * page < image.listed ? page : 0;
@@ -93,8 +94,8 @@ private:
         });
     }
 
-    /// The scene changes between frames: the host writes what differs, and the caches are emptied. What it
-    /// writes while a frame is drawn, that frame does not read.
+    /// The scene changes between frames: the host writes the lines that differ, and the caches are emptied. A
+    /// frame does not read lines that the host writes while it is drawn.
     void add_film() {
         TortureCase t = begin("film", {});
         MemoryImage image;
@@ -127,7 +128,7 @@ private:
         end(std::move(t));
     }
 
-    /// A list or a tree whose last line is the last that can be addressed.
+    /// A list or a tree that ends at the last address.
     void add_last_lines() {
         std::uint32_t root = 0;
         const std::vector<PrimData> prims = soup(config_, dice_, 21);
@@ -140,7 +141,7 @@ private:
         end(std::move(t));
     }
 
-    /// The same RTL walks an octree. Its inner nodes keep what a plane cuts, or its leaves share it.
+    /// The same RTL walks an octree. A primitive that a plane cuts lies in the inner node, or in both leaves.
     void add_octrees() {
         for (const Straddlers straddlers : {Straddlers::inner, Straddlers::leaves}) {
             Config octree = config_;
@@ -155,7 +156,7 @@ private:
         }
     }
 
-    /// As high and as wide as can be told; more than 65,536 pixels.
+    /// The largest height and width that the registers hold; more than 65,536 pixels.
     void add_large() {
         TortureCase t = begin("large", image_of(specks(config_, dice_, 3), config_, dice_, "large"));
         constexpr std::uint32_t most = 1u << max_pixel_bits;
@@ -169,7 +170,7 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Edges that many powers of two divide: points lie on them as dense as can be.
+    /// Edges divisible by large powers of two: they contain the most lattice points.
     void add_coarse() {
         const std::vector<PrimData> prims = coarse(config_, dice_, 24);
         TortureCase t = begin("coarse", image_of(prims, config_, dice_, "coarse", Look::clear));
@@ -177,7 +178,7 @@ private:
         end(std::move(t));
     }
 
-    /// The most that the sums of 64 samples hold: all of them white.
+    /// The largest sums of 64 samples: all are white.
     void add_white() {
         const std::vector<PrimData> prims = mesh(40, side_);
         TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", Look::bright));
@@ -189,12 +190,12 @@ private:
         end(std::move(t), 0);
     }
 
-    /// `turn` says across which axis the mesh lies: ties go by the first axis that tells two corners apart.
+    /// `turn` selects the axis across the mesh. The tie rule uses the first axis on which two corners differ.
     void add_corners(std::int32_t step, int turn) {
         std::vector<PrimData> prims = mesh(step, side_);
         for (PrimData& prim : prims)
             for (Vec3i* corner : {&prim.a, &prim.b, &prim.c}) *corner = turned(*corner, turn);
-        // In any order, so that of two at the same distance the lower number may come second.
+        // Shuffled, so the lower number of two equal hits may be tested second.
         for (std::size_t i = prims.size(); i-- > 1;)
             std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
         TortureCase t = begin("corners " + std::to_string(step), image_of(prims, config_, dice_, "mesh"));
@@ -204,20 +205,19 @@ private:
             *part = turned(*part, turn);
         t.frames[0].eye = turned(t.frames[0].eye, turn);
         shade(t.frames.back(), t.job.image, 1);
-        // From a point of the mesh itself: what is met at a distance of nought does not count.
+        // The eye lies in the mesh: a hit at t = 0 does not count.
         Frame on_it = view(prims, config_, {9, 5}, 0, dice_);
         on_it.eye = turned(Vec3i{step / 2, step / 3, 0}, turn);
         add(t, on_it);
         add(t, diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
-        for (Frame& frame : t.frames)   // lights in the plane of the mesh, from which they are on neither
-                                        // side
+        for (Frame& frame : t.frames)   // lights in the plane of the mesh, on neither side of it
             for (std::size_t i = 0; i < frame.shade.lights; i += 2)
                 frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
         end(std::move(t));
     }
 
-    /// Primitives of a few lattice steps and directions of a few units: products are small, and differ by one
-    /// or not at all.
+    /// Primitives of a few lattice steps and directions of a few units: products are small and equal, or
+    /// differ by one.
     void add_specks() {
         const std::vector<PrimData> prims = specks(config_, dice_, few(40));
         TortureCase t = begin("specks", image_of(prims, config_, dice_, "specks"));
@@ -226,8 +226,8 @@ private:
         end(std::move(t));
     }
 
-    /// The same with long directions: a cell is a few of t's units long, so that the distances of its ends
-    /// differ by one or not at all. Planes lie as no builder puts them.
+    /// The same with long directions. A cell is a few units of t long, so the distances of its ends are equal
+    /// or differ by one. No builder would place the planes like this.
     void add_cuts() {
         for (int i = 0; i < 4; ++i) {
             const std::vector<PrimData> prims = specks(config_, dice_, 24);
@@ -248,15 +248,14 @@ private:
     void add_panes() {
         const std::vector<PrimData> prims = panes(config_, 6);
         TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
-        // From between the first two panes a ray goes to and fro, and leaves one behind at each turn: as many
-        // as can wait.
+        // Between the first two panes a ray is reflected back and forth. Each time one more ray waits, up to
+        // the largest number.
         for (const double spread : {0.4, 0.01, 3e-6, 3e-7, 0.1}) {
             Frame frame = pane_view(config_, {6, 4}, spread);
             if (spread == 0.1) frame.eye[2] = (prims[0].a[2] + prims[2].a[2]) / 2;
             add_deep(t, frame);
         }
-        // Thresholds that a weight of one half, or a quarter, reaches with what rounding is allowed, and not
-        // with less.
+        // Thresholds that a weight of one half, or a quarter, reaches only with the largest allowed rounding.
         for (std::uint32_t depth = 0; depth < 2; ++depth) {
             Frame frame = t.frames[0];
             frame.shade.threshold = (1u << (unit_bits - depth)) + 3 * (depth + 1);
@@ -276,7 +275,7 @@ private:
         end(std::move(t));
     }
 
-    /// Frames that are done while a tile still is: nothing of it must be left to the next frame.
+    /// Frames that end while a tile is unfinished: the next frame must not get the rest of it.
     void add_tiles() {
         const std::vector<PrimData> prims = soup(config_, dice_, 4);
         TortureCase t = begin("tiles", image_of(prims, config_, dice_, "tiles"));
@@ -286,8 +285,7 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Mirrors that send all but every ray straight along an axis: rounded, some directions are longer than
-    /// one.
+    /// Mirrors that send nearly every ray along an axis: some rounded directions are longer than 1.
     void add_axes() {
         const Vec3i normals[] = {{1, 0, 2}, {2, 1, 3}, {-1, 2, 4}};
         std::vector<PrimData> prims;
@@ -307,19 +305,19 @@ private:
         end(std::move(t));
     }
 
-    /// Many highlights, exponents of any size.
+    /// Many highlights, with exponents of any size.
     void add_lights() {
         const std::vector<PrimData> prims = soup(config_, dice_, 12);
         TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
         for (int i = 0; i < 4; ++i) {
             Frame& frame = add(t, view(prims, config_, {12, 9}, 0, dice_));
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
-            // One light is bright, so that all of them together do not make everything white.
+            // Only one light is bright, so their sum does not saturate.
             const std::size_t bright =
                 i % 2 == 0 ? frame.shade.lights - 1 : std::size_t(i) % frame.shade.lights;
             for (std::size_t k = 0; k < 3 * frame.shade.lights; ++k)
                 if (k / 3 != bright) frame.shade.colour[k] >>= 6;
-            for (std::size_t k = 0; k < 3; ++k)   // of the last one a single bit, the highest
+            for (std::size_t k = 0; k < 3; ++k)   // the last light has only its highest bit set
                 if (i % 2 == 0) frame.shade.colour[3 * bright + k] = 1u << (strength_bits - 1);
         }
         end(std::move(t));
@@ -335,7 +333,7 @@ private:
         end(std::move(t));
     }
 
-    /// Lights inside the first balls, in their middles and above them, and the eye inside one as well.
+    /// Puts lights into the first balls, at their centres and above, and the eye into one ball.
     void put_lights_into(const std::vector<PrimData>& balls, Frame& frame) {
         frame.shade.lights = std::uint32_t(config_.lights);
         frame.shade.depth = 1;
@@ -347,7 +345,7 @@ private:
         frame.eye = balls[0].a;
     }
 
-    /// Balls of a few steps: rays that graze them begin on either side of the surface, as rounding has it.
+    /// Balls of a few steps: a grazing ray begins on either side of the surface, depending on rounding.
     void add_beads() {
         const std::vector<PrimData> prims = beads(config_, dice_, 24);
         TortureCase t = begin("beads", image_of(prims, config_, dice_, "beads", Look::clear));
@@ -361,9 +359,9 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Balls whose surfaces go through points of a mesh that are hit exactly, and lie so far inside a
-    /// triangle that rays from there begin there: shadow rays from within the ball end on its surface, those
-    /// from straight above touch it where they end.
+    /// Balls whose surfaces contain points of a mesh that are hit exactly. The points lie well inside
+    /// triangles, so rays from there begin exactly there. Shadow rays from within the ball end on its
+    /// surface. Shadow rays from straight above touch it at their end.
     void add_contacts() {
         const std::int32_t step = 40, radius = step / 4;
         std::vector<PrimData> prims = mesh(step, config_.is_list() ? 4 : 6);
@@ -380,13 +378,13 @@ private:
                 place[2] = step * std::int32_t(i);
             put_light(frame, i, place);
         }
-        // From a point of a ball's surface into it.
+        // From a point of a ball's surface into the ball.
         add(t, diagonal_view(points[0], 1 << (config_.dir_bits - 4)));
         end(std::move(t), 0);
     }
 
-    /// Planes that meet far beyond the lattice: rays come back from there, or miss it, or see lights behind
-    /// the surface.
+    /// Planes that meet far beyond the lattice. From there, rays return to the lattice or miss it, or lights
+    /// lie behind the surface.
     void add_planes() {
         std::vector<PrimData> prims = soup(config_, dice_, 8);
         for (const PrimData& plane : walls(config_)) prims.push_back(plane);
@@ -401,7 +399,7 @@ private:
         TortureCase t = begin("samples", image_of(prims, config_, dice_, "samples"));
         for (const int side : {2, 4, 5, 6, 7, 8}) {
             Frame& frame = add(t, view(prims, config_, {3, 2}, 0, dice_), side);
-            frame.shade.depth = 0, frame.shade.contrast = 0;   // and all of them are taken
+            frame.shade.depth = 0, frame.shade.contrast = 0;   // all samples are taken
         }
         end(std::move(t));
     }
@@ -410,17 +408,17 @@ private:
         if (config_.shading)
             frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
     }
-    /// How many primitives of a list follow the frame's first line.
+    /// Sets the number of primitives in a list from the frame's first line on.
     void set_listed(Frame& frame, const MemoryImage& image) const {
         if (config_.is_list()) frame.listed = image.listed - 2 * frame.root;
     }
-    /// The case gets the frame, with settings drawn at random.
+    /// Adds the frame to the case, with random settings.
     Frame& add(TortureCase& t, Frame frame, int samples = 1) {
         shade(frame, t.job.image, samples);
         set_listed(frame, t.job.image);
         return t.frames.emplace_back(std::move(frame));
     }
-    /// The same with as many bounces as can be.
+    /// The same with the most bounces.
     Frame& add_deep(TortureCase& t, Frame frame) {
         Frame& added = add(t, std::move(frame));
         added.shade.depth = std::uint32_t(config_.bounces), added.shade.threshold = 0;
@@ -448,15 +446,15 @@ private:
         t.job.frame = t.frames[0];
         t.job.size = {int(t.frames[0].width), int(t.frames[0].height)};
         cases_.push_back(std::move(t));
-        dice_ = Dice(seed());   // of its own for each case, so that one can be changed without the others
+        dice_ = Dice(seed());   // each case has its own seed, so changing one leaves the others alone
     }
     std::uint64_t seed() const { return config_.name.size() * 1000 + 7 + 100 * cases_.size(); }
 
-    /// A list is read whole by every ray.
+    /// Fewer primitives for a list, since every ray tests all of them.
     int few(int primitives) const { return config_.is_list() ? primitives / 3 : primitives; }
 
     Config config_;
-    const int side_ = config_.is_list() ? 2 : 6;   // of meshes, in squares
+    const int side_ = config_.is_list() ? 2 : 6;   // side of a mesh, in squares
     std::vector<TortureCase> cases_;
     Dice dice_;
 };

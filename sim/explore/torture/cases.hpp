@@ -1,5 +1,5 @@
 #pragma once
-// The cases of one chip: which images, frames and disturbances meet.
+// The torture cases of one chip: combinations of images, frames and disturbances.
 #include "sim/explore/torture/torture.hpp"
 
 namespace rayclock::torture {

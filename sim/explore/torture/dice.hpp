@@ -14,7 +14,7 @@ public:
     int below(int n) { return rng_.below(n); }
     int between(int lo, int hi) { return lo + rng_.below(hi - lo + 1); }
     bool percent(int p) { return rng_.below(100) < p; }
-    /// 0..2^bits: nothing, all, one half, or anything.
+    /// Returns a number in 0..2^bits: half of the draws are 0, 2^bits or one half.
     std::uint32_t share(int bits) {
         const std::uint32_t one = 1u << bits;
         switch (rng_.below(6)) {
@@ -25,14 +25,14 @@ public:
         }
     }
     std::array<std::uint32_t, 3> colour(int bits) { return {share(bits), share(bits), share(bits)}; }
-    /// -most..most; one time in three an end, nought or one.
+    /// Returns a number in -most..most. A third of the draws are near an end, 0 or +-1.
     std::int32_t number(std::int32_t most) {
         const std::int32_t corners[] = {most, -most, most - 1, 1 - most, 0, 1, -1};
         if (rng_.below(3) == 0) return corners[rng_.below(7)];
         return between(-most, most);
     }
     Vec3i point(std::int32_t most) { return {number(most), number(most), number(most)}; }
-    /// A point at most `reach` away along each axis, within -most..most.
+    /// Returns a point at most `reach` away on each axis, within -most..most.
     Vec3i near(const Vec3i& p, std::int32_t reach, std::int32_t most) {
         Vec3i q;
         for (std::size_t k = 0; k < 3; ++k) q[k] = std::clamp(p[k] + between(-reach, reach), -most, most);

@@ -1,3 +1,4 @@
+// Computes the registers of torture frames.
 #include "sim/explore/torture/frames.hpp"
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace rayclock::torture {
 
 namespace {
 
-/// Sets the pixel map so that no direction, nor a step alone, exceeds 2^(M-1) - 1, halves of a pixel around
-/// included.
+/// Sets the pixel map so that no direction and no single step exceeds 2^(M-1) - 1, even half a pixel beyond
+/// the picture.
 void aim(Frame& frame, const glm::dvec3& middle, const glm::dvec3& right, const glm::dvec3& down,
          double shrink, const Config& config) {
     const glm::dvec3 corner = middle - 0.5 * (frame.width - 1) * right - 0.5 * (frame.height - 1) * down;
@@ -100,7 +101,7 @@ Vec3i mirror_place(const Config& config, std::int32_t at) {
 }
 
 Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int32_t at) {
-    // What comes along v is mirrored to z if v + z is a multiple of the normal.
+    // A ray along v is reflected along z if v + z is a multiple of the normal.
     const std::int32_t square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
     const Vec3i v{2 * normal[2] * normal[0], 2 * normal[2] * normal[1], 2 * normal[2] * normal[2] - square};
     Frame frame;

@@ -1,3 +1,4 @@
+// Draws primitives, surfaces and trees for torture images.
 #include "sim/explore/torture/image.hpp"
 
 #include <cmath>
@@ -28,7 +29,7 @@ PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
     PrimData s;
     s.kind = std::uint32_t(PrimKind::sphere);
     s.a = centre;
-    s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // seen from inside or not
+    s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // whether its inside is seen
     return s;
 }
 
@@ -55,7 +56,7 @@ PrimData random_sphere(Dice& dice, const Config& config, std::int32_t most) {
                   config.coord_bits);
 }
 
-/// What the surface's type holds, with edges of whole 2^fine steps; see Surface::fine.
+/// Converts to the type of a surface, with edges that are multiples of 2^fine steps; see Surface::fine.
 std::uint32_t fine_of(const PrimData& t, const Config& config) {
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -231,7 +232,7 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
 
 namespace {
 
-/// Draws a plane of a node, in any direction if the node's planes have one.
+/// Draws a plane of a node, in any direction if the engine's planes have one.
 template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) {
     kd::Cell cell;
     if constexpr (requires { node.normal; }) {
@@ -242,7 +243,7 @@ template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) 
         const std::uint32_t axis = cell.axis = std::uint32_t(dice.below(3));
         cell.at = dice.between(node.lo[axis], node.hi[axis]);
         cell.lower = std::make_unique<kd::Cell>(), cell.upper = std::make_unique<kd::Cell>();
-        cell.lower->bounds.hi[axis] = cell.at;   // of a pair of planes: a gap, or an overlap
+        cell.lower->bounds.hi[axis] = cell.at;   // the second of a pair of planes makes a gap or an overlap
         cell.upper->bounds.lo[axis] = node.lo[axis] + node.hi[axis] - cell.at;
     }
     put(cell, plane, node);

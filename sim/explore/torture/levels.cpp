@@ -1,3 +1,4 @@
+// Builds torture images with instances.
 #include "sim/explore/torture/levels.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace rayclock::torture {
 
 namespace {
 
-/// Where an instance stands. Every corner of its mesh is that of the scene, moved by its map and rounded.
+/// An instance: its mesh and map. Every corner of its mesh is the scene's, moved by the map and rounded.
 struct Standing {
     std::size_t mesh = 0;
     InstanceMap map;
@@ -21,7 +22,7 @@ struct Standing {
 /// Rows of an instance's map as fractions, signed.
 using Rows = std::array<std::array<double, 3>, 3>;
 
-/// Axes swapped and mirrored: nothing is rounded.
+/// Returns a random permutation of the axes with random signs, which needs no rounding.
 Rows quarters(Dice& dice) {
     Rows rows{};
     const auto first = std::size_t(dice.below(3));
@@ -30,7 +31,7 @@ Rows quarters(Dice& dice) {
     return rows;
 }
 
-/// Any rotation, by a quaternion.
+/// Returns a random rotation, made from a quaternion.
 Rows turned(Dice& dice) {
     double q[4], square = 0;
     do {
@@ -50,7 +51,7 @@ double longest_row(const Rows& rows) {
     return most;
 }
 
-/// The rows as whole numbers, cut towards zero, so that none sums to more than 1.
+/// Truncates the rows to integers, so the magnitudes of a row sum to at most 1.
 InstanceMap map_of(const Rows& rows, double scale, const Config& config) {
     InstanceMap map;
     const double one = std::ldexp(1.0, config.map_frac());
@@ -58,7 +59,7 @@ InstanceMap map_of(const Rows& rows, double scale, const Config& config) {
     return map;
 }
 
-/// Moves the mesh as far as no point of the scene's lattice leaves that of the mesh; often to the end.
+/// Moves the mesh, often as far as possible: no point of the scene's lattice may leave that of the mesh.
 void push_away(InstanceMap& map, Dice& dice, const Config& config) {
     const std::int64_t one = std::int64_t(1) << config.map_frac(), most = most_of(config.coord_bits);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -113,7 +114,7 @@ public:
     }
 
 private:
-    /// One mesh that is the same in the scene, with all spheres and planes; of the other triangles some that
+    /// Makes one mesh with the identity map, which has all spheres and planes. Of the other triangles some
     /// are turned by quarters, others by any angle.
     void deal(const std::vector<PrimData>& prims) {
         std::array<std::vector<PrimData>, 3> dealt;
@@ -130,8 +131,8 @@ private:
         for (int again = dice_.below(3); again > 0; --again) stand_again();
     }
 
-    /// The primitives as they are in the space of the map. What is turned by any angle is a little smaller,
-    /// so that rounding moves no point of it beyond the scene's lattice.
+    /// Returns the primitives in the space of the map. A mesh that is turned by any angle is a little
+    /// smaller, so rounding moves no point beyond the scene's lattice.
     void add_mesh(const std::vector<PrimData>& prims, InstanceMap map) {
         std::vector<PrimData> mesh;
         map.box = {};
@@ -153,8 +154,8 @@ private:
         meshes_.push_back(std::move(mesh));
     }
 
-    /// A mesh of triangles once more. If the chip shades, a ray's point must lie on the scene's lattice as
-    /// well, and only quarters are sure of that.
+    /// Repeats a mesh of triangles. If the chip shades, a ray's point must also lie on the scene's lattice,
+    /// which only quarter turns guarantee.
     void stand_again() {
         const std::size_t mesh = std::size_t(dice_.below(int(meshes_.size())));
         for (const PrimData& prim : meshes_[mesh])
@@ -177,7 +178,7 @@ private:
     }
 
     void leave_room() {
-        std::size_t lines = config_.shading ? standings_.size() : 0;   // of all that follows, at most
+        std::size_t lines = config_.shading ? standings_.size() : 0;   // upper bound of all that follow
         for (std::size_t m = 0; m < meshes_.size(); ++m)
             lines += lowers_[m].lines() + (config_.shading ? meshes_[m].size() : 0);
         const std::size_t all = std::size_t(1) << config_.addr_bits, used = image_.lines();

@@ -1,3 +1,4 @@
+// The chips of the torture set, and lockstep runs of their cases.
 #include "sim/explore/torture/torture.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 Config shading_chip() {
     Config c;
     c.coord_bits = 14, c.dir_bits = 16, c.t_frac_bits = 3, c.recip_bits = 12, c.box_bits = 5,
-    c.bary_bits = 12, c.origin_bits = far_drop;   // as few as a bounce beyond the lattice may have
+    c.bary_bits = 12, c.origin_bits = far_drop;   // the minimum for a bounce beyond the lattice
     c.node_width = 4, c.leaf_size = 2, c.contexts = 8, c.stack_depth = 16, c.pipelines = 2, c.tile_bits = 1;
     c.raygen_queue = 2, c.box_queue = 2, c.tri_queue = 4, c.shade_queue = 4, c.cache_queue = 2;
     c.node_sets = 2, c.node_ways = 2, c.node_line = 128, c.node_mshrs = 2;
@@ -43,10 +44,10 @@ Config wide_chip() {
 Config sheared_chip() {
     Config c;
     c.primitive_test = PrimitiveTest::sheared;
-    // Short reciprocals of long directions: the slabs' shifts go as far as they can.
+    // Short reciprocals of long directions give the largest shifts in the slabs.
     c.coord_bits = 16, c.dir_bits = 24, c.recip_bits = 8, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 6;
     c.node_width = 2, c.leaf_size = 3, c.contexts = 4, c.stack_depth = 32, c.tile_bits = 0;
-    // One set: reset is as short as it may be.
+    // One set: the shortest reset.
     c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 1, c.prim_ways = 4,
     c.prim_mshrs = 2;
     c.box_lanes = 1, c.tri_interval = 2, c.raygen_interval = 4;
@@ -54,7 +55,7 @@ Config sheared_chip() {
     return c;
 }
 
-/// Two levels that shade: rays start at home in an instance. All that rests, rests long.
+/// Two levels that shade: rays start in an instance. All intervals are long.
 Config homes_chip() {
     Config c = shading_chip();
     c.structure = Structure::kd, c.levels = 2, c.mesh_structure = MeshStructure::bvh;
@@ -65,7 +66,7 @@ Config homes_chip() {
     return c;
 }
 
-/// Two levels that do not: planes in any direction above globes, without a rest.
+/// Two levels without shading: planes in any direction above globes, all intervals 1.
 Config slants_chip() {
     Config c;
     c.timing = Timing::fast;
@@ -78,7 +79,7 @@ Config slants_chip() {
     return c;
 }
 
-/// No tree, every unit that shades, in the longest stages; addresses as short as they may be.
+/// No tree, every unit that shades, the longest stages, the shortest addresses.
 Config listed_chip() {
     Config c = shading_chip();
     c.structure = Structure::none, c.timing = Timing::fast, c.shade_interval = 8;

@@ -1,7 +1,7 @@
 #pragma once
-// The torture set: small scenes and frames that no user draws, made to reach the corners of the machine in
-// lockstep. Few configurations, so that little RTL is built; on each, many frames with other registers,
-// memories, clocks and traffic.
+// The torture set: small scenes and frames that reach the corner cases of the machine in lockstep. It has few
+// configurations, so little RTL is built. Each draws many frames with different registers, memories, clocks
+// and traffic.
 #include <string>
 #include <vector>
 
@@ -9,17 +9,17 @@
 
 namespace rayclock {
 
-/// Frames that one machine makes one after the other.
+/// Frames that one machine draws in sequence.
 struct TortureCase {
     std::string name;
     Job job;
     std::vector<Frame> frames;
-    std::vector<Upload> uploads{};   ///< what the host writes before each frame; none if it writes nothing
+    std::vector<Upload> uploads{};   ///< the host's writes before each frame; empty if there are none
     Traffic traffic;
-    int seed = 1;   ///< of what the RTL's registers hold before reset
+    int seed = 1;   ///< seed of the RTL's registers before reset
 };
 
-/// The chips that are tortured. Each needs one module of RTL, so each covers what it can.
+/// The chips of the set. Each needs one module of RTL, so each covers as much as possible.
 /// - `shading`: the engine that no other chip has, every unit, two pipelines, a shared cache, the shortest
 ///   queues;
 /// - `wide`: boxes, the widest formats, fast timing;
@@ -31,7 +31,7 @@ const std::vector<std::string>& torture_chips();
 Config torture_chip(const std::string& name);
 std::vector<TortureCase> torture_cases(const std::string& chip);
 
-/// The frames' rays, with what the host writes before each.
+/// Records the frames' rays, with the host's writes before each frame.
 std::vector<RecordedFrame> record_torture(const TortureCase& torture);
 /// Runs a case in lockstep.
 LockstepResult run_torture(const TortureCase& torture, const Progress& progress = {});

@@ -1,3 +1,4 @@
+// Bounds the error of a camera ray's direction.
 #include "sim/judge/cause/camera_ray.hpp"
 
 #include <algorithm>

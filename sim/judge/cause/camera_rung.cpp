@@ -1,3 +1,4 @@
+// Checks the machine's camera ray, its hit and its colour with the reference tracer.
 #include "sim/judge/cause/camera_rung.hpp"
 
 #include <algorithm>

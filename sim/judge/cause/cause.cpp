@@ -1,3 +1,4 @@
+// Finds the cause of each differing pixel of a picture without bounces.
 #include "sim/judge/cause/cause.hpp"
 
 #include <algorithm>

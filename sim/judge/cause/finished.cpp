@@ -1,3 +1,4 @@
+// Finds the cause of each differing pixel of a finished picture.
 #include "sim/judge/cause/finished.hpp"
 
 #include <algorithm>

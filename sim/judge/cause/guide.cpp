@@ -1,3 +1,4 @@
+// Steers the reference tracer along the machine's path, and checks each step against its bound.
 #include "sim/judge/cause/guide.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Records the rays of a pixel on the machine as a tree.
 #include "sim/judge/cause/machine_path.hpp"
 
 namespace rayclock {

@@ -1,3 +1,4 @@
+// Computes the line that each instance sees, and its first hit.
 #include "sim/judge/cause/seam.hpp"
 
 #include <algorithm>
@@ -114,8 +115,8 @@ Seams::Met Seams::met_exactly(std::uint32_t place, const Question& question) con
     return t < endless ? Met{place, t} : Met{};
 }
 
-/// Of what is met at the same place the answer counts. The instances whose line it is, and the one that the
-/// ray leaves, in which it begins exactly on a triangle, are asked exactly.
+/// Returns the nearest hit; among equal places the answer's wins. Instances on this line, and the instance
+/// that the ray leaves, are decided exactly.
 Seams::Met Seams::first_on(const Line& line, const Question& question) const {
     Met first{nowhere, question.end};
     for (std::uint32_t place = 0; place < maps_.size(); ++place) {

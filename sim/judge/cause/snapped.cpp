@@ -1,3 +1,4 @@
+// Builds the scene with the machine's rounded vertices for the reference.
 #include "sim/judge/cause/snapped.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Computes the exact hits of camera rays, and rounds t, u and v by its own formulas.
 #include "sim/judge/cause/truth.hpp"
 
 #include <algorithm>

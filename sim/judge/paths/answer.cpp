@@ -1,3 +1,4 @@
+// Compares a ray's answer with the exact oracle.
 #include "sim/judge/paths/answer.hpp"
 
 #include "sim/judge/paths/placed.hpp"
@@ -14,11 +15,11 @@ using oracle::Solid;
 using oracle::SolidRay;
 using oracle::Solids;
 
-/// Units of t in one direction are 2^tick_bits.
+/// The direction's length is 2^tick_bits units of t.
 int tick_bits(const Config& c) { return c.dir_bits - 1 + c.t_frac_bits; }
 std::int64_t most_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
 
-/// How far above the truth a sphere's t may be, in its units: model/unit/isect/any.hpp.
+/// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/isect/any.hpp.
 double sphere_error(const SolidRay& ray, const Solid& sphere, const Config& c) {
     const glm::dvec3 d = vector_of(ray.direction);
     const double square = glm::dot(d, d), unit = std::ldexp(1.0, tick_bits(c));
@@ -30,7 +31,8 @@ std::uint32_t field(Int128 value, int bits) {
     return std::uint32_t(std::uint64_t(value) & ((std::uint64_t(1) << bits) - 1));
 }
 
-/// floor(2^bary_bits part / total); of a chip with planes signed and saturated, in two's complement.
+/// Returns floor(2^bary_bits part / total). In a chip with planes it is signed and saturated, in two's
+/// complement.
 std::uint32_t weight_of(Int128 part, Int128 total, const Config& c) {
     Int128 whole = floor_of(part * (Int128(1) << c.bary_bits), total);
     const Int128 most = (Int128(1) << (c.uv_bits() - 1)) - 1;
@@ -38,7 +40,7 @@ std::uint32_t weight_of(Int128 part, Int128 total, const Config& c) {
     return field(whole, c.uv_bits());
 }
 
-/// A sphere is met before t = ticks for certain, also as the machine rounds it.
+/// True if a sphere is hit before t = ticks, even with the machine's largest rounding error.
 bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
                       double ticks) {
     if (nearest.sphere.primitive == no_primitive) return false;
@@ -47,10 +49,10 @@ bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidR
            ticks * (1 - Range::slack);
 }
 
-/// t, u, v and the side of a triangle or plane that is rightly said to be met.
+/// Judges t, u, v and the side of a triangle or plane that the ray does hit.
 const char* judge_values(const FlatHit& hit, const Config& c, const Closest& answer) {
     const Int128 most = most_ticks(c);
-    // num has up to 3N + B + 4 bits; where it would overflow t saturates for certain.
+    // num has up to 3N + B + 4 bits; if it would overflow, t saturates anyway.
     const Int128 t = hit.num > (Int128(1) << 90)
                          ? most
                          : std::min(most, ceil_of(hit.num * (Int128(1) << tick_bits(c)), hit.den));
@@ -74,8 +76,8 @@ const char* judge_flat(const Nearest& nearest, const Solids& solids, const Solid
     return judge_values(hit, c, answer);
 }
 
-/// `first`: the answer's number of the first of `solids`; the closest triangle or plane has the same
-/// numbering.
+/// `first`: the number in answers of the first of `solids`. The closest triangle or plane is numbered the
+/// same way.
 const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint32_t first,
                          const SolidRay& ray, const Config& c, const Closest& answer) {
     const Solid& sphere = solids.all()[answer.prim - first];
@@ -100,12 +102,12 @@ const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint
     return nullptr;
 }
 
-/// More than whether something is there.
+/// True if the answer holds more than hit or miss.
 bool says_more(const Closest& answer) {
     return answer.prim || answer.t || answer.u || answer.v || answer.back;
 }
 
-/// Of a shadow ray.
+/// Judges the answer to a shadow ray.
 const char* judge_way(bool is_blocked, const Closest& answer) {
     if (is_blocked != (answer.found != 0)) return is_blocked ? "its way is blocked" : "its way is free";
     return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
@@ -154,7 +156,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
 
 namespace {
 
-/// Of what is closest in all instances: a sphere was told, and is there.
+/// Judges an answer that names a sphere.
 const char* judge_placed_sphere(const oracle::PlacedHit& nearest, const oracle::PlacedSolids& solids,
                                 std::uint32_t place, const oracle::PlacedRay& ray, const Config& c,
                                 const Closest& answer) {
@@ -165,7 +167,7 @@ const char* judge_placed_sphere(const oracle::PlacedHit& nearest, const oracle::
                         c, answer);
 }
 
-/// The same of a triangle or plane.
+/// Judges an answer that names a triangle or plane.
 const char* judge_placed_flat(const oracle::PlacedHit& nearest, const oracle::PlacedSolids& solids,
                               std::uint32_t place, const oracle::PlacedRay& ray, const Config& c,
                               const Closest& answer) {

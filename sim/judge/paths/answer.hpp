@@ -1,4 +1,5 @@
 #pragma once
+// The judge of a single ray's answer.
 #include "model/core/payloads.hpp"
 #include "sim/judge/oracle/solids.hpp"
 
@@ -6,18 +7,18 @@ namespace rayclock {
 
 class PlacedWorld;
 
-/// What is wrong with a ray's answer, or null. Exact: which primitive is met, from which side, t, u and v of
-/// triangles and planes as payloads.hpp promises their rounding; whether a shadow ray is blocked. A sphere is
-/// met or not exactly; its t lies between the true one and the bound of model/unit/isect/any.hpp above it,
-/// and what is closer by less than that may win.
+/// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u
+/// and v of triangles and planes, rounded as payloads.hpp states; whether a shadow ray is blocked; whether a
+/// sphere is hit. The t of a sphere may exceed the true one by the bound in model/unit/isect/any.hpp. A
+/// primitive that is closer by less than this bound may win.
 const char* judge_answer(const oracle::Solids& solids, const Config& config, const Ray& ray,
                          const Closest& answer);
 
-/// The same in two levels: which instance's primitive, seen by the ray as it was rounded for each.
+/// The same with two levels. The ray is rounded for each instance.
 const char* judge_answer(const PlacedWorld& world, const Config& config, const Ray& ray,
                          const Closest& answer);
 
-/// The ray as the oracle takes it.
+/// Converts a ray to the oracle's form.
 oracle::SolidRay solid_ray(const Ray& ray, const Config& config);
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Computes directions of camera rays in integers of 128 bits.
 #include "sim/judge/paths/camera.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace rayclock {
 
 Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y,
                       int sample) {
-    constexpr int parts = 256;   // of a pixel
+    constexpr int parts = 256;   // positions across a pixel
     SampleOffset offset;
     if (config.supersampling)
         offset = sample_offset(std::uint32_t(x), std::uint32_t(y), std::uint32_t(sample), settings.aa,
@@ -19,7 +20,7 @@ Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& s
     auto sum = by_axis([&](std::size_t k) {
         return Int128(frame.corner[k]) * parts + right * frame.right[k] + down * frame.down[k];
     });
-    // Doubled for as long as it fits.
+    // Doubled while it fits.
     const auto fits_twice = [&](Int128 v) { return -end <= 2 * v && 2 * v < end; };
     for (int doubled = 0; doubled < most_shift && std::all_of(sum.begin(), sum.end(), fits_twice); ++doubled)
         for (Int128& v : sum) v *= 2;

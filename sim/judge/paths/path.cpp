@@ -1,3 +1,4 @@
+// Judges the rays, the passes and the colour of a pixel.
 #include "sim/judge/paths/path.hpp"
 
 #include "model/core/payloads.hpp"
@@ -192,7 +193,7 @@ void PathJudge::end_sample(const PassOut& out) {
             config_.supersampling
                 ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), full_weight))
                 : colour_[k];
-        // The share is off by half a unit of a sum of `done` samples, and the product is rounded.
+        // The share has an error of half a unit, times a sum of `done` samples, and the product is rounded.
         exact_pixel_[k] =
             (1.0 / done * exact_sum_[k]).wider(config_.supersampling ? 0.5 * (done + 1) * unit_step : 0);
     }

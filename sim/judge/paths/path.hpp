@@ -2,11 +2,11 @@
 // Follows one pixel of a chip that shades from its first camera ray to its colour, and judges every step.
 //
 // Three kinds of judgement. *Exact*: which primitive a ray meets, where a secondary ray begins, on which side
-// it leaves, whether a light or a bounce is asked for, sums and their saturation: whole numbers of 128 bits.
-// *To the bit, as promised*: products that docs/shading.md rounds to nearest, from the factors that the chip
-// had. *Within a proven bound*: unit vectors, powers, directions of bounces and colours against what doubles
-// work out from the same hit. Each contribution to the pixel has its own range, and the pixel must lie within
-// their sum.
+// it leaves, whether a light or a bounce is requested, sums and their saturation. These are integers of 128
+// bits. *Rounded as documented*: products that docs/shading.md rounds to nearest, computed from the chip's
+// own factors. *Within a proven bound*: unit vectors, powers, directions of bounces and colours, compared
+// with doubles that follow from the same hit. Each contribution to the pixel has its own range, and the pixel
+// must lie within the sum of these ranges.
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,19 +18,19 @@
 
 namespace rayclock {
 
-/// What a path is judged by; shared by all threads.
+/// The inputs that all threads share to judge a path.
 struct PathRules {
-    const Asked& asked;   ///< with the scene as it was compiled
+    const Asked& asked;   ///< with the compiled scene
     const Whitted& settings;
     const std::vector<oracle::Solid>& primitives;
     const oracle::Solids& solids;
-    const PlacedWorld* placed = nullptr;   ///< of two levels, in place of the last two
+    const PlacedWorld* placed = nullptr;   ///< with two levels; replaces `primitives` and `solids`
 };
 
-/// What was wrong first, and where.
+/// The first fault of a pixel, and its ray.
 struct PathFault {
     std::string what;
-    int ray = 0;   ///< of its pixel, from 0
+    int ray = 0;   ///< number within the pixel, from 0
 };
 
 class PathJudge final : public ShadeWatch {
@@ -42,18 +42,18 @@ public:
     void sent(const Ray& ray) override;
     void answered(const Closest& hit) override;
     void passed(const PassIn& in, const PassOut& out) override;
-    /// The pixel is done, and the machine gave this colour.
+    /// Judges the colour that the machine gave to the finished pixel.
     void finish(const std::array<std::uint32_t, 3>& colour);
 
-    /// Something is wrong with the pixel; the first that is said counts.
+    /// Records a fault of the pixel. Only the first counts.
     void fail(const char* what);
     bool is_wrong() const { return !fault_.what.empty(); }
     const PathFault& fault() const { return fault_; }
-    const RayCounts& rays() const { return rays_; }   ///< judged, of all pixels
+    const RayCounts& rays() const { return rays_; }   ///< judged rays of all pixels
     double widest() const {
         return widest_;
     }   ///< half the widest range of a pixel's colour, in units of 2^-unit_bits
-    /// In which each channel of the last pixel's colour must lie.
+    /// Returns the range of each channel of the last pixel's colour.
     std::array<Range, 3> bounds() const {
         return {exact_pixel_[0].clamped(0, 1), exact_pixel_[1].clamped(0, 1), exact_pixel_[2].clamped(0, 1)};
     }
@@ -61,7 +61,7 @@ public:
 private:
     using Colour = std::array<std::uint32_t, 3>;
     using Light = std::array<Range, 3>;
-    /// A ray that was asked for and is not yet under way.
+    /// A ray that the path must send next.
     struct Expected {
         RayKind kind = RayKind::camera;
         Vec3i o{}, d{};
@@ -69,28 +69,28 @@ private:
         bool is_partial = false, is_refracted = false;
         Home home{};
     };
-    /// The bounce under way, or one that waits: what its colour counts, and how deep it is.
+    /// The current bounce, or a waiting one: the weight of its colour, and its depth.
     struct Branch {
         Expected ray;
         std::uint32_t weight = 0;
         std::uint32_t depth = 0;
-        std::uint32_t cell = 0;   ///< the panes between it and the eye, a bit each
-        Range exact{1, 1};        ///< its weight from the materials, not rounded
+        std::uint32_t cell = 0;   ///< one bit for each pane between it and the eye
+        Range exact{1, 1};        ///< its weight from the materials, unrounded
     };
-    /// Where the last bounce met a surface: as the chip has it, and the truth.
+    /// The surface that the last bounce met: the values of the chip, and the exact ones.
     struct BouncePoint {
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
-        std::uint32_t pane = 0;               ///< its bit in a cell
-        double ratio = 1;                     ///< of the refractive indices, on the ray's side over the other
-        double normal_error = vector_error;   ///< of the chip's unit normal
-        /// Of a product of the normal with another unit vector.
+        std::uint32_t pane = 0;               ///< the surface's bit in a cell
+        double ratio = 1;                     ///< refractive index on the ray's side over that on the other
+        double normal_error = vector_error;   ///< error bound of the chip's unit normal
+        /// Returns the error bound of the normal's product with another unit vector.
         double cosine_error() const {
             return normal_error + vector_error + normal_error * vector_error + 0.5 * unit_step;
         }
     };
-    /// With two levels: the instance that was hit last, and the ray as it sees it.
+    /// With two levels: the instance that was hit last, and the ray in its space.
     struct Visit {
         std::uint32_t place = oracle::PlacedRay::nowhere;
         oracle::SolidRay ray;
@@ -111,7 +111,7 @@ private:
     std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d) const;
     struct Start {
         Vec3i o{};
-        bool is_beyond = false;   ///< of the lattice: it asks planes alone
+        bool is_beyond = false;   ///< the origin lies beyond the lattice; the ray meets planes only
     };
     std::optional<Start> bounce_start_of(const ShadeState& s, const Vec3i& d, bool through) const;
     void demand_lights(const ShadeState& s);
@@ -119,7 +119,7 @@ private:
     Vec3i point_at(const PassIn& in) const;
     Home home_of(const ShadeState& s, const Vec3i& d) const;
     Home home_from(const ShadeState& s, const Vec3i& light) const;
-    /// What was hit lies in an instance that turns rays. Where none is turned, all is as in one level.
+    /// True if the hit lies in an instance whose map is not the identity.
     bool is_turned() const {
         return visit_.place != oracle::PlacedRay::nowhere && !rules_.placed->is_same(visit_.place);
     }
@@ -134,12 +134,12 @@ private:
 
     void refract(const PassIn& in, const PassOut& out);
     void reflect(const PassIn& in, const PassOut& out);
-    /// Part of a weight: as promised, unit_bits of fraction, and exactly.
+    /// A factor of a weight: the chip's rounded value with unit_bits of fraction, and the exact range.
     struct Share {
         Int128 promised = 0;
         Range exact;
     };
-    /// Snell's law for the surface that was hit: what each part may be.
+    /// The ranges of Snell's law at the surface that was hit.
     struct ExactBend {
         Range cosine_squared, ratio, along;
     };
@@ -148,7 +148,7 @@ private:
     void judge_total(bool total);
     void judge_reflected(const Vec3i& d);
     void judge_refracted(const Vec3i& d);
-    /// Of a bounce: as promised, and exactly.
+    /// A bounce's weight: the chip's rounded value, and the exact range.
     struct Weight {
         std::uint32_t promised = 0;
         Range exact;
@@ -173,9 +173,9 @@ private:
 
     std::uint32_t x_ = 0, y_ = 0;
     int ray_number_ = 0;
-    bool fresh_ = true;      ///< no pass has been made yet
-    ShadeState last_;        ///< after the last pass
-    Ray bounce_ray_, ray_;   ///< the last camera ray or bounce; the last of all
+    bool fresh_ = true;      ///< the path has made no pass yet
+    ShadeState last_;        ///< the state after the last pass
+    Ray bounce_ray_, ray_;   ///< the last camera ray or bounce; the last ray of any kind
     Closest answer_;
     Expected expected_;
     Branch branch_;
@@ -183,10 +183,10 @@ private:
     Visit visit_;
     std::vector<Branch> waiting_;
     bool lit_if_free_ = false,
-         lit_ = false;   ///< the last light's share is added if its ray is free, or for certain
-    Light share_;        ///< of that light, not rounded
-    Colour colour_{};    ///< of the sample, as the chip sums it
-    Light exact_{};      ///< the same, not rounded and not yet saturated
+         lit_ = false;   ///< the last light's share is added if its shadow ray is free, or in any case
+    Light share_;        ///< that light's share, unrounded
+    Colour colour_{};    ///< the sample's colour as the chip sums it
+    Light exact_{};      ///< the same, unrounded and before saturation
     Colour sum_{}, least_{}, most_{};
     Light exact_sum_{};
     std::uint32_t sample_ = 0;

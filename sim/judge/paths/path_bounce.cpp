@@ -1,4 +1,4 @@
-// Reflected and refracted rays: whether they are sent, where they go, what they count.
+// Judges reflected and refracted rays: whether they are sent, their direction and their weight.
 #include "model/base/axes.hpp"
 #include "sim/judge/paths/path.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr Int128 wide_unit = Int128(1) << unit_bits;
 
-/// floor(sqrt(x)): found from a root of a double.
+/// Returns floor(sqrt(x)), starting from the root of a double.
 Int128 root_of(Int128 x) {
     auto root = Int128(std::sqrt(double(x)));
     while (root * root > x) --root;
@@ -16,12 +16,13 @@ Int128 root_of(Int128 x) {
     return root;
 }
 
-/// Of the refracted ray, with `ratio` the indices' outside over inside as the ray goes: Snell's law.
+/// The refracted ray by Snell's law.
 struct Bend {
     Int128 cosine_squared;   ///< 2 unit_bits of fraction; negative: total reflection
-    Int128 along;            ///< of the normal; unit_bits of fraction
+    Int128 along;            ///< share of the normal in the direction; unit_bits of fraction
 };
-/// As promised: the square of the refracted sine rounded down, the root rounded down, the product to nearest.
+/// Rounds as docs/shading.md states: the square of the refracted sine down, the root down, the product to
+/// nearest.
 Bend promised_bend(const ShadeState& s) {
     const Int128 sine_squared = wide_unit * wide_unit - Int128(s.cosine) * s.cosine;
     const Int128 refracted = floor_of(Int128(s.ratio) * s.ratio * sine_squared, Int128(1) << 2 * index_frac);
@@ -42,7 +43,7 @@ PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, c
             weight.exact};
 }
 
-/// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5; promised to the bit, and with bounds.
+/// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5; rounded as documented, and as a range.
 PathJudge::Share PathJudge::schlick(const ShadeState& s) const {
     const Int128 q = wide_unit - s.cosine, q2 = nearest_of_power(q * q, unit_bits),
                  q4 = nearest_of_power(q2 * q2, unit_bits), q5 = nearest_of_power(q4 * q, unit_bits);
@@ -55,7 +56,7 @@ PathJudge::Share PathJudge::schlick(const ShadeState& s) const {
             (Range{r0, r0} + (1 - r0) * powered).wider(0.5 * unit_step).clamped(0, 1)};
 }
 
-/// What a bounce counts, from its share of the weight.
+/// Returns the weight of a bounce from its share of the ray's weight.
 PathJudge::Weight PathJudge::weight_of(const Share& share) const {
     return {std::uint32_t(
                 nearest_of_power(Int128(branch_.weight) * std::min(share.promised, wide_unit), unit_bits)),
@@ -93,7 +94,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     judge_refracted(d);
     if (dot(s.n, is_turned() ? home_of(s, d).d : d) >= 0)
         return demand(!out.push, "a refracted ray leaves on the side from which it came");
-    // Boxes of instances hold no shorter one: docs/motion.md, Secondary rays.
+    // The boxes of instances are proven only for longer directions: docs/motion.md, Secondary rays.
     const std::int32_t quarter = std::int32_t(std::exp2(config_.dir_bits - 2)) / 4;
     if (rules_.placed && std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < quarter)
         return demand(!out.push, "a refracted ray is sent that is too short");
@@ -143,8 +144,8 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
     demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
 
-/// Not below the threshold: promised to the bit (docs/shading.md, Weights and threshold), and within the
-/// bound that is proven there.
+/// Returns true if a bounce must be sent: its weight is not below the threshold (docs/shading.md, Weights and
+/// threshold). Judges the rounded rule against the bound that is proven there.
 bool PathJudge::follows(const Weight& weight) {
     const auto bounce = std::int64_t(branch_.depth) + 1;
     const double threshold = std::clamp(rules_.settings.threshold, 0.0, 1.0);
@@ -158,9 +159,9 @@ bool PathJudge::follows(const Weight& weight) {
     return due;
 }
 
-// The bounds. V is off by vector_error, N by n, which is as much but in two levels. R = 2 (N . V) N - V is
-// linear in V and keeps lengths, so that V's error counts once; N's counts at most four times; the cosine's
-// rounding is doubled, the product's comes on top.
+// The bound of a reflected direction R = 2 (N . V) N - V. V has an error of vector_error, and N of n, which
+// is larger only with two levels. R is linear in V and keeps lengths, so V's error counts once. N's error
+// counts at most four times. The cosine's rounding counts twice, and the product's once.
 void PathJudge::judge_reflected(const Vec3i& d) {
     const double n = place_.normal_error, turned = 4 * n + 2 * n * n,
                  error = turned + vector_error * (1 + turned) + 1.5 * unit_step;
@@ -172,7 +173,7 @@ void PathJudge::judge_reflected(const Vec3i& d) {
                "a reflected ray goes elsewhere");
 }
 
-/// Where the bounds hold both answers, either is right.
+/// If the range allows both answers, either passes.
 void PathJudge::judge_total(bool total) {
     const Range cosine_squared = exact_bend().cosine_squared;
     if (total)

@@ -1,16 +1,17 @@
-// Of two levels: a surface's point and normal are turned into the scene's space, and rays begin in the
+// With two levels: a surface's point and normal are transformed to the scene's space, and rays begin in the
 // instance that they leave.
 #include "model/base/axes.hpp"
 #include "sim/judge/paths/path.hpp"
 
 namespace rayclock {
 
-/// What was found in the mesh's space becomes the scene's, and nothing else changes: the exact point is kept
-/// as `inner`, the ray at t takes its place, and the normal is turned by the transpose of the stored map.
+/// Judges the transformation of a surface from the mesh's space to the scene's. The exact point becomes
+/// `inner`, and the point of the ray at t replaces it. The transpose of the stored map transforms the normal.
+/// Nothing else changes.
 ///
-/// The unit normal before is off by vector_error, so what is turned is off by the map's size times that. Two
-/// vectors x and x + e have directions that differ by |e| / (|x| - |e| / 2) at most. Then it is made unit
-/// again, which adds vector_error.
+/// The unit normal has an error of vector_error before, so the transformed one has this error times the map's
+/// size. The directions of x and x + e differ by at most |e| / (|x| - |e| / 2). Normalising adds
+/// vector_error.
 void PathJudge::turn(const PassIn& in, const PassOut& out) {
     const ShadeState& before = in.state;
     const ShadeState& s = out.state;
@@ -52,17 +53,19 @@ void PathJudge::turn(const PassIn& in, const PassOut& out) {
     demand_lights(s);
 }
 
-/// A ray from the point along d, as the instance of the point sees it: exactly from there.
+/// Returns a ray from the point along d in the space of the point's instance. It begins exactly at the point.
 Home PathJudge::home_of(const ShadeState& s, const Vec3i& d) const {
     Home home;
     if (visit_.place == oracle::PlacedRay::nowhere) return home;
-    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;   // 0: no instance's
+    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;   // 0: the ray is the same in the
+                                                                       // instance
     home.o = by_axis([&](std::size_t k) { return std::int32_t(s.inner[k]); });
     home.d = oracle::placed_direction(rules_.placed->solids().places()[visit_.place], d, config_.map_frac());
     return home;
 }
 
-/// A shadow ray: from the point of the mesh's lattice that is nearest to the light, exactly to the point.
+/// Returns a shadow ray in the instance's space: from the lattice point nearest to the light, exactly to the
+/// point.
 Home PathJudge::home_from(const ShadeState& s, const Vec3i& light) const {
     Home home;
     if (visit_.place == oracle::PlacedRay::nowhere) return home;

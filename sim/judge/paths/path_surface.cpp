@@ -1,4 +1,4 @@
-// A ray has arrived: the point on the surface, the vectors there, and what the surrounding light adds.
+// Judges the surface where a ray arrives: the point, the vectors there, and the lights.
 #include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
 #include "sim/judge/paths/path.hpp"
@@ -15,13 +15,13 @@ double ratio_of(const Material& m, bool from_inside) {
     return std::min(from_inside ? index : 1 / index, (std::exp2(ratio_bits) - 1) * std::exp2(-index_frac));
 }
 
-/// Two's complement of so many bits.
+/// Returns the value of a field of `bits` bits in two's complement.
 std::int64_t signed_value(std::uint32_t field, int bits) {
     const std::int64_t half = std::int64_t(1) << (bits - 1);
     return std::int64_t(field) >= half ? std::int64_t(field) - 2 * half : field;
 }
 
-/// Each component is that of v / |v|, except for what unit_vector() may err.
+/// True if each component equals that of v / |v|, within the error of unit_vector().
 bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     const glm::dvec3 exact = unit_of(v);
     for (int k = 0; k < 3; ++k)
@@ -29,7 +29,7 @@ bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     return true;
 }
 
-/// The nearest product of two vectors of unit length, kept within 0 and 1.
+/// Returns the product of two unit vectors, rounded to nearest and clamped to 0..1.
 std::uint32_t promised_cosine(const Vec3i& a, const Vec3i& b) {
     return std::uint32_t(std::clamp<Int128>(nearest_of_power(dot(a, b), unit_bits), 0, full_share));
 }
@@ -51,15 +51,15 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         return;
     }
     place_ = {};
-    if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere) return;   // no such primitive: told
+    if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
+        return;   // the fault is already recorded
     place_.ratio = ratio_of(
         rules_.placed ? rules_.placed->material(answer_.prim) : material_of(rules_.asked.scene, answer_.prim),
         answer_.back != 0);
     place_.surface = rules_.placed
                          ? rules_.placed->surface(answer_.prim)
                          : expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
-    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // how it tells its squares is judged by their
-                                                            // colours
+    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // the colours judge how it finds its squares
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
     if (place_.surface.smooth) {
@@ -108,8 +108,8 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
            "the ratio of indices is the wrong way round");
 }
 
-/// The point lies exactly on the surface: of a triangle strictly inside, its weights being the hit's,
-/// rounded, and moved off the border as docs/origins.md says.
+/// Judges that the point lies exactly on the surface, and strictly inside a triangle. Its weights are the
+/// hit's, rounded, and moved off the border by the rule in docs/origins.md.
 void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& toward) {
     const Surface& surface = place_.surface;
     const bool is_plane = PrimKind(surface.kind) == PrimKind::plane;
@@ -139,8 +139,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         }
         return true;
     };
-    // Of a triangle each weight is 1 at least: u and v first, and what the third then lacks comes from the
-    // larger of the two, from v if they are equal.
+    // In a triangle each weight is at least 1. First u and v are raised to 1. If the third is too small, the
+    // larger of u and v (v if they are equal) gives the rest.
     Int128 u = near_u, v = near_v;
     if (!is_plane) {
         u = std::max<Int128>(u, 1), v = std::max<Int128>(v, 1);
@@ -203,8 +203,7 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
             odd ^= std::fmod(std::floor(std::ldexp(on.at[i], -on.level[i])), 2) != 0;
             continue;
         }
-        // at is a whole number; of squares finer than sides any multiple of two squares leaves the colour as
-        // it is.
+        // `at` is an integer. Removing a multiple of two squares does not change the colour.
         const double pair = std::exp2(std::max(on.level[i] + 1, 0));
         const auto at = Int128(on.at[i] - pair * std::floor(on.at[i] / pair));
         odd ^= floor_of(sides + (at << config_.bary_bits), Int128(1) << bit) % 2 != 0;
@@ -212,7 +211,7 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
     return odd ? second : first;
 }
 
-/// The ray at t, each coordinate rounded to nearest and kept within its bits.
+/// Returns the point of the ray at t, rounded to nearest and clamped to the width of a coordinate.
 Vec3i PathJudge::point_at(const PassIn& in) const {
     const int drop = config_.dir_bits - 1 + config_.t_frac_bits - config_.origin_bits;
     const Int128 most = (Int128(1) << (config_.origin_width() - 1)) - 1;
@@ -222,7 +221,7 @@ Vec3i PathJudge::point_at(const PassIn& in) const {
     });
 }
 
-/// The point is the ray's at t; the normal leads from the centre to it.
+/// Judges a point of a sphere: it is the ray's point at t, and the normal points to it from the centre.
 void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
     const Vec3i point = point_at(in);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -275,13 +274,13 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     judge_light_parts(s, out.light, way);
     judge_share(out.state, out.light, unit_of(vector_of(way)));
 
-    // From the light to a point of the lattice; from it the other way, or to a light beyond the lattice,
-    // along a rounded direction.
+    // A shadow ray goes exactly from the light to a point within the lattice. Otherwise the ray leaves the
+    // point along a rounded direction.
     Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.inside};
     for (std::size_t k = 0; k < 3; ++k)
         ray.d[k] =
             to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);
-    // Not looked at if the light lies beyond the lattice.
+    // Unused if the light lies beyond the lattice.
     const Vec3i from = by_axis([&](std::size_t k) {
         return near ? frame_.shade.place[3 * number + k] * (1 << config_.origin_bits) : 0;
     });
@@ -289,7 +288,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     const Int128 side = dot(s.n, way_of(ray)) * (near ? -1 : 1);
     const bool clear = frame_.shade.clear[number] != 0 && frame_.shade.cell[number] == branch_.cell;
     if (side <= 0 || out.light.cosine == 0 || (place_.is_far && !clear)) {
-        // A cosine that is rounded to nothing may have been a little more.
+        // A cosine that was rounded to 0 may have been slightly above.
         if (side > 0 && out.light.cosine == 0)
             add({}, {Range{0, share_[0].hi}, Range{0, share_[1].hi}, Range{0, share_[2].hi}});
         demand(out.leave == PassOut::Leave::again, "a ray is sent to a light that does not count");
@@ -311,9 +310,9 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     expect_spawn(out, ray);
 }
 
-/// Where a ray from the surface along d begins. A point beyond the lattice is left by whole steps of 2^s d,
-/// as few as bring the ray past every slab of the lattice that lies ahead: docs/origins.md. Nothing if it
-/// then is not in the lattice.
+/// Returns the origin of a ray from the surface along d. From a point beyond the lattice the ray takes the
+/// fewest whole steps of 2^s d that bring it past the near side of every slab (docs/origins.md). Returns
+/// nothing if it then lies outside the lattice.
 std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) const {
     if (place_.is_lost) return std::nullopt;
     const Int128 end = ((Int128(1) << (config_.coord_bits - 1)) - 1) << config_.origin_bits;
@@ -321,7 +320,8 @@ std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) co
     std::array<Int128, 3> step{};
     for (std::size_t k = 0; k < 3; ++k) {
         step[k] = Int128(d[k]) << config_.approach_shift();
-        const Int128 before = step[k] < 0 ? s.o[k] - end : -end - s.o[k];   // still to go on this axis
+        const Int128 before = step[k] < 0 ? s.o[k] - end : -end - s.o[k];   // the remaining distance on this
+                                                                            // axis
         if (!place_.is_far || before <= 0) continue;
         if (step[k] == 0) return std::nullopt;
         steps = std::max(steps, ceil_of(before, step[k] < 0 ? -step[k] : step[k]));
@@ -338,8 +338,8 @@ std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) co
     return start;
 }
 
-/// The same of a bounce. One that passes by the lattice begins at the point as well as a lattice 2^far_drop
-/// times as coarse has it: the lattice's point next to it on the side to which the bounce leaves.
+/// The same for a bounce. If it passes by the lattice, its origin is rounded to a lattice 2^far_drop times as
+/// coarse: to the neighbouring point on the side to which the bounce leaves.
 std::optional<PathJudge::Start> PathJudge::bounce_start_of(const ShadeState& s, const Vec3i& d,
                                                            bool through) const {
     if (const std::optional<Vec3i> start = start_of(s, d)) return Start{*start, false};
@@ -353,7 +353,7 @@ std::optional<PathJudge::Start> PathJudge::bounce_start_of(const ShadeState& s, 
                  true};
 }
 
-/// Of a unit vector, as a direction of M bits.
+/// Converts a unit vector's component to a direction of M bits.
 std::int32_t PathJudge::direction_component(Int128 unit) const {
     const int up = config_.dir_bits - 2 - unit_bits;
     return std::int32_t(up >= 0 ? unit * (1 << up) : nearest_of_power(unit, -up));
@@ -371,7 +371,8 @@ void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, 
            "the highlight's power is out of its bounds");
 }
 
-/// What power() may give for a base that lies in the range: its bounds are in model/unit/shade/power.hpp.
+/// Returns the possible results of power() for a base in the range: model/unit/shade/power.hpp has its
+/// bounds.
 Range PathJudge::power_range(const Range& base, std::uint32_t shine) {
     const double exponent = shine / std::exp2(shine_frac), share = shine / std::exp2(shine_bits);
     const auto raised = [&](double x) { return x > 0 ? std::pow(x, exponent) : 0.0; };
@@ -379,7 +380,7 @@ Range PathJudge::power_range(const Range& base, std::uint32_t shine) {
             (1 + 1.4e-3 * share) * raised(base.hi) + 2 * unit_step};
 }
 
-/// What the light adds: promised to the bit, and within bounds of Phong's formula.
+/// Judges the light's contribution: its documented rounding, and its distance from Phong's formula.
 void PathJudge::judge_share(const ShadeState& s, const LightParts& parts, const glm::dvec3& way) {
     const std::uint32_t number = s.light - 1;
     const double full = std::exp2(-share_bits);

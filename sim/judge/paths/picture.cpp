@@ -1,3 +1,4 @@
+// Judges all pixels of a picture in parallel.
 #include "sim/judge/paths/picture.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_faults = 20;
 
-/// What a thread needs.
+/// The objects of one thread.
 struct Bench {
     ShadedRecorder recorder;
     RecordScratch scratch;
@@ -94,7 +95,7 @@ PictureJudgement PictureJudge::judge(const Given& given, int threads, const Prog
     if (placed)
         for (const std::string& sentence : placed->faults()) j.faults.push_back({0, 0, 0, sentence});
     j.wrong = j.faults.size();
-    if (placed && !placed->faults().empty()) {   // rays cannot be followed in memory that is wrong
+    if (placed && !placed->faults().empty()) {   // rays cannot be traced through wrong memory
         j.pixels.assign(wrong.size(), true);
         j.faults.resize(std::min(j.faults.size(), most_faults));
         j.seconds = watch.seconds();

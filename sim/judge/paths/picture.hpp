@@ -10,44 +10,44 @@
 
 namespace rayclock {
 
-/// What a machine gave, one entry a pixel.
+/// The machine's output, one entry per pixel.
 struct Given {
-    const std::vector<Closest>& answers;   ///< of the pixels' first camera rays
+    const std::vector<Closest>& answers;   ///< to the first camera ray of each pixel
     const std::vector<std::array<std::uint32_t, 3>>& colours;
-    const std::vector<std::uint64_t>& signatures;   ///< PathSignature; of the model
+    const std::vector<std::uint64_t>& signatures;   ///< PathSignature, from the model only
 };
 
 struct PictureFault {
     std::uint32_t x = 0, y = 0;
-    int ray = 0;   ///< of its pixel
+    int ray = 0;   ///< number within the pixel
     std::string what;
 };
 
-/// Judged so far and found wrong.
+/// The result of judging a picture.
 struct PictureJudgement {
-    RayCounts rays;              ///< judged, by what they are for; a total reflection sends no refracted ray
-    std::uint64_t colours = 0;   ///< pixels
-    std::uint64_t wrong = 0;     ///< pixels in which something is wrong, and registers of the frame
-    std::vector<bool> pixels;    ///< those
-    std::vector<PictureFault> faults;   ///< the first of some of them, in the order of pixels
-    double widest = 0;                  ///< half of the widest range in which a colour must lie, in 1/65536
-    double seconds = 0;                 ///< of the host
+    RayCounts rays;                     ///< judged rays by purpose; a total reflection sends no refracted ray
+    std::uint64_t colours = 0;          ///< judged pixels
+    std::uint64_t wrong = 0;            ///< pixels with a fault, and wrong registers of the frame
+    std::vector<bool> pixels;           ///< the pixels with a fault
+    std::vector<PictureFault> faults;   ///< the first faults of some pixels, in the order of pixels
+    double widest = 0;                  ///< half the widest range of a colour, in 1/65536
+    double seconds = 0;                 ///< the host's time
 };
 
-/// What a frame is judged by: the scene as the machine must have it, and the rules of the asked picture.
+/// Judges the pictures of a frame against the scene on the lattice and the rules of the requested picture.
 class PictureJudge {
 public:
-    /// `image` is the memory that the machine had. All arguments must stay.
+    /// `image` is the machine's memory. All arguments must outlive the judge.
     PictureJudge(const Asked& asked, const MemoryImage& image, const Whitted& settings);
     ~PictureJudge();
     PictureJudge(const PictureJudge&) = delete;
 
-    /// Walks every pixel's rays again as the model does, and judges what it sees.
+    /// Traces every pixel's rays again as the model does, and judges each step.
     PictureJudgement judge(const Given& given, int threads = 0, const Progress& progress = {}) const;
 
     const PathRules& rules() const;
-    const PlacedWorld* placed() const;   ///< of two levels
-    /// What follows a pixel's rays again; one for each thread.
+    const PlacedWorld* placed() const;   ///< null with one level
+    /// Returns a recorder that traces a pixel's rays again; each thread needs its own.
     ShadedRecorder recorder() const;
 
 private:

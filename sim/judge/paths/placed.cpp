@@ -1,3 +1,4 @@
+// Computes the correct meshes, instances and maps of a machine of two levels.
 #include "sim/judge/paths/placed.hpp"
 
 #include <cmath>
@@ -18,7 +19,7 @@ using oracle::PlacedSolids;
 using oracle::SolidPlace;
 using oracle::Solids;
 
-/// A scene that nobody has placed is a mesh of its own.
+/// Returns a scene without instances as a single mesh with one instance.
 PlacedScene alone(const Scene& scene) {
     PlacedScene placed;
     placed.own.vertices = scene.vertices, placed.own.normals = scene.normals;
@@ -27,7 +28,7 @@ PlacedScene alone(const Scene& scene) {
     return placed;
 }
 
-/// What stands in place of a mesh's number: the scene's own triangles, and its spheres and planes.
+/// Numbers of two special meshes: the scene's own triangles, and its spheres and planes.
 constexpr std::uint32_t own_triangles = no_primitive, own_round = no_primitive - 1;
 
 SharedMesh own_mesh_of(const Scene& own) { return {"", own.vertices, own.normals, own.triangles}; }
@@ -39,7 +40,7 @@ SolidPlace solid_place(std::uint32_t mesh, std::uint32_t first, const Placement&
     return place;
 }
 
-/// The lattice whose unit is a step.
+/// Returns a lattice in scene units of one step.
 Lattice steps(int coord_bits) {
     Lattice lattice;
     lattice.coord_bits = coord_bits;
@@ -51,7 +52,7 @@ bool can_be_met(const oracle::Solid& solid) {
     return oracle::normal<std::int64_t>(solid.corners) != oracle::Triple<std::int64_t>{};
 }
 
-/// The inverse of a place's linear part, by cofactors, in long doubles: row by row.
+/// Returns the inverse of a place's linear part, row by row, from cofactors in long doubles.
 std::array<long double, 9> inverse_of(const glm::dmat4& place) {
     std::array<long double, 9> rows{};
     long double volume = 0;
@@ -115,7 +116,7 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
                     config_.dir_bits);
 }
 
-/// In the order of their primitives' numbers: spheres and planes come last.
+/// Lists the instances in the order of their primitives' numbers; spheres and planes come last.
 void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& lattices) {
     std::uint32_t first = 0;
     const auto add = [&](Placed placed, std::size_t triangles) {
@@ -140,7 +141,7 @@ void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& 
     add(std::move(round), scene.own.spheres.size() + scene.own.planes.size());
 }
 
-/// On the scene's lattice, whatever the host has chosen.
+/// Converts the spheres and planes to the scene's lattice, which the host cannot choose.
 PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     Made made;
     made.scene.spheres = scene.own.spheres, made.scene.planes = scene.own.planes;
@@ -149,7 +150,8 @@ PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     return made;
 }
 
-/// The corners are moved as those of a flat scene are (aligned()), and normals as planes of the lattice.
+/// Converts a mesh to the lattice of its class. Corners move as in a flat scene (aligned()), and normals
+/// transform like planes.
 PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& mesh,
                                     const LevelLattices::Class& of, const glm::dmat4& first) const {
     Scene part;
@@ -161,7 +163,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     if (config_.shading)
         if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
-    // Of unit length where the first instance takes it in the scene.
+    // It has unit length in the scene, at the first instance's place.
     const std::array<long double, 9> back = inverse_of(of.before == glm::dmat4(1) ? first : glm::dmat4(1));
     for (glm::dvec3& normal : made.scene.normals) {
         long double square = 0;
@@ -188,7 +190,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     return made;
 }
 
-/// Every instance that the scene's tree leads to.
+/// Reads every instance that the scene's tree leads to.
 void PlacedWorld::read_maps(const MemoryImage& image) {
     const bool has_cells = rayclock::has_cells(config_);
     std::vector<std::uint32_t> lines{asked_.frame.root};
@@ -214,7 +216,8 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
             continue;
         }
         of_line_[at] = std::uint32_t(placed - instances_.begin());
-        // Cells of planes have each instance that reaches into them, and all its lines are alike.
+        // A tree of cells has one line for each cell that an instance reaches into. All these lines must be
+        // equal.
         if (has_cells && !placed->found.empty() && placed->found[0] == map) continue;
         placed->line = map.here;
         placed->found.push_back(map);
@@ -224,8 +227,8 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
             faults_.push_back(instances_[i].name + " is told that it lies in another line of memory");
 }
 
-/// Each number is the nearest one to what the place gives, or in a row that would sum to more than 1 the next
-/// towards 0. Doubles in which the host worked may err by `slack`.
+/// Judges a map: each number is the place's, rounded to nearest. In a row whose magnitudes would sum to more
+/// than 1 it is rounded towards 0. The host's doubles may have an error of `slack`.
 void PlacedWorld::judge_map(const Placed& placed, const LevelLattices::Class& of, const Placement& map) {
     const bool is_out = of.before != glm::dmat4(1);
     if (is_out && of.before != placed.place)

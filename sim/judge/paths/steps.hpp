@@ -1,6 +1,6 @@
 #pragma once
-// Arithmetic of the judge: whole numbers of 128 bits for what is promised to the bit, ranges of doubles for
-// what has a bound.
+// Arithmetic of the judge: integers of 128 bits for exact values, ranges of doubles for values with an error
+// bound.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,16 +15,16 @@ namespace rayclock {
 
 using oracle::Int128;
 
-/// Largest whole number not above a / b, b > 0.
+/// Return a / b rounded down and up, b > 0.
 constexpr Int128 floor_of(Int128 a, Int128 b) { return a / b - (a % b < 0 ? 1 : 0); }
 constexpr Int128 ceil_of(Int128 a, Int128 b) { return -floor_of(-a, b); }
-/// The whole number nearest to a / b, halves up.
+/// Returns a / b rounded to nearest, halves up.
 constexpr Int128 nearest_of(Int128 a, Int128 b) { return floor_of(2 * a + b, 2 * b); }
 /// The same for b = 2^bits.
 constexpr Int128 nearest_of_power(Int128 a, int bits) { return nearest_of(a, Int128(1) << bits); }
 
-/// Holds a value with known bounds. Doubles round by 2^-53 of a value; `slack` covers that for
-/// all that a range goes through between two colours.
+/// Holds a value with known bounds. Doubles round by 2^-53 of a value; `slack` covers all roundings of the
+/// computation of a colour.
 struct Range {
     double lo = 0, hi = 0;
     static constexpr double slack = 0x1p-40;
@@ -52,17 +52,18 @@ template <class A, class B> Int128 dot(const std::array<A, 3>& a, const std::arr
 }
 inline glm::dvec3 vector_of(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 inline glm::dvec3 vector_of(const Vec3l& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
-/// Unit vector; zero of zero.
+/// Returns the unit vector, or zero for zero.
 inline glm::dvec3 unit_of(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : glm::dvec3{0};
 }
 
-constexpr double unit_step = 1.0 / (1 << unit_bits);   ///< of colours, weights and components of unit vectors
-constexpr double component_error = 3.2 * unit_step;    ///< of unit_vector(): proven in
+constexpr double unit_step = 1.0 / (1 << unit_bits);   ///< step of colours, weights and components of unit
+                                                       ///< vectors
+constexpr double component_error = 3.2 * unit_step;    ///< error of unit_vector(), proven in
                                                        ///< model/unit/shade/unit_vector.hpp
 constexpr double vector_error = 1.7320509 * component_error;
-/// Of a product of two unit vectors, clamped and rounded: each is off by vector_error, and the rounding.
+/// Error of the clamped and rounded product of two unit vectors, each of which is off by vector_error.
 constexpr double cosine_error = 2 * vector_error + vector_error * vector_error + 0.5 * unit_step;
 
 }   // namespace rayclock

@@ -1,3 +1,4 @@
+// Computes the correct surfaces, lights and registers of a frame.
 #include "sim/judge/paths/world.hpp"
 
 #include <algorithm>
@@ -16,20 +17,21 @@ namespace {
 
 using oracle::Solid;
 
-/// The whole number nearest to value * 2^bits, from 0 to `most`.
+/// Returns value * 2^bits, rounded to nearest and clamped to 0..most.
 std::uint32_t natural(double value, int bits, double most) {
     return std::uint32_t(std::min(std::max(0.0, std::floor(value * std::exp2(bits) + 0.5)), most));
 }
 std::uint32_t share(double value) { return natural(value, share_bits, std::exp2(share_bits)); }
 std::array<std::uint32_t, 3> shares(const glm::dvec3& v) { return {share(v.r), share(v.g), share(v.b)}; }
 
-/// Of a bounce; what is above 0 stays above 0.
+/// Returns the weight of a bounce. A positive value does not become 0.
 std::uint32_t weight(double value) {
     const std::uint32_t nearest = natural(value, unit_bits, std::exp2(unit_bits));
     return value > 0 && nearest == 0 ? 1 : nearest;
 }
 
-/// The sum, which a total reflection has, is rounded once; the transmitted part is what is left.
+/// Sets mirror and transmit. Their sum, the weight of a total reflection, is rounded once; transmit is the
+/// rest.
 void put_weights(const Material& m, Surface& s) {
     s.mirror = weight(m.mirror);
     s.transmit = weight(m.transmit);
@@ -56,7 +58,7 @@ void put_material(const Material& m, Surface& s) {
     s.leave = natural(index, index_frac, most);
 }
 
-/// The largest power of two, up to a limit, that divides all components of the edges.
+/// Returns the exponent of the largest power of two that divides all components of the edges, up to a limit.
 std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
     const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
     for (std::uint32_t bits = most; bits > 0; --bits) {
@@ -73,7 +75,7 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
-/// Marks each sphere with the centre and the radius of an earlier one.
+/// Marks each sphere that has the centre and the radius of an earlier one.
 void mark_seconds(std::vector<Solid>& solids) {
     std::set<std::pair<Vec3i, std::int64_t>> seen;
     for (Solid& ball : solids)
@@ -81,7 +83,7 @@ void mark_seconds(std::vector<Solid>& solids) {
             ball.is_second = !seen.insert({ball.centre, ball.radius_squared}).second;
 }
 
-/// The lattice point lies within a sphere whose inside is not seen, as the lattice has it.
+/// True if the lattice point lies within an opaque sphere on the lattice.
 bool is_shut_in(const Asked& asked, const Vec3i& point) {
     Scene round;
     round.spheres = asked.scene.spheres, round.materials = asked.scene.materials;
@@ -92,7 +94,8 @@ bool is_shut_in(const Asked& asked, const Vec3i& point) {
     return false;
 }
 
-/// The sine by which a plane may turn on the lattice: T of docs/verdict.md, Planes on the lattice.
+/// Returns the largest sine by which a plane may turn on the lattice: T of docs/verdict.md, Planes on the
+/// lattice.
 double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& lattice) {
     const glm::dvec3 p = std::ldexp(1.0, -on.level[0]) * plane.u / lattice.pitch,
                      q = std::ldexp(1.0, -on.level[1]) * plane.v / lattice.pitch;
@@ -278,7 +281,7 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     return s;
 }
 
-// Where a number lies half-way between two, either is right: the host works in doubles of its own.
+// If a number lies half-way between two, either passes, since the host computes in its own doubles.
 bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     const auto& v = scene.triangles[i].vertex;
     const glm::dvec3 flat =

@@ -1,6 +1,6 @@
 #pragma once
-// What the machine must have been given, from the scene as it is: primitives on the lattice, surfaces,
-// lights, registers.
+// The correct inputs of the machine, computed from the scene: primitives on the lattice, surfaces, lights,
+// registers.
 #include <string>
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace rayclock {
 
-/// How a frame was asked for.
+/// The inputs of a frame.
 struct Asked {
     const Scene& scene;
     const Camera& camera;
@@ -18,44 +18,46 @@ struct Asked {
     const Config& config;
 };
 
-/// The scene's primitives as the lattice has them, by number. Of a chip that shades the corners of large
-/// triangles lie on coarser points (aligned()): `scene` is the scene with those moved.
+/// Returns the scene's primitives on the lattice, by number. In a chip that shades, corners of large
+/// triangles lie on coarser points (aligned()); `scene` must contain the moved corners.
 std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits);
 
-/// Of a step: what doubles may add on the way to the lattice.
+/// Largest error of doubles, in lattice steps.
 constexpr double lattice_slack = 1e-6;
 
-/// Steps by which each corner of a scene may lie off on each axis, the bound of aligned(): half a step, and
-/// of a chip that shades 2^-13 of the shortest edge of its triangles. Any, if no triangle has it.
+/// Returns the largest allowed error of each corner on each axis, in lattice steps (the bound of aligned()).
+/// It is half a step. In a chip that shades it is at least 2^-13 of the shortest edge of the corner's
+/// triangles. A corner of no triangle may lie anywhere.
 std::vector<double> corner_bounds(const Scene& scene, const Lattice& lattice, const Config& config);
 
-/// Steps by which a point of the lattice lies off one of the scene, on the axis where it is most, without
-/// what doubles lose far from the scene's origin.
+/// Returns the distance of a lattice point from a scene point, in steps, on the worst axis. Errors of doubles
+/// far from the scene's origin are subtracted.
 double corner_error(const Lattice& lattice, const Vec3i& steps, const glm::dvec3& given);
 
-/// Spheres and planes of a scene as the lattice has them, in its steps.
+/// Converts the spheres and planes of a scene to lattice steps, rounded as on the lattice.
 void snap_round(const Lattice& lattice, Scene& scene);
 
 const Material& material_of(const Scene& scene, std::size_t primitive);
 
-/// A plane's bit in the cell of a path: the first that transmit have one, as many as the chip has panes, and
-/// what lies in one of them after it has the same. 0 for all other primitives.
+/// Returns a plane's bit in the cell of a path. The first transmitting planes have one each, as many as the
+/// chip has panes. A later plane that coincides with one of them has the same bit. All other primitives have
+/// 0.
 std::uint32_t pane_bit(const Asked& asked, std::size_t primitive);
 
-/// Primitive i's surface: corners and material, each number the nearest that its format has. Corner normals
-/// are left out: holds_normals().
+/// Returns primitive i's surface: corners and material, each number rounded to its format. It has no corner
+/// normals; holds_normals() judges them.
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
                          std::size_t i);
-/// The same of another material.
+/// The same with another material.
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
                          std::size_t i, const Material& material);
 
-/// Whether a smooth triangle's surface has the scene's corner normals: the longest of the three fills its
-/// bits, each number is the nearest, and all are turned if their sum points away from the triangle's own
-/// side.
+/// Returns true if a smooth triangle's surface has the scene's corner normals. The longest of the three must
+/// fill its bits, and each number must be rounded to nearest. All three are negated if their sum points away
+/// from the triangle's front.
 bool holds_normals(const Scene& scene, std::size_t triangle, const Surface& seen);
 
-/// What is wrong with the frame's registers, a sentence each: eye, depth, samples, background, lights.
+/// Returns the faults of the frame's registers, a sentence each: eye, depth, samples, background, lights.
 std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings);
 
 }   // namespace rayclock

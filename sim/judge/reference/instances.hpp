@@ -1,4 +1,5 @@
 #pragma once
+// The reference tracer's hierarchies of instances and meshes.
 #include <memory>
 #include <vector>
 

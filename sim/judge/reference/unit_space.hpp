@@ -1,4 +1,5 @@
 #pragma once
+// The scaled space in which the reference tracer works.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Materials of COLLADA files.
 #include <cstdint>
 #include <map>
 #include <string>

@@ -1,4 +1,5 @@
 #pragma once
+// Transformations of COLLADA nodes.
 #include <glm/mat4x4.hpp>
 
 #include "sim/load/dae/document.hpp"

@@ -83,6 +83,19 @@ std::string parameter_table(const Config& config) {
     return text;
 }
 
+/// The codes of the registers `structure` and `mesh_structure`. Structures that one engine walks share a
+/// code.
+std::string structure_table() {
+    std::map<int, std::string> rows;
+    for (const std::string& name : names_of<Structure>()) {
+        std::string& row = rows[int(Config::engine_of(choice_named<Structure>(name)))];
+        row += fmt::format("{}`{}`", row.empty() ? "" : ", ", name);
+    }
+    std::string text = "| code | structure |\n|---|---|\n";
+    for (const auto& [code, structures] : rows) text += fmt::format("| {} | {} |\n", code, structures);
+    return text;
+}
+
 std::string frame_table(const Config& config) {
     std::string text = "| address | field | width | words |\n|---|---|---|---|\n";
     std::uint32_t address = frame_base;
@@ -149,6 +162,7 @@ std::map<std::string, std::string> tables() {
     std::map<std::string, std::string> tables{{"configurations", configuration_tables()},
                                               {"registers", control_table()},
                                               {"parameters", parameter_table(plain)},
+                                              {"structures", structure_table()},
                                               {"frame", frame_table(plain)},
                                               {"frame that is shaded", frame_table(all)},
                                               {"counters", counter_table()},

@@ -1,4 +1,5 @@
 #pragma once
+// The generator of the RTL's package.
 #include <string>
 
 #include "model/core/config.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// The options of finished pictures.
 #include <optional>
 
 namespace rayclock {

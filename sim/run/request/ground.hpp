@@ -1,4 +1,5 @@
 #pragma once
+// The ground of --ground.
 #include "model/scene/scene.hpp"
 
 namespace rayclock {

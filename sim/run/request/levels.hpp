@@ -1,4 +1,5 @@
 #pragma once
+// Checks that a machine's levels can draw a scene.
 #include "model/core/config.hpp"
 #include "model/scene/scene.hpp"
 

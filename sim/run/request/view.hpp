@@ -1,4 +1,5 @@
 #pragma once
+// The options of the camera.
 #include <optional>
 #include <string>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The whole chip under Verilator, driven by its registers.
 #include <optional>
 #include <string>
 #include <vector>

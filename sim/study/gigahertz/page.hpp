@@ -1,4 +1,5 @@
 #pragma once
+// The text and the picture of the page gigahertz.
 #include "sim/study/gigahertz/measure.hpp"
 #include "sim/view/plot/drawing.hpp"
 

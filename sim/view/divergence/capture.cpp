@@ -1,3 +1,4 @@
+// Runs both machines again and records the cycles around a divergence.
 #include "sim/view/divergence/capture.hpp"
 
 #include <algorithm>

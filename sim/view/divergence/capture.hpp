@@ -1,4 +1,5 @@
 #pragma once
+// The links of both machines around a divergence.
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// Finds the signals that explain a wrong value, backwards from the output.
 #include "sim/view/divergence/cone.hpp"
 
 #include <algorithm>

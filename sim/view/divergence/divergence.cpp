@@ -1,3 +1,4 @@
+// Writes the waveform and the page of a divergence.
 #include "sim/view/divergence/divergence.hpp"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// Splits payloads into their fields.
 #include "sim/view/divergence/fields.hpp"
 
 #include <type_traits>

@@ -1,3 +1,4 @@
+// Formats a divergence as an HTML page.
 #include "sim/view/divergence/page.hpp"
 
 #include <algorithm>

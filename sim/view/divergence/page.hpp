@@ -1,4 +1,5 @@
 #pragma once
+// A divergence as a sentence and as a page.
 #include <string>
 
 #include "sim/view/divergence/capture.hpp"

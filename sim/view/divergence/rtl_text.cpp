@@ -1,3 +1,4 @@
+// Finds statements and signals in the text of Verilog modules.
 #include "sim/view/divergence/rtl_text.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Finds the line of Verilog that drives a differing link.
 #include "sim/view/divergence/source.hpp"
 
 #include <regex>

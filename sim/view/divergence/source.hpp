@@ -1,4 +1,5 @@
 #pragma once
+// The Verilog line that drives a differing link.
 #include <string>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// Writes the links of a capture as an FST file, and a view of it for GTKWave.
 #include "sim/view/divergence/waveform.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// A divergence as waveforms for GTKWave.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Replays of recorded frames that observers watch.
 #include <span>
 
 #include "sim/run/engine/engine.hpp"

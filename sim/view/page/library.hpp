@@ -1,4 +1,5 @@
 #pragma once
+// The JavaScript modules of Vega that pages contain.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
 #pragma once
+// The tables of a report's page.
 #include <string>
 
 #include "sim/view/page/page.hpp"

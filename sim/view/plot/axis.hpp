@@ -1,4 +1,5 @@
 #pragma once
+// Scales and ticks of diagrams.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Conversion of diagrams to PDF.
 #include <string>
 
 namespace rayclock::plot {

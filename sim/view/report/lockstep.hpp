@@ -1,4 +1,5 @@
 #pragma once
+// The result of lockstep as text.
 #include <string>
 
 #include "sim/run/lockstep/lockstep.hpp"

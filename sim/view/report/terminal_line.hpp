@@ -1,4 +1,5 @@
 #pragma once
+// The progress line of the terminal.
 #include <string>
 
 namespace rayclock {

@@ -1,4 +1,5 @@
 #pragma once
+// Progress on the terminal, and writing of text files.
 #include <string>
 
 #include "model/base/progress.hpp"

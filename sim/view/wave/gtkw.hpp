@@ -1,4 +1,5 @@
 #pragma once
+// Save files of GTKWave.
 #include <cstdint>
 #include <string>
 #include <vector>

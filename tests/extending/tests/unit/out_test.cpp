@@ -1,5 +1,5 @@
 // out: every result comes out once, unchanged and in order, one cycle after it came if nothing stalls it.
-#include "model/out/out.hpp"
+#include "model/unit/out/out.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;

@@ -1,4 +1,5 @@
 #pragma once
+// The unit out in time: a queue of two finished pixels, and cycles by cause.
 #include <array>
 
 #include "model/core/ring.hpp"
@@ -7,7 +8,7 @@
 namespace rayclock {
 
 /// Holds a finished pixel for a cycle, and until sched accepts it. Two places let a result come in every
-/// cycle. Mirror of rtl/out/rc_out.sv.
+/// cycle. Mirror of rtl/unit/out/rc_out.sv.
 class Out {
 public:
     bool ready() const { return !rays_.full(); }

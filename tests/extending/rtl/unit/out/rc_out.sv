@@ -1,7 +1,7 @@
-// A pixel that is done waits here for a cycle, and for as long as sched does not take it.
+// Holds a finished pixel for one cycle, and until sched accepts it.
 //
-// Two places, so that a result can come in every cycle. ready and valid come from
-// registers only: the way from list to the outside is cut. Model: model/out/out.hpp.
+// Two places accept a result in every cycle. ready and valid come from registers, so no
+// combinational path leads from list to the sink. Model: model/unit/out/out.hpp.
 `default_nettype none
 module rc_out (
   input  logic            clk_i,
