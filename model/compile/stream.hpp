@@ -19,9 +19,9 @@ struct StreamRay {
 /// is multiplied by a power of two, so that its largest component lies in 2^(M-2) ... 2^(M-1) - 1, and
 /// rounded to nearest. So a direction of such whole numbers stays as it is.
 ///
-/// Any hit up to a t_max within the scene is found by a ray in the other direction: it begins at the lattice point nearest to
-/// the segment's end, and its direction leads exactly to the rounded origin, as that of a shadow ray
-/// (docs/origins.md).
+/// Any hit up to a t_max within the scene is found by a ray in the other direction: it begins at the lattice
+/// point nearest to the segment's end, and its direction leads exactly to the rounded origin, as that of a
+/// shadow ray (docs/origins.md).
 struct LatticeRay {
     RayRecord record;
     double begin = 0, scale = 1;

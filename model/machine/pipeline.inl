@@ -11,7 +11,8 @@ template <Pipeline::Rays rays, bool levels>
     // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     const bool begins = raygen_.ready() & (raygen_rest_ == 0);
-    m.offer(Link::slot, sched_.slot_valid(), streams ? third_cache_.ready() : begins & camera, sched_.slot().ray);
+    m.offer(Link::slot, sched_.slot_valid(), streams ? third_cache_.ready() : begins & camera,
+            sched_.slot().ray);
     if constexpr (streams) {
         m.record = record_addr(sched_.slot());
         m.offer(Link::record, third_cache_.valid(), begins, third_cache_.answer());
@@ -132,7 +133,8 @@ template <Pipeline::Rays rays>
     raygen_rest_ = select(in.there, raygen_rests_, raygen_rest_ - (raygen_rest_ > 0));
 }
 
-template <Pipeline::Rays rays, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
+template <Pipeline::Rays rays, bool levels>
+[[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
     const LinkInside& tested = m[Link::tested];
     if constexpr (levels) enter(m[Link::change]);
     trav_.clock<levels>({m[Link::ray],
@@ -221,7 +223,8 @@ template <Pipeline::Rays rays, bool levels>
     }
 }
 
-template <Pipeline::Rays rays, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+template <Pipeline::Rays rays, bool levels>
+inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     Moves m;   // a local instead of moves_, so that it stays in registers
     settle<rays, levels>(m, now);
     clock<rays, levels>(m, now, shared);

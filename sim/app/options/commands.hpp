@@ -7,7 +7,8 @@ namespace rayclock {
 
 /// The command whose subcommands make pages of docs.
 constexpr const char* study_name = "study";
-constexpr const char* study_what = "make a page of docs again: area, counts, figures, streams, structures, ...";
+constexpr const char* study_what =
+    "make a page of docs again: area, counts, figures, streams, structures, ...";
 
 Command scenes_command();
 Command render_command();
