@@ -42,6 +42,10 @@ public:
     explicit Cases(const Config& config) : config_(config), dice_(seed()) {}
 
     std::vector<TortureCase> make() {
+        if (config_.is_stream()) {
+            add_streams();
+            return std::move(cases_);
+        }
         static constexpr Size sizes[] = {{13, 9}, {128, 1}, {3, 17}, {11, 7}, {1, 1}, {16, 8}};
         for (int i = 0; i < 6; ++i) add_soup(i, sizes);
         add_corners(1, 0);
@@ -79,6 +83,20 @@ private:
             add(t, frame, 1 + (number + i) % 3);
         }
         end(std::move(t));
+    }
+
+    /// Streams of every kind of ray. Their numbers lie around whole groups, and around a power of two of x.
+    void add_streams() {
+        for (const std::size_t count : {1, 4, 5, 127, 128, 130}) {
+            const std::vector<PrimData> prims = soup(config_, dice_, 30);
+            TortureCase t = begin(std::to_string(count) + " rays", image_of(prims, config_, dice_, "rays"));
+            std::vector<RayRecord> records;
+            for (std::size_t i = 0; i < count; ++i) records.push_back(random_record(prims, config_, dice_));
+            place_rays(t.job.image, records, config_);
+            for (const std::size_t some : {count, (count + 1) / 2, count})
+                add(t, make_stream_frame(t.job.image, some, config_));
+            end(std::move(t));
+        }
     }
 
     /// Returns the first child of the root if it is a node, else 0. For a list, returns the second page.
@@ -405,7 +423,7 @@ private:
     }
 
     void shade(Frame& frame, const MemoryImage& image, int samples) {
-        if (config_.shading)
+        if (config_.has_shade())
             frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
     }
     /// Sets the number of primitives in a list from the frame's first line on.

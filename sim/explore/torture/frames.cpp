@@ -124,6 +124,26 @@ Frame pane_view(const Config& config, Size size, double spread) {
     return frame;
 }
 
+RayRecord random_record(const std::vector<PrimData>& prims, const Config& config, Dice& dice) {
+    const int frac = config.origin_frac();
+    const std::int32_t most = (1 << (config.coord_bits - 1)) - 1, far = (1 << (config.dir_bits - 1)) - 1;
+    const PrimData& prim = prims[std::size_t(dice.below(int(prims.size())))];
+    const Vec3i target = dice.near(prim.a, dice.below(3), most), point = dice.point(most);
+    RayRecord record{std::uint32_t(RayKind::bounce) + std::uint32_t(dice.below(3)), {}, {}};
+    const bool shadow = RayKind(record.kind) == RayKind::shadow, aims = dice.below(3) > 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t part = shadow ? 0 : dice.below(1 << frac);
+        record.o[k] = point[k] * (1 << frac) + part;
+        if (shadow)
+            record.d[k] =
+                (aims ? target[k] : dice.number(most)) * (1 << frac) + dice.below(1 << frac) - record.o[k];
+        else
+            record.d[k] = aims ? std::clamp(target[k] - point[k], -far, far) : dice.number(far);
+    }
+    if (record.d == Vec3i{}) record.d[0] = 1;
+    return record;
+}
+
 ShadeFrame settings(const MemoryImage& image, const Config& config, int samples, Dice& dice) {
     ShadeFrame s;
     const int all = samples * samples;

@@ -32,6 +32,9 @@ Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int
 /// picture's angle.
 Frame pane_view(const Config& config, Size size, double spread);
 
+/// Returns a legal record of a ray of any kind. Two of three lead to a corner of a primitive or near it.
+RayRecord random_record(const std::vector<PrimData>& prims, const Config& config, Dice& dice);
+
 /// Random registers of a chip that shades, with `samples` x `samples` samples per pixel.
 ShadeFrame settings(const MemoryImage& image, const Config& config, int samples, Dice& dice);
 

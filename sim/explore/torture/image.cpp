@@ -218,7 +218,7 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
     for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
     MemoryImage image = compile_triangles(numbered, config, name);
     image.lattice.coord_bits = config.coord_bits;
-    if (!config.shading) return image;
+    if (!config.has_shade()) return image;
     const std::size_t first = image.lines();
     check_lines(first + numbered.size(), config, name);
     image.surfaces = std::uint32_t(first);

@@ -90,12 +90,23 @@ Config listed_chip() {
     return c;
 }
 
+/// Rays from memory: two pipelines, groups of four rays, and bursts of two lines.
+Config rays_chip() {
+    Config c = shading_chip();
+    c.spheres = c.planes = c.smooth = c.refraction = c.horizon = c.supersampling = 0, c.panes = 0;
+    c.source = RaySource::stream;
+    c.timing = Timing::fast, c.raygen_interval = 4;
+    c.stream_sets = 2, c.stream_ways = 1, c.stream_line = 128, c.stream_mshrs = 2;
+    return c;
+}
+
 struct Chip {
     const char* name;
     Config (*make)();
 };
 constexpr Chip chips[] = {{"shading", shading_chip}, {"wide", wide_chip},     {"sheared", sheared_chip},
-                          {"homes", homes_chip},     {"slants", slants_chip}, {"listed", listed_chip}};
+                          {"homes", homes_chip},     {"slants", slants_chip}, {"listed", listed_chip},
+                          {"rays", rays_chip}};
 
 /// Returns the last engine that no chip but `shading` walks, or bvh. If two engines are left, one needs a
 /// chip of its own; a test finds it.
