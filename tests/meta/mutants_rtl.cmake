@@ -67,7 +67,7 @@ mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST u
   OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
   NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
 mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
-  OLD [[assign eye = frame_i.eye;]]
+  OLD [[assign eye    = frame_i.eye;]]
   NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
   logic is_kept_q;
   always_ff @(posedge clk_i) begin

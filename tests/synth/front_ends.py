@@ -66,8 +66,12 @@ SHAPES = [
     "small node_width=2 tile_bits=0 structure=kd",
 ]
 
+STREAMS = [
+    "default shading=1 source=stream",
+    "small shading=1 source=stream timing=fast pipelines=2 tile_bits=0 raygen_interval=4 structure=kd",
+]
 
-ALL = NAMED + ENGINES + LEVELS + STRUCTURES + INTERVALS + BEYOND_THE_LATTICE + SHAPES
+ALL = NAMED + ENGINES + LEVELS + STRUCTURES + INTERVALS + BEYOND_THE_LATTICE + SHAPES + STREAMS
 FEW = ["small", STRUCTURES[0]]
 OWN_TOOLS = "build/front-ends/bin"   # in the project's folder
 

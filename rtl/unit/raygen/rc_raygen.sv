@@ -32,7 +32,6 @@ module rc_raygen (
   localparam int unsigned P       = rc_pkg::PixelBits;
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
-  localparam int unsigned Latency = rc_pkg::RaygenLatency;
   localparam int unsigned Every   = rc_pkg::RaygenInterval;
   localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // stages of rc_sample
   localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
@@ -44,6 +43,8 @@ module rc_raygen (
   // Stages that hold the pixel's steps, and the ray's direction.
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
+  // A chip for streams, which has no rc_raygen, has a shorter latency: tools read this all the same.
+  localparam int unsigned Latency = rc_pkg::Streams != 0 ? Dir + RecipL : rc_pkg::RaygenLatency;
 
   // s0: requests. A new pixel is a camera ray through its first sample.
   logic                      req_valid, req_ready;
@@ -136,10 +137,16 @@ module rc_raygen (
   logic [3*R1-1:0] recip;
   logic [3*E-1:0]  len;
   logic [3*GD-1:0] corner, right, down;
+  logic [3*rc_pkg::CoordBits-1:0] eye;
 
-  assign corner = frame_i.corner;
-  assign right  = frame_i.right;
-  assign down   = frame_i.down;
+  if (rc_pkg::Streams == 0) begin : gen_camera_vectors   // always, but tools read this without
+    assign corner = frame_i.corner;
+    assign right  = frame_i.right;
+    assign down   = frame_i.down;
+    assign eye    = frame_i.eye;
+  end else begin : gen_no_camera
+    assign {corner, right, down, eye} = '0;
+  end
 
   // Axes: direction and reciprocal.
   logic [3*G-1:0]  sum;
@@ -201,9 +208,7 @@ module rc_raygen (
   // Direction and origin are delayed to match the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
   logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
-  logic [3*rc_pkg::CoordBits-1:0] eye;
 
-  assign eye = frame_i.eye;
   always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
 
   rc_interval_delay #(.Width(3 * RD), .Stages(Latency - Dir), .Every(Every)) u_dir (
