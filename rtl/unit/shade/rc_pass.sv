@@ -19,7 +19,7 @@ module rc_pass #(
   localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned U  = rc_pkg::UvBits,
-  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned CB = rc_pkg::ColourBits,
   localparam int unsigned SB = rc_pkg::SumBits
 ) (
@@ -109,7 +109,7 @@ module rc_pass #(
   // ---- s0: purpose of the pass.
   logic [L:0]           ends;   // the pass leaves the stage; the last: it has come
   logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
-  logic [TB-1:0]        t;
+  logic [T-1:0]         t;
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
