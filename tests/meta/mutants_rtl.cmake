@@ -131,11 +131,11 @@ mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
-  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
+  OLD [[|| (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(F)));]]
+  NEW [[|| adr_q == AddrW'(rc_pkg::RegStart) || (is_idle && frame_word < AddrW'(F));]])
 mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[frame_word < 13'(F)));]]
-  NEW [[frame_word < 13'(F - 1)));]])
+  OLD [[frame_word < AddrW'(F)));]]
+  NEW [[frame_word < AddrW'(F - 1)));]])
 mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
   NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])

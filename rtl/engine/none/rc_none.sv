@@ -28,7 +28,7 @@ module rc_none (
   output logic            done_next_fires_o,   // in a fast chip: the next one comes, and its ray
   output rc_pkg::done_t   done_next_o,
   // What it did: rc_pkg::trav_cause_e
-  output logic [2:0]      trav_cause_o
+  output logic [rc_pkg::CauseBits-1:0] trav_cause_o
 );
   localparam int unsigned I        = rc_pkg::RayBits;
   localparam int unsigned A        = rc_pkg::AddrBits;

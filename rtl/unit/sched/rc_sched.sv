@@ -32,15 +32,15 @@ module rc_sched (
   input  logic             hit_ready_i,
   output rc_pkg::hit_t     hit_o,
   // What it did: rc_pkg::sched_cause_e
-  output logic [2:0]       cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   localparam int unsigned I        = rc_pkg::RayBits;
   localparam int unsigned P        = rc_pkg::PixelBits;
   localparam int unsigned Contexts = rc_pkg::Contexts;
   localparam int unsigned K        = rc_pkg::TileBits;
   localparam int unsigned AW       = K == 0 ? 1 : 2 * K;
-  localparam logic [2:0] Stalled = rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream
-                                                        : rc_pkg::SchedStalledRaygen;
+  localparam logic [rc_pkg::CauseBits-1:0] Stalled =
+      rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream : rc_pkg::SchedStalledRaygen;
 
   // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
   // The tile's position relative to the picture, inside or on the edge, is computed when the tile

@@ -41,7 +41,7 @@ module rc_shade (
   input  logic              pixel_ready_i,
   output rc_pkg::pixel_t    pixel_o,
   // What it did: rc_pkg::shade_cause_e
-  output logic [2:0]        cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   localparam int unsigned I        = rc_pkg::RayBits;
   localparam int unsigned Contexts = rc_pkg::Contexts;

@@ -66,7 +66,7 @@ module rc_trav (
   output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
   // What it did: rc_pkg::trav_cause_e
-  output logic [2:0]        cause_o,
+  output logic [rc_pkg::CauseBits-1:0] cause_o,
   // With two levels: to and from xform
   output logic               xform_req_valid_o,
   input  logic               xform_req_ready_i,

@@ -107,6 +107,7 @@ std::string host_constants(const Config& config) {
         if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
     text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
     text += constant("RegCounters", counter_base);
+    text += constant("RegAddrBits", address_bits) + constant("CounterBits", counter_bits);
     std::vector<std::uint32_t> values, at, bits;
     for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
     for (const FrameWord& word : frame_words(config)) {
@@ -410,6 +411,7 @@ void enumerations(Package& p) {
     p.enumeration<Leave>("leave_e", "Leave", 2,
                          {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}});
     p.say("What a unit did in a cycle; first a cache's deeds.");
+    p.constant("CauseBits", cause_bits);
     p.enumeration<CacheDeed>("deed_e", "Deed", cause_bits,
                              {{"Hit", CacheDeed::hit},
                               {"Miss", CacheDeed::miss},
