@@ -19,20 +19,20 @@ module rc_recip #(
   output logic [rc_pkg::RecipBits:0]           recip_o,
   output logic [rc_pkg::ExpBits-1:0]           len_o
 );
-  localparam int unsigned M      = rc_pkg::RayDirBits;
-  localparam int unsigned R      = rc_pkg::RecipBits;
-  localparam int unsigned E      = rc_pkg::ExpBits;
-  localparam int unsigned L      = rc_pkg::RecipStages;
-  localparam int unsigned Bits   = rc_pkg::QuotientBits;
-  localparam int unsigned Moved  = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
-  localparam int unsigned Stages = L - Moved;             // of the division
+  localparam int unsigned M         = rc_pkg::RayDirBits;
+  localparam int unsigned R         = rc_pkg::RecipBits;
+  localparam int unsigned E         = rc_pkg::ExpBits;
+  localparam int unsigned Stages    = rc_pkg::RecipStages;
+  localparam int unsigned Bits      = rc_pkg::QuotientBits;
+  localparam int unsigned Moved     = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
+  localparam int unsigned DivStages = Stages - Moved;        // of the division
 
   // valid[i]: stage i holds a component.
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic [Stages-1:0] valid_q;
+  logic [Stages:0]   valid;
 
   assign valid = {valid_q, valid_i};
-  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
 
   // Magnitude.
   logic [M-1:0] s0_mag, mag;
@@ -100,23 +100,23 @@ module rc_recip #(
 
   // The other R bits. With two bits per stage and an odd R there is one bit too many, dropped
   // below.
-  logic [Bits*Stages-1:0] quo;
-  logic                   inexact;
+  logic [Bits*DivStages-1:0] quo;
+  logic                      inexact;
 
-  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
-    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*Stages)'(0)),
+  rc_divide #(.Width(M), .Stages(DivStages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
+    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*DivStages)'(0)),
     .den_i(m_q), .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit are delayed to match the divider.
   logic top;
 
-  rc_interval_delay #(.Width(E + 1), .Stages(Stages), .Every(Every)) u_wait (
-    .clk_i, .rst_ni, .valid_i(valid[L-1:Moved]), .there_i(valid[L-1:Moved]),
+  rc_interval_delay #(.Width(E + 1), .Stages(DivStages), .Every(Every)) u_wait (
+    .clk_i, .rst_ni, .valid_i(valid[Stages-1:Moved]), .there_i(valid[Stages-1:Moved]),
     .data_i({top_q, len_q}), .data_o({top, len_o}));
 
-  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*Stages-1 -: R]};
+  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*DivStages-1 -: R]};
 
   logic unused;
-  assign unused = ^{inexact, quo[0], valid[L]};
+  assign unused = ^{inexact, quo[0], valid[Stages]};
 endmodule
 `default_nettype wire
