@@ -81,6 +81,8 @@ package rc_pkg;
   localparam int unsigned NormalBits = 39;
   localparam int unsigned UnitBits = 16;
   localparam int unsigned ValueBits = 17;
+  localparam logic [16:0] ValueOne = 17'h10000;
+  localparam logic [33:0] ProductHalf = 34'h8000;
   localparam int unsigned AxisBits = 18;
   localparam int unsigned ShareBits = 12;
   localparam int unsigned ColourBits = 13;

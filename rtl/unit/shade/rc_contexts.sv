@@ -279,12 +279,12 @@ module rc_contexts #(
       begun.purpose = rc_pkg::EventArrive;
       begun.pending = rc_pkg::PendingNone;
       begun.colour  = '0;
-      begun.weight  = 17'h10000;
+      begun.weight  = rc_pkg::ValueOne;
       begun.depth   = '0;
       begun.waiting = '0;
       begun.sample  = '0;
       begun.sum     = '0;
-      begun.least   = {3{17'h10000}};
+      begun.least   = {3{rc_pkg::ValueOne}};
       begun.most    = '0;
     end
   end

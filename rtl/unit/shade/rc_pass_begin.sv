@@ -60,7 +60,7 @@ module rc_pass_begin #(
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
     assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
-    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
   // The state.

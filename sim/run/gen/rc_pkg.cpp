@@ -148,6 +148,10 @@ public:
     void constant(const std::string& name, int value) {
         text_ += fmt::format("  localparam int unsigned {} = {};\n", name, value);
     }
+    /// Adds a constant that has a width.
+    void bits(const char* name, int width, std::uint64_t value) {
+        text_ += fmt::format("  localparam logic [{}:0] {} = {}'h{:x};\n", width - 1, name, width, value);
+    }
     void say(const char* comment) { text_ += fmt::format("\n  // {}\n", comment); }
 
     /// Adds names for values. The fields that hold them are plain vectors, since Yosys 0.23 has no casts to
@@ -278,6 +282,9 @@ void derived(Package& p, const Config& c) {
     p.constant("NormalBits", c.normal_bits());
     p.constant("UnitBits", unit_bits);
     p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
+    p.bits("ValueOne", unit_bits + 1, 1ull << unit_bits);
+    p.bits("ProductHalf", 2 * unit_bits + 2, 1ull << (unit_bits - 1));   // half a value's last bit, in a
+                                                                         // product of two values
     p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("ColourBits", share_bits + 1);             // 0 to 1: a channel of a surface's colour
