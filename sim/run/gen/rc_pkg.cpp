@@ -300,6 +300,7 @@ void derived(Package& p, const Config& c) {
     p.constant("RootBits", root_bits);
     p.constant("MostFine", most_fine);
     p.constant("SampleBits", sample_bits);
+    p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
@@ -356,6 +357,7 @@ void derived(Package& p, const Config& c) {
     p.constant("HitdivStages", stages.hit_divide);
     p.constant("SphereLevels", stages.sphere_levels);
     p.constant("SphereStages", stages.sphere);
+    p.constant("SampleStages", stages.sample);
     p.constant("PixelStages", stages.pixel);
     p.constant("DirectionStages", stages.direction);
     p.constant("RecipStages", stages.recip);
