@@ -41,18 +41,18 @@ module rc_unit #(
     .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: bit length of the longest component.
-  logic [W-1:0]   s1_any, s1_any_told;
+  logic [W-1:0]   s1_any, s1_any_late;
   logic [L-1:0]   s1_len, s2_len_q;
   logic [3*W-1:0] s2_size_q;
 
   assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
   rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_any (
-    .clk_i, .data_i(s1_any), .data_o(s1_any_told));
+    .clk_i, .data_i(s1_any), .data_o(s1_any_late));
 
   always_comb begin
     s1_len = '0;
     if (ends[1])
-      for (int i = 0; i < W; i++) if (s1_any_told[i]) s1_len = L'(i) + 1'b1;
+      for (int i = 0; i < W; i++) if (s1_any_late[i]) s1_len = L'(i) + 1'b1;
   end
 
   always_ff @(posedge clk_i) begin

@@ -162,5 +162,5 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
 
 # ---- Random configurations are linted.
 mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"
-  OLD [[logic signed [RoundW-1:0] sum, told, shifted;]]
-  NEW [[logic signed [RoundW-1:0] sum, told, shifted, spare;]])
+  OLD [[logic signed [RoundW-1:0] sum, sum_q, shifted;]]
+  NEW [[logic signed [RoundW-1:0] sum, sum_q, shifted, spare;]])

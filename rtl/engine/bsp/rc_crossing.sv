@@ -43,6 +43,15 @@ module rc_crossing #(
   localparam int unsigned Cut       = rc_pkg::Cut;
   localparam int unsigned Div       = QuotientW / rc_pkg::QuotientBits;
 
+  // The answer, except for the times.
+  typedef struct packed {
+    logic turned;    // the ray meets the upper side first
+    logic on_near;   // it may be on the side that it meets first,
+    logic on_far;    // and on the other side
+    logic timed;     // it crosses the plane ahead of its origin
+  } flags_t;
+  localparam int unsigned FlagsW = 4;
+
   // Stages: products, their sums, truncated magnitudes, the quotient; then its shift.
   localparam int unsigned Product = Mul + 1;
   localparam int unsigned Sum     = Product + 1 + Cut;
@@ -109,7 +118,7 @@ module rc_crossing #(
   logic [NW-2:0] num_abs, num_size;
   logic [DW-1:0] den;
   logic [DW-2:0] den_abs, den_size;
-  logic [3:0]    what;      // {neg, near, far, timed}
+  flags_t        new_flags, flags;
 
   assign neg   = den_q[DW-1];
   assign zero  = den_q == '0;
@@ -121,9 +130,11 @@ module rc_crossing #(
   assign far   = !zero || !ahead;
   assign timed = !zero && ahead;
 
-  rc_path_register #(.Width(NW + DW + 2)) u_abs (
-    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], neg, near, far, timed}),
-    .data_o({num_abs, den_abs, what}));
+  assign new_flags = {neg, near, far, timed};
+
+  rc_path_register #(.Width(NW + DW - 2 + FlagsW)) u_abs (
+    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], new_flags}),
+    .data_o({num_abs, den_abs, flags}));
 
   // Their bit lengths, then their highest QuotientW bits: the shift is first by a multiple of
   // eight, then by the remaining three bits.
@@ -133,7 +144,7 @@ module rc_crossing #(
   logic [DW-2:0] den_coarse, den_rough, den_top;
   logic signed [ShiftW-1:0] right;
   logic [LengthW-1:0]    size_right, rough_right, right_q;
-  logic [3:0]            len_what, rough_what, what_q;
+  flags_t                len_flags, rough_flags, flags_q;
   logic [QuotientW-1:0]  dividend_q, divisor_q;
 
   always_comb begin
@@ -143,9 +154,9 @@ module rc_crossing #(
     for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = LengthW'(i + 1);
   end
 
-  rc_path_register #(.Width(NW + DW - 2 + 2 * LengthW + 4)) u_len (
-    .clk_i, .data_i({num_abs, den_abs, num_len, den_len, what}),
-    .data_o({num_size, den_size, num_long, den_long, len_what}));
+  rc_path_register #(.Width(NW + DW - 2 + 2 * LengthW + FlagsW)) u_len (
+    .clk_i, .data_i({num_abs, den_abs, num_len, den_len, flags}),
+    .data_o({num_size, den_size, num_long, den_long, len_flags}));
 
   assign num_short = LengthW'(NW - 1) - num_long;
   assign den_short = LengthW'(DW - 1) - den_long;
@@ -160,9 +171,10 @@ module rc_crossing #(
   assign num_coarse = num_size << num_up;
   assign den_coarse = den_size << den_up;
 
-  rc_path_register #(.Width(NW + DW - 2 + 6 + LengthW + 4)) u_coarse (
-    .clk_i, .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_what}),
-    .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_what}));
+  rc_path_register #(.Width(NW + DW - 2 + 6 + LengthW + FlagsW)) u_coarse (
+    .clk_i,
+    .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_flags}),
+    .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_flags}));
 
   assign num_top = num_rough << num_fine;
   assign den_top = den_rough << den_fine;
@@ -172,14 +184,14 @@ module rc_crossing #(
       dividend_q <= num_top[NW-2 -: QuotientW];
       divisor_q  <= den_top[DW-2 -: QuotientW];
       right_q    <= rough_right;
-      what_q     <= rough_what;
+      flags_q    <= rough_flags;
     end
   end
 
   // quo = 2^(QuotientW-1) num / den.
   logic [QuotientW-1:0] quo;
   logic [LengthW-1:0]   quo_right;
-  logic [3:0]           quo_what;
+  flags_t               quo_flags;
   logic                 inexact;
 
   rc_divide #(.Width(QuotientW), .Stages(Div), .Bits(rc_pkg::QuotientBits)) u_divide (
@@ -187,13 +199,13 @@ module rc_crossing #(
     .low_i({dividend_q[0], {(QuotientW-1){1'b0}}}), .den_i(divisor_q), .quo_o(quo),
     .inexact_o(inexact));
 
-  rc_path_register #(.Width(LengthW + 4), .Stages(Div)) u_beside (
-    .clk_i, .data_i({right_q, what_q}), .data_o({quo_right, quo_what}));
+  rc_path_register #(.Width(LengthW + FlagsW), .Stages(Div)) u_beside (
+    .clk_i, .data_i({right_q, flags_q}), .data_o({quo_right, quo_flags}));
 
   // The times: quo - 2 and quo + 2, shifted to t's unit. An overflow at the top saturates.
   logic [QuotientW:0]     from_end, to_end, from_d, to_d, over;
   logic [LengthW-1:0]     end_right;
-  logic [3:0]             end_what, place_what, out_what;
+  flags_t                 end_flags, place_flags, out_flags;
   logic [QuotientW+T:0]   from_moved, to_moved;
   logic [T+6:0]           from_rest, to_rest, from_fine, to_fine;
   logic                   from_over, to_over, from_many, to_many, from_most, to_most;
@@ -203,9 +215,9 @@ module rc_crossing #(
   assign from_d = {1'b0, quo} - (QuotientW+1)'(2);
   assign to_d   = {1'b0, quo} + (QuotientW+1)'(2);
 
-  rc_path_register #(.Width(2 * (QuotientW + 1) + LengthW + 4)) u_ends (
-    .clk_i, .data_i({from_d, to_d, quo_right, quo_what}),
-    .data_o({from_end, to_end, end_right, end_what}));
+  rc_path_register #(.Width(2 * (QuotientW + 1) + LengthW + FlagsW)) u_ends (
+    .clk_i, .data_i({from_d, to_d, quo_right, quo_flags}),
+    .data_o({from_end, to_end, end_right, end_flags}));
 
   assign over       = {(QuotientW+1){1'b1}} << end_right;
   assign from_moved = {from_end, {T{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
@@ -213,25 +225,25 @@ module rc_crossing #(
   assign from_over  = |(from_end & over);
   assign to_over    = |(to_end & over);
 
-  rc_path_register #(.Width(2 * (T + 7) + 9)) u_place (
+  rc_path_register #(.Width(2 * (T + 7) + 5 + FlagsW)) u_place (
     .clk_i,
-    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_what}),
-    .data_o({from_rest, to_rest, from_many, to_many, fine, place_what}));
+    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_flags}),
+    .data_o({from_rest, to_rest, from_many, to_many, fine, place_flags}));
 
   assign from_fine = from_rest >> fine;
   assign to_fine   = to_rest >> fine;
 
-  rc_path_register #(.Width(2 * T + 6)) u_fine (
-    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_what}),
-    .data_o({from_t, to_t, from_most, to_most, out_what}));
+  rc_path_register #(.Width(2 * T + 2 + FlagsW)) u_fine (
+    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_flags}),
+    .data_o({from_t, to_t, from_most, to_most, out_flags}));
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Stages-1]) begin
-      turned_o   <= out_what[3];
-      near_o     <= out_what[2];
-      far_o      <= out_what[1];
-      far_from_o <= out_what[0] ? from_t | {T{from_most}} : '0;
-      near_to_o  <= !out_what[0] || to_most || &to_t ? '1 : to_t + T'(1);
+      turned_o   <= out_flags.turned;
+      near_o     <= out_flags.on_near;
+      far_o      <= out_flags.on_far;
+      far_from_o <= out_flags.timed ? from_t | {T{from_most}} : '0;
+      near_to_o  <= !out_flags.timed || to_most || &to_t ? '1 : to_t + T'(1);
     end
   end
 

@@ -43,8 +43,8 @@ module rc_recip #(
   rc_path_register #(.Width(M + 1)) u_mag (
     .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
 
-  // Its bit length, and the left shift that sets its top bit.
-  logic [E-1:0] mag_len, mag_up, len, len_told, len_up;
+  // Its bit length, and the left shift that sets its top bit. len_full counts as for full width.
+  logic [E-1:0] mag_len, mag_up, len, len_full, len_up;
   logic [M-1:0] len_mag;
   logic         mag_power, len_power;   // a power of two, or zero
   logic         len_short;
@@ -68,19 +68,19 @@ module rc_recip #(
     .clk_i, .data_i({mag, mag_short, mag_len, mag_up, mag_power}),
     .data_o({len_mag, len_short, len, len_up, len_power}));
 
-  assign len_told = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
+  assign len_full = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
 
   // The shift, first by multiples of four, then by the remaining two bits.
   logic [M-1:0] coarse_mag, coarse, fine_m;
-  logic [E-1:0] coarse_told;
+  logic [E-1:0] coarse_full;
   logic [1:0]   coarse_up;
   logic         coarse_power;
 
   assign coarse_mag = len_mag << {len_up[E-1:2], 2'b00};
 
   rc_path_register #(.Width(M + E + 3)) u_coarse (
-    .clk_i, .data_i({coarse_mag, len_told, len_up[1:0], len_power}),
-    .data_o({coarse, coarse_told, coarse_up, coarse_power}));
+    .clk_i, .data_i({coarse_mag, len_full, len_up[1:0], len_power}),
+    .data_o({coarse, coarse_full, coarse_up, coarse_power}));
 
   assign fine_m = coarse << coarse_up;
 
@@ -92,7 +92,7 @@ module rc_recip #(
   always_ff @(posedge clk_i) begin
     if (valid[Moved-1]) begin
       m_q   <= fine_m;
-      len_q <= coarse_told;
+      len_q <= coarse_full;
       top_q <= coarse_power;
       rem_q <= coarse_power ? '0 : {1'b1, {(M-1){1'b0}}};
     end

@@ -96,16 +96,16 @@ module rc_surf #(
 
   for (genvar i = 0; i < 2; i++) begin : gen_weight
     logic [U-1:0]             x;
-    logic signed [RoundW-1:0] sum, told, shifted;
+    logic signed [RoundW-1:0] sum, sum_q, shifted;
     logic signed [W-1:0]      moved, weight;
 
     assign x   = i == 0 ? s0_u_i : s0_v_i;
     assign sum = $signed({{(RoundW-U){s0_plane && x[U-1]}}, x}) + $signed(RoundW'(1) << s0_by >> 1);
 
     rc_path_register #(.Width(RoundW), .Stages(rc_pkg::ShadeCut)) u_sum (
-      .clk_i, .data_i(sum), .data_o(told));
+      .clk_i, .data_i(sum), .data_o(sum_q));
 
-    assign shifted = told >>> s0_by;
+    assign shifted = sum_q >>> s0_by;
 
     rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_moved (
       .clk_i, .data_i(shifted[W-1:0]), .data_o(moved));
