@@ -13,7 +13,7 @@ module rc_chip #(
   input  logic                                      wb_cyc_i,
   input  logic                                      wb_stb_i,
   input  logic                                      wb_we_i,
-  input  logic [12:0]                               wb_adr_i,
+  input  logic [rc_pkg::RegAddrBits-1:0]            wb_adr_i,
   input  logic [31:0]                               wb_dat_i,
   output logic [31:0]                               wb_dat_o,
   output logic                                      wb_ack_o,
@@ -36,9 +36,9 @@ module rc_chip #(
 
   logic                         start, count, clear, counter_there;
   rc_pkg::frame_t               frame;
-  logic [10:0]                  counter;
+  logic [rc_pkg::CounterBits-1:0] counter;
   logic [rc_pkg::TallyBits-1:0] counter_value;
-  logic [3*Units-1:0]           causes;
+  logic [Units*rc_pkg::CauseBits-1:0] causes;
 
   rc_host #(.Counters(Counters)) u_host (
     .clk_i, .rst_ni,

@@ -43,8 +43,10 @@ module rc_pipeline (
   input  logic               hit_ready_i,
   output rc_pkg::hit_t       hit_o,
   // What each unit did, sched lowest
-  output logic [3*rc_pkg::PipelineUnits-1:0] causes_o
+  output logic [rc_pkg::PipelineUnits*rc_pkg::CauseBits-1:0] causes_o
 );
+  localparam int unsigned CB = rc_pkg::CauseBits;
+
   // Links, in the order in which a ray meets them.
   logic              slot_valid, slot_ready;
   rc_pkg::slot_t     slot;
@@ -92,9 +94,9 @@ module rc_pipeline (
   logic [rc_pkg::RayBits-1:0] node_next, prim_next;
   rc_pkg::done_t     done_next;
 
-  logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
-  logic [2:0]        stream_cause;
+  logic [CB-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
+  logic [CB-1:0]     prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
+  logic [CB-1:0]     stream_cause;
 
   // Each unit has its own reset register.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
@@ -300,19 +302,19 @@ module rc_pipeline (
   // with one, both constants are the same and mesh_cause is 0.
   always_comb begin
     causes_o = '0;
-    causes_o[3*rc_pkg::SchedUnit +: 3]      = sched_cause;
-    causes_o[3*rc_pkg::RaygenUnit +: 3]     = raygen_cause;
-    causes_o[3*rc_pkg::TravUnit +: 3]       = trav_cause;
-    causes_o[3*rc_pkg::NodeCacheUnit +: 3]  = node_cause;
-    causes_o[3*rc_pkg::DecideUnit +: 3]     = decide_cause;
-    causes_o[3*rc_pkg::MeshUnit +: 3]       = causes_o[3*rc_pkg::MeshUnit +: 3] | mesh_cause;
-    causes_o[3*rc_pkg::XformUnit +: 3]      = xform_cause;
-    causes_o[3*rc_pkg::ListUnit +: 3]       = list_cause;
-    causes_o[3*rc_pkg::PrimCacheUnit +: 3]  = prim_cause;
-    causes_o[3*rc_pkg::TriUnit +: 3]        = tri_cause;
-    causes_o[3*rc_pkg::SurfCacheUnit +: 3]  = surf_cause;
-    causes_o[3*rc_pkg::ShadeUnit +: 3]      = shade_cause;
-    causes_o[3*rc_pkg::StreamUnit +: 3]     = stream_cause;
+    causes_o[rc_pkg::SchedUnit*CB +: CB]     = sched_cause;
+    causes_o[rc_pkg::RaygenUnit*CB +: CB]    = raygen_cause;
+    causes_o[rc_pkg::TravUnit*CB +: CB]      = trav_cause;
+    causes_o[rc_pkg::NodeCacheUnit*CB +: CB] = node_cause;
+    causes_o[rc_pkg::DecideUnit*CB +: CB]    = decide_cause;
+    causes_o[rc_pkg::MeshUnit*CB +: CB]      = causes_o[rc_pkg::MeshUnit*CB +: CB] | mesh_cause;
+    causes_o[rc_pkg::XformUnit*CB +: CB]     = xform_cause;
+    causes_o[rc_pkg::ListUnit*CB +: CB]      = list_cause;
+    causes_o[rc_pkg::PrimCacheUnit*CB +: CB] = prim_cause;
+    causes_o[rc_pkg::TriUnit*CB +: CB]       = tri_cause;
+    causes_o[rc_pkg::SurfCacheUnit*CB +: CB] = surf_cause;
+    causes_o[rc_pkg::ShadeUnit*CB +: CB]     = shade_cause;
+    causes_o[rc_pkg::StreamUnit*CB +: CB]    = stream_cause;
   end
 endmodule
 `default_nettype wire

@@ -18,6 +18,7 @@ package rc_pkg;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned StackDepth = 16;
   localparam int unsigned Shading = 0;
+  localparam int unsigned Source = 0;
   localparam int unsigned Spheres = 0;
   localparam int unsigned Planes = 0;
   localparam int unsigned Smooth = 0;
@@ -50,12 +51,16 @@ package rc_pkg;
   localparam int unsigned SurfSets = 64;
   localparam int unsigned SurfWays = 4;
   localparam int unsigned SurfMshrs = 8;
+  localparam int unsigned StreamSets = 4;
+  localparam int unsigned StreamWays = 2;
+  localparam int unsigned StreamMshrs = 4;
   localparam int unsigned L2Sets = 0;
   localparam int unsigned L2Ways = 4;
   localparam int unsigned L2Mshrs = 16;
   localparam int unsigned NodeWords = 1;
   localparam int unsigned PrimWords = 1;
   localparam int unsigned SurfWords = 1;
+  localparam int unsigned StreamWords = 4;
   localparam int unsigned L2Words = 1;
 
   // What follows from these: model/core/config.hpp.
@@ -63,6 +68,8 @@ package rc_pkg;
   localparam int unsigned EdgeBits = 58;
   localparam int unsigned NumBits = 56;
   localparam int unsigned OriginBits = 0;
+  localparam int unsigned Shades = 0;
+  localparam int unsigned Streams = 0;
   localparam int unsigned Homes = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
@@ -74,6 +81,8 @@ package rc_pkg;
   localparam int unsigned NormalBits = 39;
   localparam int unsigned UnitBits = 16;
   localparam int unsigned ValueBits = 17;
+  localparam logic [16:0] ValueOne = 17'h10000;
+  localparam logic [33:0] ProductHalf = 34'h8000;
   localparam int unsigned AxisBits = 18;
   localparam int unsigned ShareBits = 12;
   localparam int unsigned ColourBits = 13;
@@ -89,6 +98,7 @@ package rc_pkg;
   localparam int unsigned RootBits = 28;
   localparam int unsigned MostFine = 4;
   localparam int unsigned SampleBits = 6;
+  localparam int unsigned SubPixelBits = 8;
   localparam int unsigned DepthBits = 4;
   localparam int unsigned Clients = 2;
   localparam int unsigned GuardBits = 14;
@@ -143,6 +153,7 @@ package rc_pkg;
   localparam int unsigned HitdivStages = 12;
   localparam int unsigned SphereLevels = 4;
   localparam int unsigned SphereStages = 34;
+  localparam int unsigned SampleStages = 4;
   localparam int unsigned PixelStages = 1;
   localparam int unsigned DirectionStages = 1;
   localparam int unsigned RecipStages = 9;
@@ -226,6 +237,7 @@ package rc_pkg;
   } leave_e;
 
   // What a unit did in a cycle; first a cache's deeds.
+  localparam int unsigned CauseBits = 3;
   typedef enum logic [2:0] {
     DeedHit = 3'd0,
     DeedMiss = 3'd1,
@@ -240,12 +252,14 @@ package rc_pkg;
     SchedBusyWork = 3'd0,
     SchedStarvedContexts = 3'd1,
     SchedStarvedDispatch = 3'd2,
-    SchedStalledRaygen = 3'd3
+    SchedStalledRaygen = 3'd3,
+    SchedStalledStream = 3'd4
   } sched_cause_e;
   typedef enum logic [2:0] {
     RaygenBusyWork = 3'd0,
     RaygenStarvedSched = 3'd1,
-    RaygenStalledTrav = 3'd2
+    RaygenStalledTrav = 3'd2,
+    RaygenStarvedStream = 3'd3
   } raygen_cause_e;
   typedef enum logic [2:0] {
     TravBusyWork = 3'd0,
@@ -432,6 +446,8 @@ package rc_pkg;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
   localparam int unsigned RegCounters = 4096;
+  localparam int unsigned RegAddrBits = 13;
+  localparam int unsigned CounterBits = 11;
   localparam int unsigned Parameters = 27;
   localparam logic [863:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
@@ -448,7 +464,7 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 15;
+  localparam int unsigned PipelineUnits = 16;
   localparam int unsigned SchedUnit = 0;
   localparam int unsigned RaygenUnit = 1;
   localparam int unsigned TravUnit = 2;
@@ -459,12 +475,13 @@ package rc_pkg;
   localparam int unsigned SurfCacheUnit = 12;
   localparam int unsigned ShadeUnit = 13;
   localparam int unsigned XformUnit = 14;
+  localparam int unsigned StreamUnit = 15;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [14:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd0, 1'd0,
-    1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [15:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd0,
+    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -801,6 +818,26 @@ package rc_pkg;
     logic [59:0] d;
   } spawn_t;
   localparam int unsigned SpawnW = 156;
+
+  typedef struct packed {
+    logic id;
+    logic [23:0] addr;
+  } stream_miss_t;
+  localparam int unsigned StreamMissW = 25;
+
+  typedef struct packed {
+    logic id;
+    logic [511:0] line;
+  } stream_fill_t;
+  localparam int unsigned StreamFillW = 513;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [1:0] kind;
+    logic [53:0] o;
+    logic [59:0] d;
+  } record_t;
+  localparam int unsigned RecordW = 122;
 
   typedef struct packed {
     logic [3:0] id;

@@ -8,7 +8,9 @@
 // always accepted. Reset must be held for as many cycles as the largest cache has sets. Model:
 // model/machine/machine.hpp.
 `default_nettype none
-module rc_top (
+module rc_top #(
+  localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits
+) (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
   // From the host
@@ -25,7 +27,7 @@ module rc_top (
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
   // What each unit did in this cycle: shared units lowest, then pipeline by pipeline
-  output logic [3*(rc_pkg::Pipelines*rc_pkg::PipelineUnits+rc_pkg::SharedUnits)-1:0] causes_o
+  output logic [Units*rc_pkg::CauseBits-1:0] causes_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned CB = rc_pkg::ClientBits;
@@ -36,7 +38,9 @@ module rc_top (
   localparam int unsigned SB = rc_pkg::SurfMissW - A;
   localparam int unsigned RB = rc_pkg::StreamMissW - A;
   localparam int unsigned K  = rc_pkg::Clients;
-  localparam int unsigned UC = 3 * rc_pkg::PipelineUnits;
+  // Causes of the shared units and of a pipeline's units.
+  localparam int unsigned SC = rc_pkg::SharedUnits * rc_pkg::CauseBits;
+  localparam int unsigned UC = rc_pkg::PipelineUnits * rc_pkg::CauseBits;
 
   // The shared units have their own reset register, as has each unit of a pipeline.
   logic shared_rst_n;
@@ -45,7 +49,7 @@ module rc_top (
   // ---- Tiles.
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
-  logic [2:0]    dispatch_cause;
+  logic [rc_pkg::CauseBits-1:0] dispatch_cause;
 
   rc_dispatch u_dispatch (
     .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
@@ -89,7 +93,7 @@ module rc_top (
       .stream_fill_i({fill_id[RB-1:0], fill.line}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
-      .causes_o(causes_o[3*rc_pkg::SharedUnits+p*UC +: UC]));
+      .causes_o(causes_o[SC+p*UC +: UC]));
 
     assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_id), node_addr};
     assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_id), prim_addr};
@@ -142,11 +146,11 @@ module rc_top (
     assign fill_fires[k] = fill_valid && fill_client == CB'(k);
   end
 
-  logic [2:0] memport_cause, l2_cause;
+  logic [rc_pkg::CauseBits-1:0] memport_cause, l2_cause;
 
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
                        : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
-  assign causes_o[3*rc_pkg::SharedUnits-1:0] = {l2_cause, memport_cause, dispatch_cause};
+  assign causes_o[SC-1:0] = {l2_cause, memport_cause, dispatch_cause};
 
   // Memory directly, or through the shared cache.
   if (rc_pkg::L2Sets == 0) begin : gen_direct

@@ -46,6 +46,7 @@ constexpr int approach_steps = 12;   ///< steps in which a distant ray finds the
 constexpr int max_lights = 64;       ///< maximum of Config::lights
 constexpr int most_fine = 4;         ///< maximum of Surface::fine
 constexpr int sample_bits = 6;       ///< a pixel's sample, 0..63
+constexpr int sub_pixel_bits = 8;    ///< fraction bits of a sample's place
 constexpr int depth_bits = 4;        ///< bounces of a camera ray, 0..15
 constexpr int unit_stages = 8;       ///< latency of rtl/fixed/rc_unit.sv
 constexpr int power_stages = 7;      ///< latency of rc_power.sv

@@ -80,7 +80,7 @@ int Stages::divide(int bits) const { return stages_of_quotient(bits, quotient_bi
 int Config::raygen_latency() const {
     const Stages stages(*this);
     if (is_stream()) return 1 + stages.recip;
-    return (supersampling ? 4 : 0) + stages.pixel + stages.direction + 1 +
+    return (supersampling ? stages.sample : 0) + stages.pixel + stages.direction + 1 +
            std::max(stages.recip, is_sheared() ? stages.slope : 0);
 }
 int Config::tri_latency() const {

@@ -42,7 +42,8 @@ struct Stages {
     int hit_divide = 0;
     int sphere_levels = 0;   ///< levels of a shift, each with a register in a fast chip
     int sphere = 0;
-    // Rays, rtl/unit/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
+    // Rays, rtl/unit/raygen/rc_raygen.sv: rc_sample, the pixel's steps, rc_direction, rc_recip, rc_slope.
+    int sample = 4;   ///< if the chip supersamples
     int pixel = 0;
     int direction = 0;
     int recip = 0;

@@ -95,13 +95,13 @@ void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
 }
 
 /// Returns the outcome of a ray's passes, as the trace holds it after the ray.
-Shade::Turn Pipeline::turn_of(std::uint32_t ray) {
+Shade::Leave Pipeline::turn_of(std::uint32_t ray) {
     TraceCursor& cursor = rays_[ray];
-    if (--cursor.head > 0) return Shade::Turn::again;
-    if (*cursor.at & Trace::pixel_flag) return Shade::Turn::pixel;
+    if (--cursor.head > 0) return Shade::Leave::again;
+    if (*cursor.at & Trace::pixel_flag) return Shade::Leave::pixel;
     cursor.at += 2;
     cursor.head = *cursor.at;
-    return Shade::Turn::spawn;
+    return Shade::Leave::spawn;
 }
 
 template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {

@@ -178,11 +178,11 @@ private:
     Link third(Link of_surf_cache, Link of_stream) const {
         return source_ == Rays::stream ? of_stream : of_surf_cache;
     }
-    Turn::Flags decide(std::uint32_t ray, bool valid);
+    Decision::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
-    Shade::Turn turn_of(std::uint32_t ray);
+    Shade::Leave turn_of(std::uint32_t ray);
     template <Rays rays> void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;

@@ -80,7 +80,7 @@ template <Pipeline::Rays rays> [[gnu::always_inline]] inline void Pipeline::acco
     ++units_[last_units_];
 }
 
-inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
+inline Decision::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     TraceCursor& cursor = rays_[ray];
     const bool again = cursor.head >> Trace::turns_shift, done = !again & bool(cursor.head & Trace::end_flag);
     const bool visit = valid & !again & !done;

@@ -28,33 +28,33 @@ void Memory::write(const std::vector<std::uint32_t>& lines) {
 }
 
 /// Chooses the next request: the chip's if it was accepted, then the picture's, then the host's.
-Memory::Turn Memory::take_turn(const Answer* request, Dram::Answer& what) {
+Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
     if (request) {
         what = {request->id, request->addr};
-        return Turn::chip;
+        return BusUser::chip;
     }
-    if (!has_room()) return Turn::nobody;
+    if (!has_room()) return BusUser::nobody;
     if (frame_buffer_ && frame_buffer_->wants_read()) {
         const FrameBuffer::Read read = frame_buffer_->read();
         what = {first_screen_id_ + read.id, read.addr};
-        return Turn::picture;
+        return BusUser::picture;
     }
     if (frame_buffer_ && frame_buffer_->wants_write()) {
         what = {0, frame_buffer_->write(), true};
-        return Turn::picture;
+        return BusUser::picture;
     }
-    if (left_ == 0) return Turn::nobody;
+    if (left_ == 0) return BusUser::nobody;
     what = {0, written_[written_.size() - left_--], true};
-    return Turn::host;
+    return BusUser::host;
 }
 
 void Memory::work(const Answer* request, std::uint32_t pixels) {
     if (is_for_screen()) frame_buffer_->answered(coming().id - first_screen_id_);
     Dram::Answer asked;
     const bool had_room = has_room();
-    const Turn turn = take_turn(request, asked);
-    const bool asks = turn != Turn::nobody;
-    reads_ += turn == Turn::chip;
+    const BusUser user = take_turn(request, asked);
+    const bool asks = user != BusUser::nobody;
+    reads_ += user == BusUser::chip;
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
@@ -75,7 +75,7 @@ void Memory::work(const Answer* request, std::uint32_t pixels) {
         const Answer read{asked.id, asked.addr};
         ideal_.clock(asks && !writes ? &read : nullptr);
     }
-    if (frame_buffer_) frame_buffer_->clock(pixels, turn == Turn::picture, had_room);
+    if (frame_buffer_) frame_buffer_->clock(pixels, user == BusUser::picture, had_room);
     if (disturbed_) disturb();
 }
 

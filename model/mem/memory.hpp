@@ -93,8 +93,8 @@ private:
     bool comes() const { return answers() && !is_for_screen(); }
     bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
     std::uint64_t picture_is_quiet_until() const;
-    enum class Turn { nobody, chip, picture, host };
-    Turn take_turn(const Answer* request, Dram::Answer& what);
+    enum class BusUser { nobody, chip, picture, host };
+    BusUser take_turn(const Answer* request, Dram::Answer& what);
     Answer coming() const {
         return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer();
     }

@@ -71,11 +71,12 @@ public:
             }
         const std::uint32_t inner =
             stop ? 0 : Order::sort(hits_ & node_->inner_mask, room_.t_near.data(), stack_.place());
-        Turn turn = stack_.decide(way_.t(), stop, node_->base, inner);
+        Decision decision = stack_.decide(way_.t(), stop, node_->base, inner);
         std::uint32_t dropped = 0;
-        for (; turn.kind == Turn::Kind::again; ++dropped) turn = stack_.decide(way_.t(), false, 0, 0);
-        done = turn.kind == Turn::Kind::done;
-        if (!done) line_ = turn.addr;
+        for (; decision.kind == Decision::Kind::again; ++dropped)
+            decision = stack_.decide(way_.t(), false, 0, 0);
+        done = decision.kind == Decision::Kind::done;
+        if (!done) line_ = decision.addr;
         return dropped;
     }
 

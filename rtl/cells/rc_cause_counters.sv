@@ -6,13 +6,13 @@
 module rc_cause_counters (
   input  logic                         clk_i,
   input  logic                         count_i,   // counts cause_i in this cycle
-  input  logic [2:0]                   cause_i,
+  input  logic [rc_pkg::CauseBits-1:0] cause_i,
   input  logic                         clear_i,   // clears at_i's counter; not while counting
-  input  logic [2:0]                   at_i,
+  input  logic [rc_pkg::CauseBits-1:0] at_i,
   output logic [rc_pkg::TallyBits-1:0] count_o    // at_i's counter; valid while nothing is counted
 );
-  logic       counts_q;
-  logic [2:0] cause_q, at;
+  logic                         counts_q;
+  logic [rc_pkg::CauseBits-1:0] cause_q, at;
 
   // The cause, delayed by one cycle.
   always_ff @(posedge clk_i) begin
@@ -21,7 +21,7 @@ module rc_cause_counters (
   end
 
   // The memory. Its port serves the delayed cause while counting, and at_i otherwise.
-  logic [rc_pkg::TallyBits-1:0] count_q [8];
+  logic [rc_pkg::TallyBits-1:0] count_q [1 << rc_pkg::CauseBits];
   assign at      = counts_q ? cause_q : at_i;
   assign count_o = count_q[at];
 

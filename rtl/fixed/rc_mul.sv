@@ -55,9 +55,9 @@ module rc_mul #(
     logic unused;
     assign unused = clk_i;
   end else begin : gen_stages
-    localparam int unsigned L  = 18;
-    localparam int unsigned LA = (AW + L - 1) / L;   // limbs
-    localparam int unsigned LB = (BW + L - 1) / L;
+    localparam int unsigned LimbW = 18;   // as wide as the multipliers of an FPGA
+    localparam int unsigned LA    = (AW + LimbW - 1) / LimbW;   // limbs
+    localparam int unsigned LB    = (BW + LimbW - 1) / LimbW;
 
     // The products of one limb of a with every second limb of b do not overlap, and form one row.
     // If that limb of a is signed, each of its products is a row of its own.
@@ -76,10 +76,11 @@ module rc_mul #(
         logic signed [PW-1:0] placed, side;
 
         rc_mul_limb #(
-          .AW(i == LA - 1 ? AW - i * L : L), .BW(j == LB - 1 ? BW - j * L : L),
-          .ASigned(ASigned), .BSigned(Signed && j == LB - 1), .PW(PW), .Place(L * (i + j))) u_limb (
-          .clk_i, .a_i(a_i[AW-1 < i*L+L-1 ? AW-1 : i*L+L-1 : i*L]),
-          .b_i(b_i[BW-1 < j*L+L-1 ? BW-1 : j*L+L-1 : j*L]), .p_o(placed));
+          .AW(i == LA - 1 ? AW - i * LimbW : LimbW), .BW(j == LB - 1 ? BW - j * LimbW : LimbW),
+          .ASigned(ASigned), .BSigned(Signed && j == LB - 1), .PW(PW),
+          .Place(LimbW * (i + j))) u_limb (
+          .clk_i, .a_i(a_i[AW-1 < i*LimbW+LimbW-1 ? AW-1 : i*LimbW+LimbW-1 : i*LimbW]),
+          .b_i(b_i[BW-1 < j*LimbW+LimbW-1 ? BW-1 : j*LimbW+LimbW-1 : j*LimbW]), .p_o(placed));
 
         if (ASigned || j < 2) begin : gen_alone
           assign side = placed;

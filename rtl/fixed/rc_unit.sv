@@ -41,18 +41,18 @@ module rc_unit #(
     .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: bit length of the longest component.
-  logic [W-1:0]   s1_any, s1_any_told;
+  logic [W-1:0]   s1_any, s1_any_late;
   logic [L-1:0]   s1_len, s2_len_q;
   logic [3*W-1:0] s2_size_q;
 
   assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
   rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_any (
-    .clk_i, .data_i(s1_any), .data_o(s1_any_told));
+    .clk_i, .data_i(s1_any), .data_o(s1_any_late));
 
   always_comb begin
     s1_len = '0;
     if (ends[1])
-      for (int i = 0; i < W; i++) if (s1_any_told[i]) s1_len = L'(i) + 1'b1;
+      for (int i = 0; i < W; i++) if (s1_any_late[i]) s1_len = L'(i) + 1'b1;
   end
 
   always_ff @(posedge clk_i) begin
@@ -141,6 +141,8 @@ module rc_unit #(
   rc_shift_register #(.Width(1), .Stages(2)) u_low (
     .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
 
+  localparam logic [37:0] SizeHalf = 38'd1 << 18;   // of the last bit that s8_size_q keeps
+
   logic [3*36-1:0] s7_product;
   rc_mul_held #(.AW(17), .BW(19), .Signed(1'b0), .Products(3), .Every(Every)) u_products (
     .clk_i, .turn_i(turn[7*Every +: Every]), .a_i(s7_a), .b_i({3{s7_r_q}}), .p_o(s7_product));
@@ -154,8 +156,8 @@ module rc_unit #(
 
     assign product = s7_product[k*36 +: 36];
     assign doubled = s7_low ? {product, 1'b0} : {1'b0, product};
-    assign whole   = {1'b0, doubled} + 38'h40000;
-    assign size    = whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};
+    assign whole   = {1'b0, doubled} + SizeHalf;
+    assign size    = whole[37:35] != '0 ? rc_pkg::ValueOne : {1'b0, whole[34:19]};
     always_ff @(posedge clk_i) if (ends[7]) s8_size_q <= size;
     assign answer = end_neg[k] ? -{1'b0, s8_size_q} : {1'b0, s8_size_q};
     assign u_o[k*18 +: 18] = answer;

@@ -9,18 +9,20 @@ module rc_counters #(
 ) (
   input  logic                         clk_i,
   input  logic                         count_i,    // counts causes_i in this cycle
-  input  logic [3*Units-1:0]           causes_i,   // shared units lowest, then pipeline by pipeline
+  // Shared units lowest, then pipeline by pipeline
+  input  logic [Units*rc_pkg::CauseBits-1:0] causes_i,
   input  logic                         clear_i,    // clears which_i's cause in all units
-  input  logic [10:0]                  which_i,
+  input  logic [rc_pkg::CounterBits-1:0] which_i,
   output logic                         there_o,    // which_i names a counter of this chip
   output logic [rc_pkg::TallyBits-1:0] count_o     // valid only while nothing is counted
 );
-  localparam int unsigned W = rc_pkg::TallyBits;
-  localparam int unsigned S = rc_pkg::SharedUnits;
-  localparam int unsigned U = rc_pkg::PipelineUnits;
+  localparam int unsigned W  = rc_pkg::TallyBits;
+  localparam int unsigned S  = rc_pkg::SharedUnits;
+  localparam int unsigned U  = rc_pkg::PipelineUnits;
+  localparam int unsigned CB = rc_pkg::CauseBits;
 
-  logic [7:0]         which_unit;    // {group, number}
-  logic [2:0]         which_cause;
+  logic [rc_pkg::CounterBits-CB-1:0] which_unit;   // {group, number}
+  logic [CB-1:0]                     which_cause;
 
   assign {which_unit, which_cause} = which_i;
 
@@ -34,7 +36,7 @@ module rc_counters #(
     if (k < S ? rc_pkg::SharedUnitsThere[Unit] : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
       logic [W-1:0] count;
       rc_cause_counters u_tally (
-        .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_cause),
+        .clk_i, .count_i, .cause_i(causes_i[k*CB +: CB]), .clear_i, .at_i(which_cause),
         .count_o(count));
 
       assign there[k]         = which_unit == {4'(Group), 4'(Unit)};
@@ -44,7 +46,7 @@ module rc_counters #(
       assign counts[k*W +: W] = '0;
 
       logic unused;
-      assign unused = ^causes_i[3*k +: 3];
+      assign unused = ^causes_i[k*CB +: CB];
     end
   end
 

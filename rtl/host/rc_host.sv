@@ -18,7 +18,7 @@ module rc_host #(
   input  logic                         wb_cyc_i,
   input  logic                         wb_stb_i,
   input  logic                         wb_we_i,
-  input  logic [12:0]                  wb_adr_i,
+  input  logic [rc_pkg::RegAddrBits-1:0] wb_adr_i,
   input  logic [31:0]                  wb_dat_i,
   output logic [31:0]                  wb_dat_o,
   output logic                         wb_ack_o,
@@ -30,20 +30,22 @@ module rc_host #(
   // To and from the counters
   output logic                         count_o,     // this cycle is counted
   output logic                         clear_o,     // clears the selected counter of all units
-  output logic [10:0]                  counter_o,   // the selected counter
+  output logic [rc_pkg::CounterBits-1:0] counter_o,   // the selected counter
   input  logic                         counter_there_i,
   input  logic [rc_pkg::TallyBits-1:0] counter_i,
   // Status, for pins
   output logic                         running_o,   // this cycle belongs to a frame
   output logic                         done_o       // a frame has ended and none was started since
 );
-  localparam int unsigned W = rc_pkg::TallyBits;
-  localparam int unsigned S = rc_pkg::PixelBits + 1;  // side of a picture
-  localparam int unsigned F = rc_pkg::FrameWords;
+  localparam int unsigned W        = rc_pkg::TallyBits;
+  localparam int unsigned S        = rc_pkg::PixelBits + 1;  // side of a picture
+  localparam int unsigned F        = rc_pkg::FrameWords;
+  localparam int unsigned AddrW    = rc_pkg::RegAddrBits;
+  localparam int unsigned CounterW = rc_pkg::CounterBits;
 
   // ---- Bus access: its registers hold the address and the data until the answer.
   logic        taken_q, ack_q, err_q, we_q, asks, fires, writes, good;
-  logic [12:0] adr_q;
+  logic [AddrW-1:0] adr_q;
   logic [31:0] dat_q, read, read_q;
 
   assign asks   = wb_cyc_i && wb_stb_i && !taken_q && !ack_q && !err_q;
@@ -77,7 +79,7 @@ module rc_host #(
   logic         has_some;
 
   assign is_idle = state_q == StIdle;
-  assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
+  assign goes    = writes && adr_q == AddrW'(rc_pkg::RegStart) && dat_q[0];
   assign start_o = start_q;   // in StStart, if there are pixels
   assign ends    = state_q == StStart ? !some_q : state_q == StRun && left_q == 32'(hits);
 
@@ -158,7 +160,7 @@ module rc_host #(
     logic write_q;
     always_ff @(posedge clk_i) begin
       if (Chip || fires || write_q) begin
-        write_q <= fires && we_q && is_idle && adr_q == 13'(rc_pkg::RegFrame + w);
+        write_q <= fires && we_q && is_idle && adr_q == AddrW'(rc_pkg::RegFrame + w);
         if (write_q) frame_q[At +: Bits] <= dat_q[Bits-1:0];
       end
     end
@@ -173,19 +175,19 @@ module rc_host #(
   assign clear_o = Counters != 0 && state_q == StPrepare;
 
   // A counter's address ends in {group, number, code} and the bit that selects its upper word.
-  logic        of_counter, upper_word;
-  logic [10:0] counter;
+  logic                of_counter, upper_word;
+  logic [CounterW-1:0] counter;
 
-  assign of_counter            = adr_q >= 13'(rc_pkg::RegCounters);
-  assign {counter, upper_word} = 12'(adr_q);
-  assign counter_o             = clear_o ? {8'd0, step_q[2:0]} : counter;
+  assign of_counter            = adr_q >= AddrW'(rc_pkg::RegCounters);
+  assign {counter, upper_word} = (CounterW + 1)'(adr_q);
+  assign counter_o             = clear_o ? CounterW'(step_q[rc_pkg::CauseBits-1:0]) : counter;
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni)                                          counts_q <= 1'b1;
-    else if (writes && adr_q == 13'(rc_pkg::RegCount))    counts_q <= dat_q[0];
-    if (state_q == StPrepare)                             cycles_q <= '0;
-    else if (running_o && counts_q)                       cycles_q <= cycles_q + 1'b1;
-    if (fires && !we_q && adr_q == 13'(rc_pkg::RegCycles)) high_q  <= 32'(cycles_q >> 32);
+    if (!rst_ni)                                             counts_q <= 1'b1;
+    else if (writes && adr_q == AddrW'(rc_pkg::RegCount))    counts_q <= dat_q[0];
+    if (state_q == StPrepare)                                cycles_q <= '0;
+    else if (running_o && counts_q)                          cycles_q <= cycles_q + 1'b1;
+    if (fires && !we_q && adr_q == AddrW'(rc_pkg::RegCycles)) high_q   <= 32'(cycles_q >> 32);
   end
 
   // ---- Read and write access.
@@ -195,33 +197,33 @@ module rc_host #(
   always_ff @(posedge clk_i) was_counting_q <= count_o;
   assign still = !count_o && !was_counting_q && state_q != StPrepare;
 
-  logic [12:0] frame_word, parameter_word;
+  logic [AddrW-1:0] frame_word, parameter_word;
 
-  assign frame_word     = adr_q - 13'(rc_pkg::RegFrame);
-  assign parameter_word = adr_q - 13'(rc_pkg::RegParameters);
+  assign frame_word     = adr_q - AddrW'(rc_pkg::RegFrame);
+  assign parameter_word = adr_q - AddrW'(rc_pkg::RegParameters);
 
   always_comb begin
     read = '0;
     good = 1'b0;
     if (we_q) begin
-      good = adr_q == 13'(rc_pkg::RegCount)
-          || (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));
+      good = adr_q == AddrW'(rc_pkg::RegCount)
+          || (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(F)));
     end else if (of_counter) begin
       read = upper_word ? 32'(counter_i >> 32) : counter_i[31:0];
       good = Counters != 0 && still && counter_there_i;
-    end else if (parameter_word < 13'(rc_pkg::Parameters)) begin
+    end else if (parameter_word < AddrW'(rc_pkg::Parameters)) begin
       read = rc_pkg::ParameterValues[32*parameter_word[4:0] +: 32];
       good = 1'b1;
     end else begin
       good = 1'b1;
       case (adr_q)
-        13'(rc_pkg::RegMagic):      read = rc_pkg::Magic;
-        13'(rc_pkg::RegVersion):    read = rc_pkg::Version;
-        13'(rc_pkg::RegStatus):     read = {30'd0, done_q, !is_idle};
-        13'(rc_pkg::RegCount):      read = {30'd0, Counters != 0, counts_q};
-        13'(rc_pkg::RegLeft):       read = left_q;
-        13'(rc_pkg::RegCycles):     read = cycles_q[31:0];
-        13'(rc_pkg::RegCycles + 1): read = high_q;
+        AddrW'(rc_pkg::RegMagic):      read = rc_pkg::Magic;
+        AddrW'(rc_pkg::RegVersion):    read = rc_pkg::Version;
+        AddrW'(rc_pkg::RegStatus):     read = {30'd0, done_q, !is_idle};
+        AddrW'(rc_pkg::RegCount):      read = {30'd0, Counters != 0, counts_q};
+        AddrW'(rc_pkg::RegLeft):       read = left_q;
+        AddrW'(rc_pkg::RegCycles):     read = cycles_q[31:0];
+        AddrW'(rc_pkg::RegCycles + 1): read = high_q;
         default:                    good = 1'b0;
       endcase
     end

@@ -59,7 +59,7 @@ module rc_cache #(
   input  logic [Parts*PartW-1:0]           fill_word_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic                             waits_o,        // lines are in flight
-  output logic [2:0]                       deed_o
+  output logic [rc_pkg::CauseBits-1:0]     deed_o
 );
   if (Parts < 1 || Parts > 2) begin : gen_refuse
     $error("rc_cache: Parts must be 1 or 2");

@@ -23,7 +23,7 @@ module rc_l2 (
   input  rc_pkg::mem_rsp_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic             waits_o,
-  output logic [2:0]       deed_o
+  output logic [rc_pkg::CauseBits-1:0] deed_o
 );
   logic                            next_fires;   // unused
   logic [rc_pkg::ClientIdBits-1:0] next_id;

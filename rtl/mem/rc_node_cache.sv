@@ -24,7 +24,7 @@ module rc_node_cache (
   input  rc_pkg::node_fill_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic               waits_o,
-  output logic [2:0]         deed_o
+  output logic [rc_pkg::CauseBits-1:0] deed_o
 );
   // A node takes the lowest bits of a word, or all of them. With two levels the highest bits hold
   // the kind of the line.

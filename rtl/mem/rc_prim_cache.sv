@@ -25,7 +25,7 @@ module rc_prim_cache (
   input  rc_pkg::prim_fill_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic               waits_o,
-  output logic [2:0]         deed_o
+  output logic [rc_pkg::CauseBits-1:0] deed_o
 );
   localparam int unsigned PrimW = rc_pkg::PrimitiveW;
   localparam int unsigned RestW = rc_pkg::LineBits / 2 - PrimW;

@@ -22,7 +22,7 @@ module rc_surf_cache (
   input  rc_pkg::surf_fill_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic               waits_o,
-  output logic [2:0]         deed_o
+  output logic [rc_pkg::CauseBits-1:0] deed_o
 );
   localparam int unsigned SurfaceW = rc_pkg::SurfaceW;
   logic [SurfaceW-1:0]                      word;     // a surface takes the lowest bits of a word

@@ -9,7 +9,7 @@ module host_cycles (
   input logic                         rst_ni,
   input logic                         wb_cyc_i,
   input logic                         wb_we_i,
-  input logic [12:0]                  wb_adr_i,
+  input logic [rc_pkg::RegAddrBits-1:0] wb_adr_i,
   input logic [31:0]                  wb_dat_i,
   input logic [rc_pkg::Pipelines-1:0] hit_fires_i
 );
@@ -24,7 +24,7 @@ module host_cycles (
   // ---- The master.
   logic [1:0]  begun_q = 2'd0;   // cycles since the trace began, at most 2
   logic        cyc_q, we_q, answered_q;
-  logic [12:0] adr_q;
+  logic [rc_pkg::RegAddrBits-1:0] adr_q;
   always @(posedge clk_i) begin
     if (begun_q != 2'd2) begun_q <= begun_q + 1'b1;
     {cyc_q, we_q, adr_q} <= {wb_cyc_i, wb_we_i, wb_adr_i};
@@ -40,8 +40,8 @@ module host_cycles (
   logic [W-1:0] count_q, before_q, read_q;
   logic         some_q = 1'b0;   // it was read
   logic         reads_low, reads_high;
-  assign reads_low  = wb_ack_o && !wb_we_i && wb_adr_i == 13'(rc_pkg::RegCycles);
-  assign reads_high = wb_ack_o && !wb_we_i && wb_adr_i == 13'(rc_pkg::RegCycles + 1);
+  assign reads_low  = wb_ack_o && !wb_we_i && wb_adr_i == rc_pkg::RegAddrBits'(rc_pkg::RegCycles);
+  assign reads_high = wb_ack_o && !wb_we_i && wb_adr_i == rc_pkg::RegAddrBits'(rc_pkg::RegCycles + 1);
   always @(posedge clk_i) begin
     count_q  <= clear_o ? '0 : count_q + {{(W-1){1'b0}}, count_o};
     before_q <= count_q;
@@ -60,7 +60,7 @@ module host_cycles (
   // ---- Ties to the inside, as an induction needs them.
   (* hierconn *) wire [31:0] \u_dut.high_q ;
   (* hierconn *) wire        \u_dut.taken_q ;
-  (* hierconn *) wire [12:0] \u_dut.adr_q ;
+  (* hierconn *) wire [rc_pkg::RegAddrBits-1:0] \u_dut.adr_q ;
   (* hierconn *) wire        \u_dut.we_q ;
   always @* begin
     t_same:   assert (begun_q == 2'd0 || count_q == \u_dut.cycles_q );

@@ -157,7 +157,7 @@ prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 
 set(host rc_pkg.sv host/rc_host.sv)
 prove(formal:host_cycles TOP host_cycles RTL ${host} INDUCTION 6)
 prove(mutant:formal_host_upper_word_goes_on TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
-  OLD [[if (fires && !we_q && adr_q == 13'(rc_pkg::RegCycles)) high_q  <=]]
+  OLD [[if (fires && !we_q && adr_q == AddrW'(rc_pkg::RegCycles)) high_q   <=]]
   NEW [[high_q <=]])
 prove(mutant:formal_host_upper_word_one_bit_off TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
   OLD [[high_q  <= 32'(cycles_q >> 32)]]

@@ -9,11 +9,11 @@ mutant(box_near_below_far QUICK FILE rtl/engine/bvh/rc_box.sv TEST unit [box][lo
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
 mutant(small_slab_distance_one_bit_short FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[localparam int unsigned D   = N + 1; ]]
-  NEW [[localparam int unsigned D   = N; ]])
+  OLD [[localparam int unsigned DistanceW = N + 1; ]]
+  NEW [[localparam int unsigned DistanceW = N; ]])
 mutant(small_slab_saturation_wraps FILE rtl/engine/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[over_q <= {V{1'b1}} << ready_move;]]
-  NEW [[over_q <= {V{1'b1}} << 1 << ready_move;]])
+  OLD [[over_q <= {SumW{1'b1}} << ready_move;]]
+  NEW [[over_q <= {SumW{1'b1}} << 1 << ready_move;]])
 
 # ---- Triangles: exact decisions at the corners of the lattice, and the first of equal hits.
 mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
@@ -47,8 +47,8 @@ mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "a sphere is
   NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
 mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/isect/rc_sphere.sv
   TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
-  OLD [[!sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],]]
-  NEW [[!sum_foot[Foot-1], sum_end[C-1],]])
+  OLD [[!sum_foot[Foot-1] && sum_foot != '0, sum_end[PowerW-1],]]
+  NEW [[!sum_foot[Foot-1], sum_end[PowerW-1],]])
 
 # ---- Traversal, lists, tiles and camera rays: state that belongs to another ray or frame.
 mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
@@ -64,8 +64,8 @@ mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST u
   OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
   NEW [[if (!rst_ni) first_q <= 1'b1;]])
 mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
-  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
+  OLD [[if (s0_used[G-2-i]) s0_shift = ShiftW'(i);]]
+  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? ShiftW'(i - 1) : '0;]])
 mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
   OLD [[assign eye    = frame_i.eye;]]
   NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
@@ -97,7 +97,7 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
     .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
 mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
-  NEW [[&& sum[Q:0] != '1;]])
+  NEW [[&& sum[ProductW:0] != '1;]])
 mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
   OLD [[s1_apart <= contrast &&]]
   NEW [[s1_apart < contrast &&]])
@@ -131,11 +131,11 @@ mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
-  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
+  OLD [[|| (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(F)));]]
+  NEW [[|| adr_q == AddrW'(rc_pkg::RegStart) || (is_idle && frame_word < AddrW'(F));]])
 mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[frame_word < 13'(F)));]]
-  NEW [[frame_word < 13'(F - 1)));]])
+  OLD [[frame_word < AddrW'(F)));]]
+  NEW [[frame_word < AddrW'(F - 1)));]])
 mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
   NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])
@@ -162,5 +162,5 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
 
 # ---- Random configurations are linted.
 mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"
-  OLD [[logic signed [X-1:0] sum, told, shifted;]]
-  NEW [[logic signed [X-1:0] sum, told, shifted, spare;]])
+  OLD [[logic signed [RoundW-1:0] sum, sum_q, shifted;]]
+  NEW [[logic signed [RoundW-1:0] sum, sum_q, shifted, spare;]])

@@ -210,11 +210,11 @@ TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
     Stack stack{format("shading:default")};
     for (int level = 0; level < 10; ++level)
         REQUIRE(stack.decide({3, 0, 1000}, children_of(visit_of(3, 1000, {1, 500}).boxes)).kind ==
-                Turn::Kind::visit);
+                Decision::Kind::visit);
     REQUIRE(stack.height() == 10);
     Visit stop = visit_of(3, 1000, {2, 3});
     stop.tested.stop = 1;
-    REQUIRE(stack.decide(stop.tested, children_of(stop.boxes)).kind == Turn::Kind::done);
+    REQUIRE(stack.decide(stop.tested, children_of(stop.boxes)).kind == Decision::Kind::done);
     REQUIRE(stack.height() == 0);
 }
 

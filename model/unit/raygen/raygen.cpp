@@ -55,7 +55,8 @@ Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, c
     if (!config.supersampling) return pixel_direction(x, y, frame, config);
     const ShadeFrame& s = frame.shade;
     const SampleOffset offset = sample_offset(x, y, sample, int(s.side), s.jitter != 0, s.seed);
-    return direction_of(std::int64_t(x) * 256 + offset.x, std::int64_t(y) * 256 + offset.y, 8, frame, config);
+    return direction_of((std::int64_t(x) << sub_pixel_bits) + offset.x,
+                        (std::int64_t(y) << sub_pixel_bits) + offset.y, sub_pixel_bits, frame, config);
 }
 
 Vec3i ray_origin(const Vec3i& point, const Config& config) {

@@ -21,7 +21,7 @@ namespace rayclock {
 /// Mirror of rtl/unit/shade/rc_shade.sv.
 class Shade {
 public:
-    enum class Turn : std::uint8_t { again, spawn, pixel };
+    enum class Leave : std::uint8_t { again, spawn, pixel };
 
     explicit Shade(const Config& config)
         : fetch_(config.contexts),
@@ -107,9 +107,9 @@ public:
         again_.pop(open & !surface.there & again);
         arrived_.pop(open & !surface.there & !again & arrived);
         if (answer) switch (turn(done)) {
-                case Turn::again: again_.push(done); break;
-                case Turn::spawn: spawns_.push(done); break;
-                case Turn::pixel: pixels_.push(done); break;
+                case Leave::again: again_.push(done); break;
+                case Leave::spawn: spawns_.push(done); break;
+                case Leave::pixel: pixels_.push(done); break;
             }
         if constexpr (levels) {
             fetch_.push(RayNumber(place.ray), place.there);

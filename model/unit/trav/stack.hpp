@@ -10,13 +10,13 @@
 namespace rayclock {
 
 /// The decision where a ray goes after a node.
-struct Turn {
+struct Decision {
     enum class Kind : std::uint8_t {
         visit,   ///< to the node at `addr`
         again,   ///< a group was dropped: decide again, without new children
         done,    ///< nothing is left that can matter
     };
-    /// The kind as flags. Without a turn none is set.
+    /// The kind as flags. Without a decision none is set.
     struct Flags {
         bool visit = false, again = false, done = false;
     };
@@ -30,7 +30,7 @@ struct Turn {
 /// The ray visits the nearest inner child, and the stack keeps its siblings as one group. Without a child
 /// that can still matter, the stack is popped. Each group holds `below`, the smallest t_near of all groups
 /// under it. So a ray for which nothing there matters is done at once. A group whose nearest child is too far
-/// is dropped, one per turn. A stop empties the stack, and the ray is done. Mirror of
+/// is dropped, one per decision. A stop empties the stack, and the ray is done. Mirror of
 /// rtl/unit/trav/rc_stack.sv.
 ///
 /// `Order` defines distances and the order of children; the machine's is ByDistance.
@@ -47,14 +47,14 @@ public:
     Key* place() { return groups_[height_].keys.data(); }
     /// Decides after a node whose leaves are tested. Its inner children that the ray meets lie from line
     /// `base` on.
-    RAYCLOCK_INLINE Turn decide(Time t_best, bool stop, std::uint32_t base, std::uint32_t inner) {
+    RAYCLOCK_INLINE Decision decide(Time t_best, bool stop, std::uint32_t base, std::uint32_t inner) {
         if (stop) {
             height_ = 0;
             return {};
         }
         Group& g = groups_[height_];
         if (inner == 0 || t_best < Order::near(g.keys[0])) return pop(t_best);
-        const Turn forward{Turn::Kind::visit, base + Order::child(g.keys[0])};
+        const Decision forward{Decision::Kind::visit, base + Order::child(g.keys[0])};
         if (inner == 1) return forward;
         assert(height_ + 1 < groups_.size() && "the compiled scene promised a shallower stack");
         g.below = beyond_;
@@ -69,7 +69,7 @@ public:
         return forward;
     }
     /// Decides in the form of the payloads. After a dropped group there are no new children.
-    Turn decide(const Tested& tested, const Children& c = {}) {
+    Decision decide(const Tested& tested, const Children& c = {}) {
         for (std::size_t i = 0; i < c.inner; ++i) place()[i] = Order::key(c.t_near[i], c.slot[i]);
         return decide(tested.t_best, tested.stop != 0, c.base, c.inner);
     }
@@ -83,20 +83,20 @@ private:
         Time below;
         Time nearest() const { return Order::near(keys[next]); }
     };
-    RAYCLOCK_INLINE Turn pop(Time t_best) {
+    RAYCLOCK_INLINE Decision pop(Time t_best) {
         if (height_ == 0) return {};
         Group& top = groups_[height_ - 1];
         if (!(t_best < top.nearest())) {
-            const Turn turn{Turn::Kind::visit, top.base + Order::child(top.keys[top.next])};
+            const Decision decision{Decision::Kind::visit, top.base + Order::child(top.keys[top.next])};
             if (++top.next == top.end) --height_;
-            return turn;
+            return decision;
         }
         if (height_ == 1 || t_best < top.below) {
             height_ = 0;
             return {};
         }
         --height_;
-        return {Turn::Kind::again, 0};
+        return {Decision::Kind::again, 0};
     }
 
     Time beyond_;

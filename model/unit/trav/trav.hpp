@@ -91,7 +91,7 @@ public:
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
         const OnLink last = last_stage();
-        const Turn::Flags went = decide(last.ray, last.there);
+        const Decision::Flags went = decide(last.ray, last.there);
         nodes_.push(RayNumber(last.ray), went.visit);
         if (late_ == 0) {
             done_.push(RayNumber(last.ray), went.done);

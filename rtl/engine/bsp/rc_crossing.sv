@@ -11,15 +11,15 @@
 // formulas.
 `default_nettype none
 module rc_crossing #(
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned H  = rc_pkg::RayDirBits,
-  localparam int unsigned B  = rc_pkg::NormalStepBits,
-  localparam int unsigned AW = rc_pkg::PlaneOffsetBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned L  = rc_pkg::CrossingStages
+  localparam int unsigned OW     = rc_pkg::OriginWidth,
+  localparam int unsigned H      = rc_pkg::RayDirBits,
+  localparam int unsigned B      = rc_pkg::NormalStepBits,
+  localparam int unsigned AW     = rc_pkg::PlaneOffsetBits,
+  localparam int unsigned T      = rc_pkg::TBits,
+  localparam int unsigned Stages = rc_pkg::CrossingStages
 ) (
   input  logic                 clk_i,
-  input  logic [L-1:0]         valid_i,      // valid_i[i]: stage i holds a slant
+  input  logic [Stages-1:0]    valid_i,      // valid_i[i]: stage i holds a slant
   // Ray: origin and direction
   input  logic [3*OW-1:0]      s0_o_i,
   input  logic [3*H-1:0]       s0_along_i,
@@ -33,25 +33,34 @@ module rc_crossing #(
   output logic [T-1:0]         near_to_o,
   output logic [T-1:0]         far_from_o
 );
-  localparam int unsigned Frac = OW - rc_pkg::CoordBits;   // fraction bits of the origin
-  localparam int unsigned NW   = AW + Frac + 1;            // at - n . o, signed
-  localparam int unsigned DW   = H + B + 1;                // n . d, signed
-  localparam int unsigned V    = rc_pkg::CrossingBits;
-  localparam int unsigned E    = 6;                        // bits of a length, and of a right shift
-  localparam int unsigned S    = 8;                        // bits of a shift, signed
-  localparam int unsigned M    = rc_pkg::MulStages;
-  localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned Div  = V / rc_pkg::QuotientBits;
+  localparam int unsigned Frac      = OW - rc_pkg::CoordBits;   // fraction bits of the origin
+  localparam int unsigned NW        = AW + Frac + 1;            // at - n . o, signed
+  localparam int unsigned DW        = H + B + 1;                // n . d, signed
+  localparam int unsigned QuotientW = rc_pkg::CrossingBits;
+  localparam int unsigned LengthW   = 6;                        // a length; a right shift
+  localparam int unsigned ShiftW    = 8;                        // bits of a shift, signed
+  localparam int unsigned Mul       = rc_pkg::MulStages;
+  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Div       = QuotientW / rc_pkg::QuotientBits;
+
+  // The answer, except for the times.
+  typedef struct packed {
+    logic turned;    // the ray meets the upper side first
+    logic on_near;   // it may be on the side that it meets first,
+    logic on_far;    // and on the other side
+    logic timed;     // it crosses the plane ahead of its origin
+  } flags_t;
+  localparam int unsigned FlagsW = 4;
 
   // Stages: products, their sums, truncated magnitudes, the quotient; then its shift.
-  localparam int unsigned Product = M + 1;
+  localparam int unsigned Product = Mul + 1;
   localparam int unsigned Sum     = Product + 1 + Cut;
   localparam int unsigned Size    = Sum + 1 + 3 * Cut;
 
-  // 2^T times the quotient is shifted right by T - x, where x = F + M - B - V plus the difference
-  // of the lengths.
-  localparam logic signed [S-1:0] RightBase = S'(T) + S'(Frac) + S'(V) - S'(rc_pkg::TFracBits)
-      - S'(H);
+  // 2^T times the quotient is shifted right by T - x, where x = F + M - B - QuotientW plus the
+  // difference of the lengths.
+  localparam logic signed [ShiftW-1:0] RightBase =
+      ShiftW'(T) + ShiftW'(Frac) + ShiftW'(QuotientW) - ShiftW'(rc_pkg::TFracBits) - ShiftW'(H);
 
   // The products of n . o and n . d.
   logic [3*NW-1:0] origin_q;
@@ -81,7 +90,7 @@ module rc_crossing #(
 
   logic signed [AW-1:0] at, at_q;
 
-  rc_path_register #(.Width(AW), .Stages(M)) u_at (.clk_i, .data_i(s0_at_i), .data_o(at));
+  rc_path_register #(.Width(AW), .Stages(Mul)) u_at (.clk_i, .data_i(s0_at_i), .data_o(at));
   always_ff @(posedge clk_i) if (valid_i[Product-1]) at_q <= at;
 
   // Their sums: num = at - n . o, den = n . d.
@@ -109,7 +118,7 @@ module rc_crossing #(
   logic [NW-2:0] num_abs, num_size;
   logic [DW-1:0] den;
   logic [DW-2:0] den_abs, den_size;
-  logic [3:0]    what;      // {neg, near, far, timed}
+  flags_t        new_flags, flags;
 
   assign neg   = den_q[DW-1];
   assign zero  = den_q == '0;
@@ -121,120 +130,126 @@ module rc_crossing #(
   assign far   = !zero || !ahead;
   assign timed = !zero && ahead;
 
-  rc_path_register #(.Width(NW + DW + 2)) u_abs (
-    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], neg, near, far, timed}),
-    .data_o({num_abs, den_abs, what}));
+  assign new_flags = {neg, near, far, timed};
 
-  // Their bit lengths, then their highest V bits: the shift is first by a multiple of eight, then
-  // by the remaining three bits.
-  logic [E-1:0]  num_len, den_len, num_long, den_long, num_short, den_short, num_up, den_up;
+  rc_path_register #(.Width(NW + DW - 2 + FlagsW)) u_abs (
+    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], new_flags}),
+    .data_o({num_abs, den_abs, flags}));
+
+  // Their bit lengths, then their highest QuotientW bits: the shift is first by a multiple of
+  // eight, then by the remaining three bits.
+  logic [LengthW-1:0] num_len, den_len, num_long, den_long, num_short, den_short, num_up, den_up;
   logic [2:0]    num_fine, den_fine;
   logic [NW-2:0] num_coarse, num_rough, num_top;
   logic [DW-2:0] den_coarse, den_rough, den_top;
-  logic signed [S-1:0] right;
-  logic [E-1:0]  size_right, rough_right, right_q;
-  logic [3:0]    len_what, rough_what, what_q;
-  logic [V-1:0]  dividend_q, divisor_q;
+  logic signed [ShiftW-1:0] right;
+  logic [LengthW-1:0]    size_right, rough_right, right_q;
+  flags_t                len_flags, rough_flags, flags_q;
+  logic [QuotientW-1:0]  dividend_q, divisor_q;
 
   always_comb begin
     num_len = '0;
     den_len = '0;
-    for (int i = 0; i < NW - 1; i++) if (num_abs[i]) num_len = E'(i + 1);
-    for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = E'(i + 1);
+    for (int i = 0; i < NW - 1; i++) if (num_abs[i]) num_len = LengthW'(i + 1);
+    for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = LengthW'(i + 1);
   end
 
-  rc_path_register #(.Width(NW + DW - 2 + 2 * E + 4)) u_len (
-    .clk_i, .data_i({num_abs, den_abs, num_len, den_len, what}),
-    .data_o({num_size, den_size, num_long, den_long, len_what}));
+  rc_path_register #(.Width(NW + DW - 2 + 2 * LengthW + FlagsW)) u_len (
+    .clk_i, .data_i({num_abs, den_abs, num_len, den_len, flags}),
+    .data_o({num_size, den_size, num_long, den_long, len_flags}));
 
-  assign num_short = E'(NW - 1) - num_long;
-  assign den_short = E'(DW - 1) - den_long;
+  assign num_short = LengthW'(NW - 1) - num_long;
+  assign den_short = LengthW'(DW - 1) - den_long;
 
-  assign right     = RightBase + $signed({{(S-E){1'b0}}, den_long})
-                               - $signed({{(S-E){1'b0}}, num_long});
-  assign size_right = right[S-1] ? '0 : right > $signed(S'(63)) ? E'(63) : right[E-1:0];
+  assign right = RightBase + $signed({{(ShiftW-LengthW){1'b0}}, den_long})
+                               - $signed({{(ShiftW-LengthW){1'b0}}, num_long});
+  assign size_right = right[ShiftW-1] ? '0
+                    : right > $signed(ShiftW'(63)) ? LengthW'(63) : right[LengthW-1:0];
 
-  assign num_up     = {num_short[E-1:3], 3'd0};
-  assign den_up     = {den_short[E-1:3], 3'd0};
+  assign num_up     = {num_short[LengthW-1:3], 3'd0};
+  assign den_up     = {den_short[LengthW-1:3], 3'd0};
   assign num_coarse = num_size << num_up;
   assign den_coarse = den_size << den_up;
 
-  rc_path_register #(.Width(NW + DW - 2 + 6 + E + 4)) u_coarse (
-    .clk_i, .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_what}),
-    .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_what}));
+  rc_path_register #(.Width(NW + DW - 2 + 6 + LengthW + FlagsW)) u_coarse (
+    .clk_i,
+    .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_flags}),
+    .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_flags}));
 
   assign num_top = num_rough << num_fine;
   assign den_top = den_rough << den_fine;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Size-1]) begin
-      dividend_q <= num_top[NW-2 -: V];
-      divisor_q  <= den_top[DW-2 -: V];
+      dividend_q <= num_top[NW-2 -: QuotientW];
+      divisor_q  <= den_top[DW-2 -: QuotientW];
       right_q    <= rough_right;
-      what_q     <= rough_what;
+      flags_q    <= rough_flags;
     end
   end
 
-  // quo = 2^(V-1) num / den.
-  logic [V-1:0] quo;
-  logic [E-1:0] quo_right;
-  logic [3:0]   quo_what;
-  logic         inexact;
+  // quo = 2^(QuotientW-1) num / den.
+  logic [QuotientW-1:0] quo;
+  logic [LengthW-1:0]   quo_right;
+  flags_t               quo_flags;
+  logic                 inexact;
 
-  rc_divide #(.Width(V), .Stages(Div), .Bits(rc_pkg::QuotientBits)) u_divide (
-    .clk_i, .valid_i(valid_i[Size]), .rem_i({1'b0, dividend_q[V-1:1]}),
-    .low_i({dividend_q[0], {(V-1){1'b0}}}), .den_i(divisor_q), .quo_o(quo), .inexact_o(inexact));
+  rc_divide #(.Width(QuotientW), .Stages(Div), .Bits(rc_pkg::QuotientBits)) u_divide (
+    .clk_i, .valid_i(valid_i[Size]), .rem_i({1'b0, dividend_q[QuotientW-1:1]}),
+    .low_i({dividend_q[0], {(QuotientW-1){1'b0}}}), .den_i(divisor_q), .quo_o(quo),
+    .inexact_o(inexact));
 
-  rc_path_register #(.Width(E + 4), .Stages(Div)) u_beside (
-    .clk_i, .data_i({right_q, what_q}), .data_o({quo_right, quo_what}));
+  rc_path_register #(.Width(LengthW + FlagsW), .Stages(Div)) u_beside (
+    .clk_i, .data_i({right_q, flags_q}), .data_o({quo_right, quo_flags}));
 
   // The times: quo - 2 and quo + 2, shifted to t's unit. An overflow at the top saturates.
-  logic [V:0]     from_end, to_end, from_d, to_d, over;
-  logic [E-1:0]   end_right;
-  logic [3:0]     end_what, place_what, out_what;
-  logic [V+T:0]   from_moved, to_moved;
-  logic [T+6:0]   from_rest, to_rest, from_fine, to_fine;
-  logic           from_over, to_over, from_many, to_many, from_most, to_most;
-  logic [2:0]     fine;
-  logic [T-1:0]   from_t, to_t;
+  logic [QuotientW:0]     from_end, to_end, from_d, to_d, over;
+  logic [LengthW-1:0]     end_right;
+  flags_t                 end_flags, place_flags, out_flags;
+  logic [QuotientW+T:0]   from_moved, to_moved;
+  logic [T+6:0]           from_rest, to_rest, from_fine, to_fine;
+  logic                   from_over, to_over, from_many, to_many, from_most, to_most;
+  logic [2:0]             fine;
+  logic [T-1:0]           from_t, to_t;
 
-  assign from_d = {1'b0, quo} - (V+1)'(2);
-  assign to_d   = {1'b0, quo} + (V+1)'(2);
+  assign from_d = {1'b0, quo} - (QuotientW+1)'(2);
+  assign to_d   = {1'b0, quo} + (QuotientW+1)'(2);
 
-  rc_path_register #(.Width(2 * (V + 1) + E + 4)) u_ends (
-    .clk_i, .data_i({from_d, to_d, quo_right, quo_what}),
-    .data_o({from_end, to_end, end_right, end_what}));
+  rc_path_register #(.Width(2 * (QuotientW + 1) + LengthW + FlagsW)) u_ends (
+    .clk_i, .data_i({from_d, to_d, quo_right, quo_flags}),
+    .data_o({from_end, to_end, end_right, end_flags}));
 
-  assign over       = {(V+1){1'b1}} << end_right;
-  assign from_moved = {from_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
-  assign to_moved   = {to_end, {T{1'b0}}} >> {end_right[E-1:3], 3'd0};
+  assign over       = {(QuotientW+1){1'b1}} << end_right;
+  assign from_moved = {from_end, {T{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
+  assign to_moved   = {to_end, {T{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
   assign from_over  = |(from_end & over);
   assign to_over    = |(to_end & over);
 
-  rc_path_register #(.Width(2 * (T + 7) + 9)) u_place (
+  rc_path_register #(.Width(2 * (T + 7) + 5 + FlagsW)) u_place (
     .clk_i,
-    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_what}),
-    .data_o({from_rest, to_rest, from_many, to_many, fine, place_what}));
+    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_flags}),
+    .data_o({from_rest, to_rest, from_many, to_many, fine, place_flags}));
 
   assign from_fine = from_rest >> fine;
   assign to_fine   = to_rest >> fine;
 
-  rc_path_register #(.Width(2 * T + 6)) u_fine (
-    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_what}),
-    .data_o({from_t, to_t, from_most, to_most, out_what}));
+  rc_path_register #(.Width(2 * T + 2 + FlagsW)) u_fine (
+    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_flags}),
+    .data_o({from_t, to_t, from_most, to_most, out_flags}));
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[L-1]) begin
-      turned_o   <= out_what[3];
-      near_o     <= out_what[2];
-      far_o      <= out_what[1];
-      far_from_o <= out_what[0] ? from_t | {T{from_most}} : '0;
-      near_to_o  <= !out_what[0] || to_most || &to_t ? '1 : to_t + T'(1);
+    if (valid_i[Stages-1]) begin
+      turned_o   <= out_flags.turned;
+      near_o     <= out_flags.on_near;
+      far_o      <= out_flags.on_far;
+      far_from_o <= out_flags.timed ? from_t | {T{from_most}} : '0;
+      near_to_o  <= !out_flags.timed || to_most || &to_t ? '1 : to_t + T'(1);
     end
   end
 
   logic unused;
-  assign unused = ^{valid_i, num[NW-1], den[DW-1], num_top[NW-2-V:0], den_top[DW-2-V:0], inexact,
-                    from_moved[V+T:T+7], to_moved[V+T:T+7], from_fine[T+6:T], to_fine[T+6:T]};
+  assign unused = ^{valid_i, num[NW-1], den[DW-1], num_top[NW-2-QuotientW:0],
+                    den_top[DW-2-QuotientW:0], inexact, from_moved[QuotientW+T:T+7],
+                    to_moved[QuotientW+T:T+7], from_fine[T+6:T], to_fine[T+6:T]};
 endmodule
 `default_nettype wire

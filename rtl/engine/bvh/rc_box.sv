@@ -23,47 +23,47 @@ module rc_box (
   input  logic             rsp_ready_i,
   output rc_pkg::box_rsp_t rsp_o
 );
-  localparam int unsigned W  = rc_pkg::NodeWidth;
-  localparam int unsigned K  = rc_pkg::BoxInterval;   // beats of a node
-  localparam int unsigned S  = W / K;                 // lanes: children of a beat
-  localparam int unsigned N  = rc_pkg::CoordBits;
-  localparam int unsigned OW = rc_pkg::OriginWidth;
-  localparam int unsigned B  = rc_pkg::BoxBits;
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1;
-  localparam int unsigned E  = rc_pkg::ExpBits;
-  localparam int unsigned T  = rc_pkg::TBits;
-  localparam int unsigned TW = (T + 31) / 32 * 32;   // as rc_slab gives them
-  localparam int unsigned L  = rc_pkg::BoxLatency;
+  localparam int unsigned W       = rc_pkg::NodeWidth;
+  localparam int unsigned Beats   = rc_pkg::BoxInterval;   // beats of a node
+  localparam int unsigned Lanes   = W / Beats;             // lanes: children of a beat
+  localparam int unsigned N       = rc_pkg::CoordBits;
+  localparam int unsigned OW      = rc_pkg::OriginWidth;
+  localparam int unsigned B       = rc_pkg::BoxBits;
+  localparam int unsigned R1      = rc_pkg::RecipBits + 1;
+  localparam int unsigned E       = rc_pkg::ExpBits;
+  localparam int unsigned T       = rc_pkg::TBits;
+  localparam int unsigned TW      = (T + 31) / 32 * 32;   // as rc_slab gives them
+  localparam int unsigned Latency = rc_pkg::BoxLatency;
 
   // Stages in which a node has arrived, the intervals of a beat's children are ready, and their
-  // intersections are ready. The intersections of the last beat are ready when the node itself is K
-  // - 1 stages further.
+  // intersections are ready. The intersections of the last beat are ready when the node itself is
+  // Beats - 1 stages further.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
-  localparam int unsigned Met  = L - rc_pkg::RankStages - K;
+  localparam int unsigned Met  = Latency - rc_pkg::RankStages - Beats;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
-  logic         admit;
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic               admit;
+  logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [L:0] moves;
+  logic [Latency:0] moves;
 
-  assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
+  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
 
-  // The same for beats, up to Met. A node's first beat is where the node is; its last is K - 1
+  // The same for beats, up to Met. A node's first beat is where the node is; its last is Beats - 1
   // behind.
   logic [Met:0] beats, beat_moves;
 
   for (genvar i = 0; i <= Met; i++) begin : gen_beats
-    assign beats[i] = |valid[i+K-1:i];
+    assign beats[i] = |valid[i+Beats-1:i];
   end
 
   assign beat_moves = beats | {(Met+1){rc_pkg::Cut != 0}};
@@ -73,11 +73,11 @@ module rc_box (
   rc_pkg::box_req_t           held, next, in;
   logic [rc_pkg::BoxReqW-1:0] next_flat, in_flat;
 
-  if (K == 1) begin : gen_at_once
+  if (Beats == 1) begin : gen_at_once
     assign rests_o = 1'b0;
     assign held    = '0;
   end else begin : gen_hold
-    assign rests_o = |valid_q[K-2:0];
+    assign rests_o = |valid_q[Beats-2:0];
     if (rc_pkg::Cut != 0) begin : gen_front
       assign held = in_flat;
     end else begin : gen_behind
@@ -96,8 +96,8 @@ module rc_box (
       next.len   = held.len;
       next.org   = held.org;
       next.exp   = held.exp;
-      next.lo    = held.lo >> 3 * S * B;
-      next.hi    = held.hi >> 3 * S * B;
+      next.lo    = held.lo >> 3 * Lanes * B;
+      next.hi    = held.hi >> 3 * Lanes * B;
     end
   end
 
@@ -113,7 +113,7 @@ module rc_box (
   logic [3*R1-1:0]  in_recip;
   logic [3*E-1:0]   in_len, in_exp;
   logic [3*W*B-1:0] in_lo, in_hi;
-  logic [3*S*B-1:0] plane_lo, plane_hi, axis_lo, axis_hi;
+  logic [3*Lanes*B-1:0] plane_lo, plane_hi, axis_lo, axis_hi;
 
   assign in_o     = in.o;
   assign in_org   = in.org;
@@ -126,21 +126,21 @@ module rc_box (
 
   // The children's planes wait until the distance to the node's corner is ready. Memory holds them
   // child by child; each slab uses those of its axis.
-  rc_shift_register #(.Width(6 * S * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
+  rc_shift_register #(.Width(6 * Lanes * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
     .clk_i, .valid_i(beat_moves[In+rc_pkg::SlabPlanes-1:In]),
-    .data_i({in_lo[3*S*B-1:0], in_hi[3*S*B-1:0]}),
+    .data_i({in_lo[3*Lanes*B-1:0], in_hi[3*Lanes*B-1:0]}),
     .data_o({plane_lo, plane_hi}));
 
-  for (genvar i = 0; i < S; i++) begin : gen_child_planes
+  for (genvar i = 0; i < Lanes; i++) begin : gen_child_planes
     for (genvar k = 0; k < 3; k++) begin : gen_plane
-      assign axis_lo[(k*S+i)*B +: B] = plane_lo[(3*i+k)*B +: B];
-      assign axis_hi[(k*S+i)*B +: B] = plane_hi[(3*i+k)*B +: B];
+      assign axis_lo[(k*Lanes+i)*B +: B] = plane_lo[(3*i+k)*B +: B];
+      assign axis_hi[(k*Lanes+i)*B +: B] = plane_hi[(3*i+k)*B +: B];
     end
   end
 
   // For each axis and child: its interval on that axis.
-  logic [3*S*TW-1:0] near, far;
-  logic [3*S-1:0]    miss;
+  logic [3*Lanes*TW-1:0] near, far;
+  logic [3*Lanes-1:0]    miss;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
@@ -148,28 +148,29 @@ module rc_box (
       .s0_o_i($signed(in_o[k*OW +: OW])), .s0_org_i($signed(in_org[k*N +: N])),
       .s0_neg_i(in_neg[k]),
       .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*E +: E]), .s0_exp_i(in_exp[k*E +: E]),
-      .plane_lo_i(axis_lo[k*S*B +: S*B]), .plane_hi_i(axis_hi[k*S*B +: S*B]),
-      .near_o(near[k*S*TW +: S*TW]), .far_o(far[k*S*TW +: S*TW]), .miss_o(miss[k*S +: S]));
+      .plane_lo_i(axis_lo[k*Lanes*B +: Lanes*B]), .plane_hi_i(axis_hi[k*Lanes*B +: Lanes*B]),
+      .near_o(near[k*Lanes*TW +: Lanes*TW]), .far_o(far[k*Lanes*TW +: Lanes*TW]),
+      .miss_o(miss[k*Lanes +: Lanes]));
   end
 
   // The intersection of a child's intervals: the farthest near end, the nearest far end.
-  logic [S-1:0]   met;
-  logic [S*T-1:0] near_t;
+  logic [Lanes-1:0]   met;
+  logic [Lanes*T-1:0] near_t;
 
-  for (genvar i = 0; i < S; i++) begin : gen_child
+  for (genvar i = 0; i < Lanes; i++) begin : gen_child
     logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
     logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
     logic         there, there_q, may_hit;
 
     assign nx    = near[i*TW +: T];
-    assign ny    = near[(S+i)*TW +: T];
-    assign nz    = near[(2*S+i)*TW +: T];
+    assign ny    = near[(Lanes+i)*TW +: T];
+    assign nz    = near[(2*Lanes+i)*TW +: T];
     assign fx    = far[i*TW +: T];
-    assign fy    = far[(S+i)*TW +: T];
-    assign fz    = far[(2*S+i)*TW +: T];
+    assign fy    = far[(Lanes+i)*TW +: T];
+    assign fz    = far[(2*Lanes+i)*TW +: T];
     assign nxy   = nx > ny ? nx : ny;
     assign fxy   = fx < fy ? fx : fy;
-    assign there = !miss[i] && !miss[S+i] && !miss[2*S+i];
+    assign there = !miss[i] && !miss[Lanes+i] && !miss[2*Lanes+i];
 
     rc_path_register #(.Width(T)) u_nxy (.clk_i, .data_i(nxy), .data_o(nxy_q));
     rc_path_register #(.Width(T)) u_fxy (.clk_i, .data_i(fxy), .data_o(fxy_q));
@@ -192,19 +193,19 @@ module rc_box (
   logic [W-1:0]   all_met;
   logic [W*T-1:0] all_near;
 
-  if (K == 1) begin : gen_all
+  if (Beats == 1) begin : gen_all
     assign all_met  = met;
     assign all_near = near_t;
   end else begin : gen_gather
-    logic [W-S-1:0]     met_q;
-    logic [(W-S)*T-1:0] near_q;
+    logic [W-Lanes-1:0]     met_q;
+    logic [(W-Lanes)*T-1:0] near_q;
     assign all_met  = {met, met_q};
     assign all_near = {near_t, near_q};
 
     always_ff @(posedge clk_i) begin
       if (beat_moves[Met]) begin
-        met_q  <= all_met[W-1:S];
-        near_q <= all_near[W*T-1:S*T];
+        met_q  <= all_met[W-1:Lanes];
+        near_q <= all_near[W*T-1:Lanes*T];
       end
     end
   end
@@ -212,9 +213,9 @@ module rc_box (
   // Their order, and the result queue.
   logic [rc_pkg::BoxRspW-1:0] rsp;
 
-  rc_node_answer #(.Latency(L)) u_answer (
-    .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
-    .met_i(all_met), .near_i(all_near), .end_valid_i(valid_q[L-1]),
+  rc_node_answer #(.Latency(Latency)) u_answer (
+    .clk_i, .rst_ni, .moves_i(moves[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
+    .kind_i(in.kind), .met_i(all_met), .near_i(all_near), .end_valid_i(valid_q[Latency-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
@@ -225,6 +226,7 @@ module rc_box (
 `endif
 
   logic unused;
-  assign unused = ^{near, far, valid[L], moves[L], beats, beat_moves, held, in_lo, in_hi};
+  assign unused = ^{near, far, valid[Latency], moves[Latency], beats, beat_moves, held, in_lo,
+                    in_hi};
 endmodule
 `default_nettype wire

@@ -9,18 +9,18 @@
 // lattice step (docs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
-  localparam int unsigned W  = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // lanes
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned B  = rc_pkg::BoxBits,
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned TW = (T + 31) / 32 * 32,  // whole words: a simulation shifts no bits
-  localparam int unsigned L  = rc_pkg::SlabStages
+  localparam int unsigned Lanes  = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // children of a beat
+  localparam int unsigned N      = rc_pkg::CoordBits,
+  localparam int unsigned OW     = rc_pkg::OriginWidth,
+  localparam int unsigned B      = rc_pkg::BoxBits,
+  localparam int unsigned R1     = rc_pkg::RecipBits + 1,
+  localparam int unsigned E      = rc_pkg::ExpBits,
+  localparam int unsigned T      = rc_pkg::TBits,
+  localparam int unsigned TW     = (T + 31) / 32 * 32,  // whole words: a simulation shifts no bits
+  localparam int unsigned Stages = rc_pkg::SlabStages
 ) (
   input  logic                 clk_i,
-  input  logic [L:0]           valid_i,   // valid_i[i]: stage i holds a node
+  input  logic [Stages:0]      valid_i,   // valid_i[i]: stage i holds a node
   // Ray, and the node's corner and exponent
   input  logic signed [OW-1:0] s0_o_i,
   input  logic signed [N-1:0]  s0_org_i,
@@ -29,32 +29,32 @@ module rc_slab #(
   input  logic [E-1:0]         s0_len_i,
   input  logic [E-1:0]         s0_exp_i,
   // Planes of the children
-  input  logic [W*B-1:0]       plane_lo_i,   // rc_pkg::SlabPlanes later than the others
-  input  logic [W*B-1:0]       plane_hi_i,
+  input  logic [Lanes*B-1:0]   plane_lo_i,   // rc_pkg::SlabPlanes later than the others
+  input  logic [Lanes*B-1:0]   plane_hi_i,
   // Intervals of the children
-  output logic [W*TW-1:0]      near_o,
-  output logic [W*TW-1:0]      far_o,
-  output logic [W-1:0]         miss_o
+  output logic [Lanes*TW-1:0]  near_o,
+  output logic [Lanes*TW-1:0]  far_o,
+  output logic [Lanes-1:0]     miss_o
 );
-  localparam int unsigned D   = N + 1;       // distance to the node's corner, signed
-  localparam int unsigned P   = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
-  localparam int unsigned V   = P + 1;       // the product plus plane * r, signed
-  localparam int unsigned S   = 8;           // shift, signed: -24..62
-  localparam int unsigned A   = 6;           // right shift of 2^T times the value
-  localparam int unsigned Cut = rc_pkg::Cut;
-  localparam int unsigned M   = rc_pkg::MulStages;
+  localparam int unsigned DistanceW = N + 1;               // distance to the node's corner, signed
+  localparam int unsigned ProductW  = DistanceW + R1 + 1;  // times r or r + 1 <= 2^R + 1, signed
+  localparam int unsigned SumW      = ProductW + 1;        // the product plus plane * r, signed
+  localparam int unsigned ShiftW    = 8;                   // shift, signed: -24..62
+  localparam int unsigned RightW    = 6;                   // right shift of 2^T times the value
+  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Mul       = rc_pkg::MulStages;
 
   // Stages in which the node's corner is shifted, the children's planes are multiplied, their
   // products are ready, and the sums are ready.
-  localparam int unsigned Placed = 2 + M + Cut;
+  localparam int unsigned Placed = 2 + Mul + Cut;
   localparam int unsigned Planes = rc_pkg::SlabPlanes;
-  localparam int unsigned Ready  = Planes + M;
+  localparam int unsigned Ready  = Planes + Mul;
   localparam int unsigned Sum    = Ready + 1;
 
   // shift = x + e = F + M - len - R + e, where M is the width of a ray's direction. Its constant
   // part:
-  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
-      - S'(rc_pkg::RecipBits);
+  localparam logic signed [ShiftW-1:0] ShiftBase =
+      ShiftW'(rc_pkg::TFracBits) + ShiftW'(rc_pkg::RayDirBits) - ShiftW'(rc_pkg::RecipBits);
 
   // s0: the lattice point below the origin, and whether the origin lies above that point.
   logic signed [N-1:0] s0_point;
@@ -70,58 +70,59 @@ module rc_slab #(
 
   // s1: distance from the ray's origin to the node's corner, along the ray. This is the shorter
   // one, for near planes. For far planes it is one more if the origin lies between lattice points.
-  logic signed [D-1:0] s1_distance_q;
-  logic                s1_between_q, s1_neg_q, s1_zero_q;
-  logic [R1-1:0]       s1_r_q;
-  logic [E-1:0]        s1_exp_q;
-  logic signed [S-1:0] s1_shift_q;
+  logic signed [DistanceW-1:0] s1_distance_q;
+  logic                        s1_between_q, s1_neg_q, s1_zero_q;
+  logic [R1-1:0]               s1_r_q;
+  logic [E-1:0]                s1_exp_q;
+  logic signed [ShiftW-1:0]    s1_shift_q;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[0]) begin
       s1_distance_q <= s0_neg_i
-          ? D'(s0_point) - D'(s0_org_i)
-          : D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});
+          ? DistanceW'(s0_point) - DistanceW'(s0_org_i)
+          : DistanceW'(s0_org_i) - DistanceW'(s0_point)
+              - $signed({{(DistanceW-1){1'b0}}, s0_between});
       s1_between_q  <= s0_between;
       s1_r_q        <= s0_recip_i;
       s1_neg_q      <= s0_neg_i;
       s1_zero_q     <= s0_len_i == '0;
       s1_exp_q      <= s0_exp_i;
-      s1_shift_q    <= ShiftBase - $signed({{(S-E){1'b0}}, s0_len_i})
-          + $signed({{(S-E){1'b0}}, s0_exp_i});
+      s1_shift_q    <= ShiftBase - $signed({{(ShiftW-E){1'b0}}, s0_len_i})
+          + $signed({{(ShiftW-E){1'b0}}, s0_exp_i});
     end
   end
 
   // near: D r. far: D (r + 1), or (D + 1) (r + 1), which is D r + more. The right shift by e rounds
   // up for far planes: more includes 2^e - 1.
-  logic signed [D+R1:0] product;
-  logic signed [P-1:0]  s1_more, some, more, sum_near, sum_far, node_near, node_far;
-  logic [R1-1:0]        s1_r_up;
-  logic [E-1:0]         some_exp, node_exp;
-  logic [P-1:0]         some_unit;
+  logic signed [DistanceW+R1:0] product;
+  logic signed [ProductW-1:0]   s1_more, some, more, sum_near, sum_far, node_near, node_far;
+  logic [R1-1:0]                s1_r_up;
+  logic [E-1:0]                 some_exp, node_exp;
+  logic [ProductW-1:0]          some_unit;
 
-  rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
+  rc_mul #(.AW(DistanceW), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(s1_distance_q), .b_i($signed({1'b0, s1_r_q})), .p_o(product));
 
   assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};
-  assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))
-                 + (s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0);
+  assign s1_more = (s1_zero_q ? '0 : ProductW'(s1_distance_q))
+                 + (s1_between_q ? $signed({{(ProductW-R1){1'b0}}, s1_r_up}) : '0);
 
-  rc_path_register #(.Width(P + E)) u_some (
+  rc_path_register #(.Width(ProductW + E)) u_some (
     .clk_i, .data_i({s1_more, s1_exp_q}), .data_o({some, some_exp}));
 
-  assign some_unit = ~({P{1'b1}} << some_exp);
-  rc_path_register #(.Width(P), .Stages(M - Cut)) u_more (
+  assign some_unit = ~({ProductW{1'b1}} << some_exp);
+  rc_path_register #(.Width(ProductW), .Stages(Mul - Cut)) u_more (
     .clk_i, .data_i(some + $signed(some_unit)), .data_o(more));
 
-  assign sum_near = P'(product);
+  assign sum_near = ProductW'(product);
   assign sum_far  = sum_near + more;
 
-  rc_path_register #(.Width(P)) u_node_near (.clk_i, .data_i(sum_near), .data_o(node_near));
-  rc_path_register #(.Width(P)) u_node_far (.clk_i, .data_i(sum_far), .data_o(node_far));
-  rc_path_register #(.Width(E), .Stages(M)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
+  rc_path_register #(.Width(ProductW)) u_node_near (.clk_i, .data_i(sum_near), .data_o(node_near));
+  rc_path_register #(.Width(ProductW)) u_node_far (.clk_i, .data_i(sum_far), .data_o(node_far));
+  rc_path_register #(.Width(E), .Stages(Mul)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
 
   // The right shift of the node's corner, in units of 2^-shift.
-  logic signed [P-1:0] placed_near_q, placed_far_q;
+  logic signed [ProductW-1:0] placed_near_q, placed_far_q;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Placed-1]) begin
@@ -132,28 +133,28 @@ module rc_slab #(
 
   // In parallel, the shift becomes a right shift of 2^T times the value; left shifts by T or more
   // saturate. If the value itself shifts right, rounding up adds 2^right - 1.
-  logic signed [S-1:0] s1_move;
-  logic [A-1:0]        placed_move, placed_right, ready_move;
-  logic                placed_zero, ready_zero;
-  logic [R1-1:0]       placed_up;
-  logic signed [V-1:0] far_up, ready_near, ready_far, ready_up;
+  logic signed [ShiftW-1:0] s1_move;
+  logic [RightW-1:0]        placed_move, placed_right, ready_move;
+  logic                     placed_zero, ready_zero;
+  logic [R1-1:0]            placed_up;
+  logic signed [SumW-1:0]   far_up, ready_near, ready_far, ready_up;
 
-  assign s1_move = s1_shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - s1_shift_q;
+  assign s1_move = s1_shift_q > $signed(ShiftW'(T)) ? '0 : $signed(ShiftW'(T)) - s1_shift_q;
 
-  rc_shift_register #(.Width(A + 1), .Stages(Placed - 1)) u_move (
-    .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[A-1:0], s1_zero_q}),
+  rc_shift_register #(.Width(RightW + 1), .Stages(Placed - 1)) u_move (
+    .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[RightW-1:0], s1_zero_q}),
     .data_o({placed_move, placed_zero}));
 
-  assign placed_right = placed_move > A'(T) ? placed_move - A'(T) : '0;
+  assign placed_right = placed_move > RightW'(T) ? placed_move - RightW'(T) : '0;
   assign placed_up    = ~({R1{1'b1}} << placed_right);
-  assign far_up       = V'(placed_far_q) + $signed({{(V-R1){1'b0}}, placed_up});
+  assign far_up       = SumW'(placed_far_q) + $signed({{(SumW-R1){1'b0}}, placed_up});
 
-  rc_path_register #(.Width(V)) u_ready_near (
-    .clk_i, .data_i(V'(placed_near_q)), .data_o(ready_near));
-  rc_path_register #(.Width(V)) u_ready_far (
-    .clk_i, .data_i(V'(placed_far_q)), .data_o(ready_far));
-  rc_path_register #(.Width(V)) u_ready_up (.clk_i, .data_i(far_up), .data_o(ready_up));
-  rc_path_register #(.Width(A + 1)) u_ready (
+  rc_path_register #(.Width(SumW)) u_ready_near (
+    .clk_i, .data_i(SumW'(placed_near_q)), .data_o(ready_near));
+  rc_path_register #(.Width(SumW)) u_ready_far (
+    .clk_i, .data_i(SumW'(placed_far_q)), .data_o(ready_far));
+  rc_path_register #(.Width(SumW)) u_ready_up (.clk_i, .data_i(far_up), .data_o(ready_up));
+  rc_path_register #(.Width(RightW + 1)) u_ready (
     .clk_i, .data_i({placed_move, placed_zero}), .data_o({ready_move, ready_zero}));
 
   // Factors of the children's planes. If the ray goes down, r and r + 1 become -r and -(r + 1),
@@ -171,19 +172,19 @@ module rc_slab #(
                     + {{R1{1'b0}}, plane_neg == plane_zero};
 
   // Shift of the sums. over_q: bits that overflow at the top, which saturates.
-  logic [V-1:0] over_q;
-  logic [A-1:0] move_q, fine_move;
-  logic         zero_q;
+  logic [SumW-1:0]   over_q;
+  logic [RightW-1:0] move_q, fine_move;
+  logic              zero_q;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Sum-1]) begin
-      over_q <= {V{1'b1}} << ready_move;
+      over_q <= {SumW{1'b1}} << ready_move;
       move_q <= ready_move;
       zero_q <= ready_zero;
     end
   end
 
-  rc_path_register #(.Width(A)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
+  rc_path_register #(.Width(RightW)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
 
   // In a simulation of a relaxed chip, invalid planes cost no work. Silicon has no such condition.
   logic holds, is_there;
@@ -196,7 +197,7 @@ module rc_slab #(
 `endif
 
   // ---- Children: planes in the order in which the ray meets them, and their products.
-  for (genvar i = 0; i < W; i++) begin : gen_child
+  for (genvar i = 0; i < Lanes; i++) begin : gen_child
     logic [B-1:0]       first, last;
     logic signed [B+R1+1:0] near_way, far_way;
 
@@ -209,18 +210,18 @@ module rc_slab #(
       .clk_i, .a_i($signed({1'b0, last})), .b_i(plane_far), .p_o(far_way));
 
     // Sums of the corner and the planes.
-    logic signed [V-1:0] near_q, up_q, near_path, far_path, far;
-    logic                behind_q;
+    logic signed [SumW-1:0] near_q, up_q, near_path, far_path, far;
+    logic                   behind_q;
 
-    assign near_path = holds ? V'(near_way) : '0;
-    assign far_path  = holds ? V'(far_way) : '0;
+    assign near_path = holds ? SumW'(near_way) : '0;
+    assign far_path  = holds ? SumW'(far_way) : '0;
     assign far       = ready_far + far_path;
 
     always_ff @(posedge clk_i) begin
       if (valid_i[Sum-1]) begin
         near_q   <= ready_near + near_path;
         up_q     <= ready_up + far_path;
-        behind_q <= far[V-1];
+        behind_q <= far[SumW-1];
       end
     end
 
@@ -237,12 +238,12 @@ module rc_slab #(
       near_zero   = 1'b1;
       miss        = 1'b0;
       if (is_there) begin
-        near_coarse = (T + 7)'({$unsigned(near_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
-        far_coarse  = (T + 7)'({$unsigned(up_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
+        near_coarse = (T + 7)'({$unsigned(near_q), {T{1'b0}}} >> {move_q[RightW-1:3], 3'd0});
+        far_coarse  = (T + 7)'({$unsigned(up_q), {T{1'b0}}} >> {move_q[RightW-1:3], 3'd0});
         near_over   = |($unsigned(near_q) & over_q);
         far_over    = zero_q || |($unsigned(up_q) & over_q);
-        near_zero   = zero_q || near_q[V-1];
-        miss        = behind_q || (zero_q && !near_q[V-1] && near_q != '0);
+        near_zero   = zero_q || near_q[SumW-1];
+        miss        = behind_q || (zero_q && !near_q[SumW-1] && near_q != '0);
       end
     end
 
@@ -268,6 +269,6 @@ module rc_slab #(
   end
 
   logic unused;
-  assign unused = ^{valid_i, s1_between_q, s1_move[S-1:A], fine_move[A-1:3]};
+  assign unused = ^{valid_i, s1_between_q, s1_move[ShiftW-1:RightW], fine_move[RightW-1:3]};
 endmodule
 `default_nettype wire

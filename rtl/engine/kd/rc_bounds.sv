@@ -5,16 +5,16 @@
 // answer comes rc_pkg::PlaneStages + 1 + Cut cycles later.
 `default_nettype none
 module rc_bounds #(
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned P  = rc_pkg::PlaneStages,
-  localparam int unsigned L  = P + 1 + rc_pkg::Cut
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned OW          = rc_pkg::OriginWidth,
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1,
+  localparam int unsigned E           = rc_pkg::ExpBits,
+  localparam int unsigned T           = rc_pkg::TBits,
+  localparam int unsigned PlaneStages = rc_pkg::PlaneStages,
+  localparam int unsigned Stages      = PlaneStages + 1 + rc_pkg::Cut
 ) (
   input  logic            clk_i,
-  input  logic [L-1:0]    valid_i,   // valid_i[i]: stage i holds a node
+  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a node
   // Ray: origin, signs, reciprocals and lengths of its direction
   input  logic [3*OW-1:0] s0_o_i,
   input  logic [2:0]      s0_neg_i,
@@ -48,14 +48,14 @@ module rc_bounds #(
     assign last   = turned ? lo : hi;
 
     rc_plane #(.HasTo(1'b0)) u_first (
-      .clk_i, .valid_i(valid_i[P-1:0]),
+      .clk_i, .valid_i(valid_i[PlaneStages-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
       .s0_axis_i(axis), .s0_at_i(first),
       .turned_o(unused_turned), .near_o(unused_near), .far_o(far_first),
       .near_to_o(unused_to), .far_from_o(box_from[k*T +: T]));
 
     rc_plane u_last (
-      .clk_i, .valid_i(valid_i[P-1:0]),
+      .clk_i, .valid_i(valid_i[PlaneStages-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
       .s0_axis_i(axis), .s0_at_i(last),
       .turned_o(unused_turned_last), .near_o(near_last), .far_o(unused_far),
@@ -67,7 +67,7 @@ module rc_bounds #(
   end
 
   rc_span u_box (
-    .clk_i, .valid_i(valid_i[L-1]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
+    .clk_i, .valid_i(valid_i[Stages-1]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
     .from_o(enter_o), .to_o(leave_o), .there_o(met_o));
 
   logic unused;

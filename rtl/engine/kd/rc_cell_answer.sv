@@ -17,12 +17,11 @@ module rc_cell_answer #(
   localparam int unsigned OW = rc_pkg::OriginWidth,
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
   localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned L  = Latency
+  localparam int unsigned T  = rc_pkg::TBits
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,
-  input  logic [L:0]      valid_i,   // valid_i[i]: stage i holds a node
+  input  logic [Latency:0] valid_i,   // valid_i[i]: stage i holds a node
   // Ray: origin, signs, reciprocals and lengths of its direction
   input  logic [I-1:0]    ray_i,
   input  logic [3*OW-1:0] o_i,
@@ -81,8 +80,8 @@ module rc_cell_answer #(
     .enter_i(box_enter), .leave_i(box_leave), .met_i(box_met), .met_o(met), .near_o(near));
 
   // Their order, and the result queue.
-  rc_node_answer #(.Latency(L), .Exits(1'b1)) u_answer (
-    .clk_i, .rst_ni, .moves_i(valid_i[L-1:0]), .ray_i, .base_i, .kind_i,
-    .met_i(met), .near_i(near), .end_valid_i(valid_i[L]), .rsp_valid_o, .rsp_ready_i, .rsp_o);
+  rc_node_answer #(.Latency(Latency), .Exits(1'b1)) u_answer (
+    .clk_i, .rst_ni, .moves_i(valid_i[Latency-1:0]), .ray_i, .base_i, .kind_i,
+    .met_i(met), .near_i(near), .end_valid_i(valid_i[Latency]), .rsp_valid_o, .rsp_ready_i, .rsp_o);
 endmodule
 `default_nettype wire

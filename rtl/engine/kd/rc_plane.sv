@@ -16,15 +16,15 @@
 `default_nettype none
 module rc_plane #(
   parameter  bit          HasTo = 1'b1,   // 0: near_to_o is always the latest time
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned L  = rc_pkg::PlaneStages
+  localparam int unsigned N      = rc_pkg::CoordBits,
+  localparam int unsigned OW     = rc_pkg::OriginWidth,
+  localparam int unsigned R1     = rc_pkg::RecipBits + 1,
+  localparam int unsigned E      = rc_pkg::ExpBits,
+  localparam int unsigned T      = rc_pkg::TBits,
+  localparam int unsigned Stages = rc_pkg::PlaneStages
 ) (
   input  logic                clk_i,
-  input  logic [L-1:0]        valid_i,   // valid_i[i]: stage i holds a node
+  input  logic [Stages-1:0]   valid_i,   // valid_i[i]: stage i holds a node
   // Ray: origin, signs, reciprocals and lengths of its direction
   input  logic [3*OW-1:0]     s0_o_i,
   input  logic [2:0]          s0_neg_i,
@@ -41,21 +41,21 @@ module rc_plane #(
   output logic [T-1:0]        far_from_o
 );
 
-  localparam int unsigned D   = N + 1;        // distance to the plane, signed
-  localparam int unsigned V   = N + R1 - 1;   // its product with r <= 2^R, if it is not negative
-  localparam int unsigned M   = rc_pkg::MulStages;
-  localparam int unsigned Cut = rc_pkg::Cut;
+  localparam int unsigned DistanceW = N + 1;        // distance to the plane, signed
+  localparam int unsigned ProductW  = N + R1 - 1;   // times r <= 2^R, if not negative
+  localparam int unsigned Mul       = rc_pkg::MulStages;
+  localparam int unsigned Cut       = rc_pkg::Cut;
 
   // Stages: the distance; then its product, shifted; then both times.
   localparam int unsigned Way = 1 + Cut;
-  localparam int unsigned End = Way + M + 1 + Cut;
+  localparam int unsigned End = Way + Mul + 1 + Cut;
 
   // shift = F + M - R - len, where M is the width of a ray's direction. 2^(F+M-R) times the
   // product, rounded down if necessary, is shifted right by len.
   localparam int unsigned Time  = rc_pkg::TFracBits + rc_pkg::RayDirBits;
   localparam int unsigned Up    = Time > R1 - 1 ? Time - (R1 - 1) : 0;
   localparam int unsigned Down  = Time > R1 - 1 ? 0 : R1 - 1 - Time;
-  localparam int unsigned B     = V + Up;
+  localparam int unsigned BaseW = ProductW + Up;
   localparam int unsigned Parts = 1 << (E - 3);
 
   // s0: the ray's components on the plane's axis.
@@ -102,13 +102,14 @@ module rc_plane #(
     .data_o({way_neg, way_zero, way_whole, way_between, way_point, way_at, way_r, way_len}));
 
   // The distance to the plane, rounded down along the ray.
-  logic signed [D-1:0] way, way_q;
+  logic signed [DistanceW-1:0] way, way_q;
   logic                neg_q, zero_q, whole_q, between_q;
   logic [R1-1:0]       r_q;
   logic [E-1:0]        len_q;
 
-  assign way = way_neg ? D'(way_point) - D'(way_at)
-                       : D'(way_at) - D'(way_point) - $signed({{(D-1){1'b0}}, way_between});
+  assign way = way_neg ? DistanceW'(way_point) - DistanceW'(way_at)
+                       : DistanceW'(way_at) - DistanceW'(way_point)
+                           - $signed({{(DistanceW-1){1'b0}}, way_between});
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Way-1]) begin
@@ -125,29 +126,29 @@ module rc_plane #(
   // The sides that exist. A ray that does not move on this axis has the origin's side, or both.
   logic ahead, at_or_ahead, s_near, s_far, s_timed;
 
-  assign at_or_ahead = !way_q[D-1];
+  assign at_or_ahead = !way_q[DistanceW-1];
   assign ahead       = at_or_ahead && (between_q || way_q != '0);   // the way rounded up is
   assign s_near      = whole_q || (zero_q ? at_or_ahead : ahead);
   assign s_far       = whole_q || !zero_q || !ahead;
   assign s_timed     = !whole_q && !zero_q && ahead;
 
   // Product of the distance and the reciprocal.
-  logic signed [D+R1:0] product;
-  rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
+  logic signed [DistanceW+R1:0] product;
+  rc_mul #(.AW(DistanceW), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(way_q), .b_i($signed({1'b0, r_q})), .p_o(product));
 
   logic [E-1:0] product_len;
   logic         product_between, product_neg, product_near, product_far, product_timed;
 
-  rc_path_register #(.Width(E + 5), .Stages(M)) u_beside (
+  rc_path_register #(.Width(E + 5), .Stages(Mul)) u_beside (
     .clk_i,
     .data_i({len_q, between_q, neg_q && !zero_q && !whole_q, s_near, s_far, s_timed}),
     .data_o({product_len, product_between, product_neg, product_near, product_far, product_timed}));
 
   // The shift, first by a multiple of eight, then by the remaining three bits. An overflow at the
   // top saturates: part[i] is set if a shift by 8 i leaves bits above `rest`.
-  logic [V-1:0]     low;
-  logic [B-1:0]     base, moved;
+  logic [ProductW-1:0] low;
+  logic [BaseW-1:0] base, moved;
   logic [Parts-1:0] part;
   logic [T+6:0]     rest, fine;
   logic [E-1:0]     rest_len, end_len_q;
@@ -155,13 +156,13 @@ module rc_plane #(
   logic             rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed;
   logic             between_end_q, neg_end_q, near_end_q, far_end_q, timed_end_q;
 
-  assign low   = product[V-1:0] >> Down;
-  assign base  = B'(low) << Up;
+  assign low   = product[ProductW-1:0] >> Down;
+  assign base  = BaseW'(low) << Up;
   assign moved = base >> {product_len[E-1:3], 3'd0};
 
   for (genvar i = 0; i < Parts; i++) begin : gen_part
-    if (T + 7 + 8 * i < B) begin : gen_above
-      assign part[i] = |base[B-1:T+7+8*i];
+    if (T + 7 + 8 * i < BaseW) begin : gen_above
+      assign part[i] = |base[BaseW-1:T+7+8*i];
     end else begin : gen_nothing
       assign part[i] = 1'b0;
     end
@@ -215,7 +216,7 @@ module rc_plane #(
 
   assign to = HasTo ? {1'b0, from_late} + {1'b0, more_late} : '1;
   always_ff @(posedge clk_i) begin
-    if (valid_i[L-1]) begin
+    if (valid_i[Stages-1]) begin
       turned_o   <= out_neg;
       near_o     <= out_near;
       far_o      <= out_far;
@@ -225,6 +226,6 @@ module rc_plane #(
   end
 
   logic unused;
-  assign unused = ^{valid_i, product[D+R1:V], moved};
+  assign unused = ^{valid_i, product[DistanceW+R1:ProductW], moved};
 endmodule
 `default_nettype wire

@@ -18,23 +18,23 @@ module rc_treelet (
   input  logic                 rsp_ready_i,
   output rc_pkg::treelet_rsp_t rsp_o
 );
-  localparam int unsigned Q  = rc_pkg::NodePlanes;
-  localparam int unsigned N  = rc_pkg::CoordBits;
-  localparam int unsigned T  = rc_pkg::TBits;
-  localparam int unsigned L  = rc_pkg::TreeletLatency;
+  localparam int unsigned Q       = rc_pkg::NodePlanes;
+  localparam int unsigned N       = rc_pkg::CoordBits;
+  localparam int unsigned T       = rc_pkg::TBits;
+  localparam int unsigned Latency = rc_pkg::TreeletLatency;
 
   // Stages in which a treelet has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a treelet.
-  logic         admit;
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic               admit;
+  logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
@@ -69,7 +69,7 @@ module rc_treelet (
   // The box, the exits, and their order.
   logic [rc_pkg::BoxRspW-1:0] rsp;
 
-  rc_cell_answer #(.Latency(L), .Meet(Meet)) u_answer (
+  rc_cell_answer #(.Latency(Latency), .Meet(Meet)) u_answer (
     .clk_i, .rst_ni, .valid_i(valid), .ray_i(in.ray), .o_i(in.o), .neg_i(in.neg),
     .recip_i(in.recip), .len_i(in.len), .open_i(in.open), .lo_i(in.lo), .hi_i(in.hi),
     .base_i(in.base), .kind_i(in.kind), .turned_i(turned), .near_i(near), .far_i(far),

@@ -28,16 +28,16 @@ module rc_none (
   output logic            done_next_fires_o,   // in a fast chip: the next one comes, and its ray
   output rc_pkg::done_t   done_next_o,
   // What it did: rc_pkg::trav_cause_e
-  output logic [2:0]      trav_cause_o
+  output logic [rc_pkg::CauseBits-1:0] trav_cause_o
 );
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned T  = rc_pkg::Contexts;
-  localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned W  = rc_pkg::NodeWidth;
-  localparam int unsigned TB = rc_pkg::TBits;
-  localparam int unsigned O  = rc_pkg::OffsetBits;
-  localparam int unsigned C  = rc_pkg::CountBits;
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned A        = rc_pkg::AddrBits;
+  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned G        = rc_pkg::GroupBits;
+  localparam int unsigned W        = rc_pkg::NodeWidth;
+  localparam int unsigned T        = rc_pkg::TBits;
+  localparam int unsigned O        = rc_pkg::OffsetBits;
+  localparam int unsigned C        = rc_pkg::CountBits;
   localparam int unsigned Leaf = 4;          // primitives of a leaf: page_leaf
   localparam int unsigned Page = Leaf * W;   // primitives of a page
 
@@ -81,7 +81,7 @@ module rc_none (
 
   assign ready = 1'b1;
 
-  rc_queue #(.Width(I + A + 1), .Depth(T)) u_page (
+  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_page (
     .clk_i, .rst_ni, .push_i(s1_valid_q && more), .data_i({s1_ray_q, next[A:0]}),
     .valid_o(page_valid), .pop_i(page_valid && page_ready), .data_o(page_data));
 
@@ -96,7 +96,7 @@ module rc_none (
     .second_i({spawn_ray, {(A+1){1'b0}}}),
     .valid_o(leaves_fires_o), .ready_i(ready), .data_o({ray, first}));
 
-  rc_ram #(.Width(A + 1), .Depth(T)) u_first (
+  rc_ram #(.Width(A + 1), .Depth(Contexts)) u_first (
     .clk_i, .write_i(leaves_fires_o), .write_addr_i(ray), .write_data_i(first),
     .read_addr_i(s1_ray_q), .read_data_o(kept));
 
@@ -123,11 +123,11 @@ module rc_none (
     end
   end
 
-  assign leaves_o = {ray, base, leaves, {(W*TB){1'b0}}, offset, count};
+  assign leaves_o = {ray, base, leaves, {(W*T){1'b0}}, offset, count};
 
   // Rays whose last page was tested.
   logic done_place;
-  rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
+  rc_fifo_peek #(.Width(I), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(s1_valid_q && !more), .ready_o(done_place), .data_i(s1_ray_q),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));

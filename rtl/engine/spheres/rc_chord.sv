@@ -7,23 +7,23 @@
 // globe_children() in model/engine/spheres/globe.cpp.
 `default_nettype none
 module rc_chord #(
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned Q  = rc_pkg::GlobeBits,
-  localparam int unsigned G  = rc_pkg::TowardBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned L  = rc_pkg::GlobeStages,
-  localparam int unsigned X  = N + G + 2,   // width of the node's moment
-  localparam int unsigned Y  = N + 7        // width of the way to the node
+  localparam int unsigned N       = rc_pkg::CoordBits,
+  localparam int unsigned Q       = rc_pkg::GlobeBits,
+  localparam int unsigned G       = rc_pkg::TowardBits,
+  localparam int unsigned T       = rc_pkg::TBits,
+  localparam int unsigned Stages  = rc_pkg::GlobeStages,
+  localparam int unsigned MomentW = N + G + 2,   // width of the node's moment
+  localparam int unsigned WayW    = N + 7        // width of the way to the node
 ) (
   input  logic           clk_i,
-  input  logic [L-1:0]   moves_i,
+  input  logic [Stages-1:0] moves_i,
   // Globe
   input  logic [3*Q-1:0] s0_centre_i,
   input  logic [Q-1:0]   s0_radius_i,
   // From rc_sight
   input  logic [3*G-1:0] toward_i,
-  input  logic [3*X-1:0] moment_i,
-  input  logic [Y-1:0]   way_i,
+  input  logic [3*MomentW-1:0] moment_i,
+  input  logic [WayW-1:0] way_i,
   input  logic [N+3:0]   slack_i,
   input  logic [G-1:0]   square_i,
   input  logic [16:0]    inverse_i,
@@ -32,24 +32,24 @@ module rc_chord #(
   output logic           met_o,
   output logic [T-1:0]   near_o
 );
-  localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned M    = rc_pkg::MulStages;
-  localparam int unsigned P    = Q + 1 + G;      // centre times direction, signed
-  localparam int unsigned V    = X + 1;          // the product plus the node's moment, signed
-  localparam int unsigned Frac = 3;              // eighths
-  localparam int unsigned Drop = G - 2 - Frac;
-  localparam int unsigned F    = G - 1;          // a component of a distance, if it may meet
-  localparam int unsigned R    = Q + Frac + 1;   // width of a radius with its slack
-  localparam int unsigned K    = 2 * F + 2;      // width of a squared distance
+  localparam int unsigned Cut      = rc_pkg::Cut;
+  localparam int unsigned Mul      = rc_pkg::MulStages;
+  localparam int unsigned ProductW = Q + 1 + G;      // centre times direction, signed
+  localparam int unsigned SumW     = MomentW + 1;    // the product plus the node's moment, signed
+  localparam int unsigned Frac     = 3;              // eighths
+  localparam int unsigned Drop     = G - 2 - Frac;
+  localparam int unsigned FarW     = G - 1;          // a component of a distance, if it may meet
+  localparam int unsigned ReachW   = Q + Frac + 1;   // width of a radius with its slack
+  localparam int unsigned SquareW  = 2 * FarW + 2;   // width of a squared distance
 
   // Stages in which these are ready: the distance, the radius, both squares, half the chord, the
   // way minus half the chord, and its product.
-  localparam int unsigned Far   = 3 + M + 3 * Cut;
+  localparam int unsigned Far   = 3 + Mul + 3 * Cut;
   localparam int unsigned Reach = 2 + 4 * Cut;
-  localparam int unsigned Both  = 4 + 2 * M + 4 * Cut;
+  localparam int unsigned Both  = 4 + 2 * Mul + 4 * Cut;
   localparam int unsigned Half  = Both + 1 + 4 * Cut;
   localparam int unsigned Less  = Half + Cut;
-  localparam int unsigned Times = Less + M + 1;
+  localparam int unsigned Times = Less + Mul + 1;
 
   logic [3*Q-1:0] centre_q;
   logic [Q-1:0]   radius_q, radius;
@@ -59,16 +59,16 @@ module rc_chord #(
   end
 
   // The distance, axis by axis, and its square.
-  logic [3*2*F-1:0] squares;
-  logic [2:0]       over_q, over;
+  logic [3*2*FarW-1:0] squares;
+  logic [2:0]          over_q, over;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    localparam int unsigned A = (k + 1) % 3;
+    localparam int unsigned A = (k + 1) % 3;   // the other two axes
     localparam int unsigned B = (k + 2) % 3;
-    logic signed [P-1:0] ab, ba, moment_q, moment_late;
-    logic signed [V-1:0] all, all_q;
-    logic [V-1:0]        size;
-    logic [F-1:0]        far_q;
+    logic signed [ProductW-1:0] ab, ba, moment_q, moment_late;
+    logic signed [SumW-1:0]     all, all_q;
+    logic [SumW-1:0]            size;
+    logic [FarW-1:0]            far_q;
 
     rc_mul #(.AW(Q + 1), .BW(G)) u_ab (
       .clk_i, .a_i($signed({1'b0, centre_q[A*Q +: Q]})), .b_i($signed(toward_i[B*G +: G])),
@@ -77,34 +77,34 @@ module rc_chord #(
       .clk_i, .a_i($signed({1'b0, centre_q[B*Q +: Q]})), .b_i($signed(toward_i[A*G +: G])),
       .p_o(ba));
 
-    always_ff @(posedge clk_i) if (moves_i[M+1]) moment_q <= ab - ba;
-    rc_path_register #(.Width(P), .Stages(2 * Cut)) u_late (
+    always_ff @(posedge clk_i) if (moves_i[Mul+1]) moment_q <= ab - ba;
+    rc_path_register #(.Width(ProductW), .Stages(2 * Cut)) u_late (
       .clk_i, .data_i(moment_q), .data_o(moment_late));
 
-    assign all = V'($signed(moment_i[k*X +: X])) + V'(moment_late);
-    rc_path_register #(.Width(V)) u_all (.clk_i, .data_i(all), .data_o(all_q));
+    assign all = SumW'($signed(moment_i[k*MomentW +: MomentW])) + SumW'(moment_late);
+    rc_path_register #(.Width(SumW)) u_all (.clk_i, .data_i(all), .data_o(all_q));
 
-    assign size = ($unsigned(all_q) ^ {V{all_q[V-1]}}) >> Drop;
+    assign size = ($unsigned(all_q) ^ {SumW{all_q[SumW-1]}}) >> Drop;
 
     always_ff @(posedge clk_i) begin
       if (moves_i[Far-1]) begin
-        far_q     <= size[F-1:0];
-        over_q[k] <= |size[V-1:F];
+        far_q     <= size[FarW-1:0];
+        over_q[k] <= |size[SumW-1:FarW];
       end
     end
 
-    rc_mul #(.AW(F), .BW(F), .Signed(1'b0)) u_square (
-      .clk_i, .a_i(far_q), .b_i(far_q), .p_o(squares[k*2*F +: 2*F]));
+    rc_mul #(.AW(FarW), .BW(FarW), .Signed(1'b0)) u_square (
+      .clk_i, .a_i(far_q), .b_i(far_q), .p_o(squares[k*2*FarW +: 2*FarW]));
   end
 
-  logic [2*F:0]   two, two_q;
-  logic [2*F-1:0] third_q;
-  logic [K-1:0]   sum_q;
+  logic [2*FarW:0]    two, two_q;
+  logic [2*FarW-1:0]  third_q;
+  logic [SquareW-1:0] sum_q;
 
-  assign two = {1'b0, squares[0 +: 2*F]} + {1'b0, squares[2*F +: 2*F]};
-  rc_path_register #(.Width(2 * F + 1)) u_two (.clk_i, .data_i(two), .data_o(two_q));
-  rc_path_register #(.Width(2 * F)) u_third (
-    .clk_i, .data_i(squares[4*F +: 2*F]), .data_o(third_q));
+  assign two = {1'b0, squares[0 +: 2*FarW]} + {1'b0, squares[2*FarW +: 2*FarW]};
+  rc_path_register #(.Width(2 * FarW + 1)) u_two (.clk_i, .data_i(two), .data_o(two_q));
+  rc_path_register #(.Width(2 * FarW)) u_third (
+    .clk_i, .data_i(squares[4*FarW +: 2*FarW]), .data_o(third_q));
 
   always_ff @(posedge clk_i) begin
     if (moves_i[Both-1]) sum_q <= {1'b0, two_q} + {2'b0, third_q};
@@ -114,48 +114,49 @@ module rc_chord #(
     .clk_i, .valid_i(moves_i[Both-1:Far]), .data_i(over_q), .data_o(over));
 
   // The radius, its square, and that square times the direction's. Rounding costs 3 in any node.
-  logic [R-1:0]     reach_q;
-  logic [2*R-1:0]   reach_square;
-  logic [2*R-2:0]   reach_square_q;
-  logic [2*R+G-2:0] most;
-  logic [K-1:0]     most_q;
+  logic [ReachW-1:0]     reach_q;
+  logic [2*ReachW-1:0]   reach_square;
+  logic [2*ReachW-2:0]   reach_square_q;
+  logic [2*ReachW+G-2:0] most;
+  logic [SquareW-1:0]    most_q;
 
   rc_path_register #(.Width(Q), .Stages(4 * Cut)) u_radius (
     .clk_i, .data_i(radius_q), .data_o(radius));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + R'(slack_i);
+    if (moves_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + ReachW'(slack_i);
   end
 
-  rc_mul #(.AW(R), .BW(R), .Signed(1'b0)) u_reach (
+  rc_mul #(.AW(ReachW), .BW(ReachW), .Signed(1'b0)) u_reach (
     .clk_i, .a_i(reach_q), .b_i(reach_q), .p_o(reach_square));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Reach+M]) reach_square_q <= reach_square[2*R-2:0];   // less than 2^15.02 squared
+    // less than 2^15.02 squared
+    if (moves_i[Reach+Mul]) reach_square_q <= reach_square[2*ReachW-2:0];
   end
 
-  rc_mul #(.AW(2 * R - 1), .BW(G), .Signed(1'b0)) u_most (
+  rc_mul #(.AW(2 * ReachW - 1), .BW(G), .Signed(1'b0)) u_most (
     .clk_i, .a_i(reach_square_q), .b_i(square_i), .p_o(most));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Both-1]) most_q <= K'(most[2*R+G-2:14]);
+    if (moves_i[Both-1]) most_q <= SquareW'(most[2*ReachW+G-2:14]);
   end
 
   // Half the chord, rounded up: a square root from a table.
-  logic [K-1:0]   left, left_q, index_left;
-  logic [4:0]     g, g_q, index_g, root_g;   // half the bit length of left
-  logic [7:0]     index, index_q;
-  logic [9:0]     root, root_q;
-  logic [F+1:0]   half, half_q;
-  logic           there, there_late, there_q;
+  logic [SquareW-1:0]   left, left_q, index_left;
+  logic [4:0]           g, g_q, index_g, root_g;   // half the bit length of left
+  logic [7:0]           index, index_q;
+  logic [9:0]           root, root_q;
+  logic [FarW+1:0]      half, half_q;
+  logic                 there, there_late, there_q;
 
   assign there = over == '0 && sum_q <= most_q;
-  assign left  = most_q - sum_q + K'(1);
-  rc_path_register #(.Width(K)) u_left (.clk_i, .data_i(left), .data_o(left_q));
+  assign left  = most_q - sum_q + SquareW'(1);
+  rc_path_register #(.Width(SquareW)) u_left (.clk_i, .data_i(left), .data_o(left_q));
 
   always_comb begin
     g = '0;
-    for (int i = 0; i < K / 2; i++) if (left_q[2*i +: 2] != '0) g = 5'(i);
+    for (int i = 0; i < SquareW / 2; i++) if (left_q[2*i +: 2] != '0) g = 5'(i);
   end
 
-  rc_path_register #(.Width(K)) u_index_left (.clk_i, .data_i(left_q), .data_o(index_left));
+  rc_path_register #(.Width(SquareW)) u_index_left (.clk_i, .data_i(left_q), .data_o(index_left));
   rc_path_register #(.Width(5)) u_g (.clk_i, .data_i(g), .data_o(g_q));
 
   assign index = 8'({index_left, 6'd0} >> {g_q, 1'b0});
@@ -171,9 +172,9 @@ module rc_chord #(
   rc_path_register #(.Width(5)) u_root_g (.clk_i, .data_i(index_g), .data_o(root_g));
 
   // half = root 2^g / 2^8, rounded up
-  logic [F+9:0] wide;
-  assign wide = ({{F{1'b0}}, root_q} << root_g) + (F + 10)'(255);
-  assign half = wide[F+9:8];
+  logic [FarW+9:0] wide;
+  assign wide = ({{FarW{1'b0}}, root_q} << root_g) + (FarW + 10)'(255);
+  assign half = wide[FarW+9:8];
 
   rc_path_register #(.Width(1), .Stages(4 * Cut)) u_there (
     .clk_i, .data_i(there), .data_o(there_late));
@@ -184,67 +185,69 @@ module rc_chord #(
 
   // The way to the centre along the ray: the way to the node plus the way from there. A globe is
   // behind the origin if the way plus half the chord is still below Least.
-  localparam int unsigned Along = 3 + M + 3 * Cut;   // stage in which both ways are ready
-  localparam logic signed [Y+1:0] Least = rc_pkg::Shading != 0 ? -(Y + 2)'(99) : -(Y + 2)'(1);
+  localparam int unsigned Along = 3 + Mul + 3 * Cut;   // stage in which both ways are ready
+  localparam logic signed [WayW+1:0] Least =
+      rc_pkg::Shading != 0 ? -(WayW + 2)'(99) : -(WayW + 2)'(1);
 
-  logic [3*P-1:0]        parts;
-  logic signed [P+1:0]   on_two, on_two_q, on_third_q, on_q;
-  logic signed [Y:0]     on_eighths, on, way_q, way;
+  logic [3*ProductW-1:0]        parts;
+  logic signed [ProductW+1:0]   on_two, on_two_q, on_third_q, on_q;
+  logic signed [WayW:0]         on_eighths, on, way_q, way;
 
   for (genvar k = 0; k < 3; k++) begin : gen_part
     rc_mul #(.AW(Q + 1), .BW(G)) u_part (
       .clk_i, .a_i($signed({1'b0, centre_q[k*Q +: Q]})), .b_i($signed(toward_i[k*G +: G])),
-      .p_o(parts[k*P +: P]));
+      .p_o(parts[k*ProductW +: ProductW]));
   end
 
-  assign on_two = (P + 2)'($signed(parts[0 +: P])) + (P + 2)'($signed(parts[P +: P]));
-  rc_path_register #(.Width(P + 2)) u_on_two (.clk_i, .data_i(on_two), .data_o(on_two_q));
-  rc_path_register #(.Width(P + 2)) u_on_third (
-    .clk_i, .data_i((P + 2)'($signed(parts[2*P +: P]))), .data_o(on_third_q));
+  assign on_two = (ProductW + 2)'($signed(parts[0 +: ProductW]))
+                + (ProductW + 2)'($signed(parts[ProductW +: ProductW]));
+  rc_path_register #(.Width(ProductW + 2)) u_on_two (.clk_i, .data_i(on_two), .data_o(on_two_q));
+  rc_path_register #(.Width(ProductW + 2)) u_on_third (
+    .clk_i, .data_i((ProductW + 2)'($signed(parts[2*ProductW +: ProductW]))), .data_o(on_third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[M+1+Cut]) on_q <= on_two_q + on_third_q;
+  always_ff @(posedge clk_i) if (moves_i[Mul+1+Cut]) on_q <= on_two_q + on_third_q;
 
-  assign on_eighths = (Y + 1)'(on_q >>> Drop);
-  rc_shift_register #(.Width(Y + 1), .Stages(1 + 2 * Cut)) u_on (
-    .clk_i, .valid_i(moves_i[M+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
+  assign on_eighths = (WayW + 1)'(on_q >>> Drop);
+  rc_shift_register #(.Width(WayW + 1), .Stages(1 + 2 * Cut)) u_on (
+    .clk_i, .valid_i(moves_i[Mul+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
 
-  always_ff @(posedge clk_i) if (moves_i[Along]) way_q <= (Y + 1)'($signed(way_i)) + on;
+  always_ff @(posedge clk_i) if (moves_i[Along]) way_q <= (WayW + 1)'($signed(way_i)) + on;
 
-  rc_shift_register #(.Width(Y + 1), .Stages(Half - Along - 1)) u_way (
+  rc_shift_register #(.Width(WayW + 1), .Stages(Half - Along - 1)) u_way (
     .clk_i, .valid_i(moves_i[Half-1:Along+1]), .data_i(way_q), .data_o(way));
 
   // The way minus half the chord: where the ray enters the globe.
-  logic signed [Y+1:0] less, more, less_q, more_q;
-  logic [Y-1:0]        times_way;
-  logic                less_there, times_there, met_late;
+  logic signed [WayW+1:0] less, more, less_q, more_q;
+  logic [WayW-1:0]        times_way;
+  logic                   less_there, times_there, met_late;
 
-  assign less = (Y + 2)'(way) - $signed((Y + 2)'(half_q));
-  assign more = (Y + 2)'(way) + $signed((Y + 2)'(half_q));
+  assign less = (WayW + 2)'(way) - $signed((WayW + 2)'(half_q));
+  assign more = (WayW + 2)'(way) + $signed((WayW + 2)'(half_q));
 
-  rc_path_register #(.Width(Y + 2)) u_less (.clk_i, .data_i(less), .data_o(less_q));
-  rc_path_register #(.Width(Y + 2)) u_more (.clk_i, .data_i(more), .data_o(more_q));
+  rc_path_register #(.Width(WayW + 2)) u_less (.clk_i, .data_i(less), .data_o(less_q));
+  rc_path_register #(.Width(WayW + 2)) u_more (.clk_i, .data_i(more), .data_o(more_q));
   rc_path_register u_less_there (.clk_i, .data_i(there_q), .data_o(less_there));
 
   assign times_there = less_there && more_q >= Least;
-  assign times_way   = less_q[Y+1] ? '0 : less_q[Y-1:0];
+  assign times_way   = less_q[WayW+1] ? '0 : less_q[WayW-1:0];
 
-  rc_shift_register #(.Width(1), .Stages(M + 1)) u_met (
-    .clk_i, .valid_i(moves_i[Less +: M+1]), .data_i(times_there), .data_o(met_late));
+  rc_shift_register #(.Width(1), .Stages(Mul + 1)) u_met (
+    .clk_i, .valid_i(moves_i[Less +: Mul+1]), .data_i(times_there), .data_o(met_late));
 
   // The time of that point. An overflow at the top saturates.
-  localparam int unsigned W = Y + 17;
-  logic [W-1:0]   times, times_q, over_mask;
-  logic [W+T-1:0] moved;
-  logic [T+6:0]   rest, rest_q;
-  logic [2:0]     fine;
-  logic           many, many_q;
+  localparam int unsigned TimesW = WayW + 17;
+  logic [TimesW-1:0]   times, times_q, over_mask;
+  logic [TimesW+T-1:0] moved;
+  logic [T+6:0]        rest, rest_q;
+  logic [2:0]          fine;
+  logic                many, many_q;
 
-  rc_mul #(.AW(Y), .BW(17), .Signed(1'b0)) u_times (
+  rc_mul #(.AW(WayW), .BW(17), .Signed(1'b0)) u_times (
     .clk_i, .a_i(times_way), .b_i(inverse_i), .p_o(times));
 
   always_ff @(posedge clk_i) if (moves_i[Times-1]) times_q <= times;
 
-  assign over_mask = {W{1'b1}} << right_i;
+  assign over_mask = {TimesW{1'b1}} << right_i;
   assign moved     = {times_q, {T{1'b0}}} >> {right_i[5:3], 3'd0};
   assign rest      = moved[T+6:0];
   assign many      = |(times_q & over_mask);
@@ -257,7 +260,7 @@ module rc_chord #(
   assign near_o = T'(rest_q >> fine) | {T{many_q}};
 
   logic unused;
-  assign unused = ^{moves_i, reach_square[2*R-1], most[13:0], slack_i, wide[7:0], less_q[Y],
-                    moved[W+T-1:T+7]};
+  assign unused = ^{moves_i, reach_square[2*ReachW-1], most[13:0], slack_i, wide[7:0], less_q[WayW],
+                    moved[TimesW+T-1:T+7]};
 endmodule
 `default_nettype wire

@@ -17,27 +17,27 @@ module rc_globe (
   input  logic               rsp_ready_i,
   output rc_pkg::globe_rsp_t rsp_o
 );
-  localparam int unsigned W   = rc_pkg::NodeWidth;
-  localparam int unsigned Q   = rc_pkg::GlobeBits;
-  localparam int unsigned T   = rc_pkg::TBits;
-  localparam int unsigned L   = rc_pkg::GlobeLatency;
-  localparam int unsigned Cut = rc_pkg::Cut;
-  localparam int unsigned In  = Cut;
+  localparam int unsigned W       = rc_pkg::NodeWidth;
+  localparam int unsigned Q       = rc_pkg::GlobeBits;
+  localparam int unsigned T       = rc_pkg::TBits;
+  localparam int unsigned Latency = rc_pkg::GlobeLatency;
+  localparam int unsigned Cut     = rc_pkg::Cut;
+  localparam int unsigned In      = Cut;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
-  logic         admit;
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic               admit;
+  logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(L)) u_stages (
+  rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [L:0] moves;
-  assign moves = valid | {(L+1){Cut != 0}};
+  logic [Latency:0] moves;
+  assign moves = valid | {(Latency+1){Cut != 0}};
 
   // The node, unpacked.
   rc_pkg::globe_req_t           in;
@@ -84,14 +84,14 @@ module rc_globe (
   // Their order, and the result queue.
   logic [rc_pkg::GlobeRspW-1:0] rsp;
 
-  rc_node_answer #(.Latency(L)) u_answer (
-    .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
-    .met_i(met), .near_i(near), .end_valid_i(valid_q[L-1]),
+  rc_node_answer #(.Latency(Latency)) u_answer (
+    .clk_i, .rst_ni, .moves_i(moves[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
+    .kind_i(in.kind), .met_i(met), .near_i(near), .end_valid_i(valid_q[Latency-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
 
   logic unused;
-  assign unused = ^{valid[L], moves[L]};
+  assign unused = ^{valid[Latency], moves[Latency]};
 endmodule
 `default_nettype wire

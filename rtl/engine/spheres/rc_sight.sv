@@ -14,18 +14,18 @@
 // model/engine/spheres/globe.cpp.
 `default_nettype none
 module rc_sight #(
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned G  = rc_pkg::TowardBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned L  = rc_pkg::GlobeStages,
-  localparam int unsigned D  = N + 1,        // a way on an axis, signed
-  localparam int unsigned X  = D + G + 1,    // a component of a moment, signed
-  localparam int unsigned Y  = N + 7         // a way along the ray, signed
+  localparam int unsigned N       = rc_pkg::CoordBits,
+  localparam int unsigned OW      = rc_pkg::OriginWidth,
+  localparam int unsigned E       = rc_pkg::ExpBits,
+  localparam int unsigned G       = rc_pkg::TowardBits,
+  localparam int unsigned T       = rc_pkg::TBits,
+  localparam int unsigned Stages  = rc_pkg::GlobeStages,
+  localparam int unsigned AxisW   = N + 1,            // a way on an axis, signed
+  localparam int unsigned MomentW = AxisW + G + 1,    // a component of a moment, signed
+  localparam int unsigned WayW    = N + 7             // a way along the ray, signed
 ) (
   input  logic            clk_i,
-  input  logic [L-1:0]    moves_i,   // moves_i[i]: the register after stage i accepts its input
+  input  logic [Stages-1:0] moves_i,   // moves_i[i]: the register after stage i accepts its input
   // Ray, and the node's corner and exponent
   input  logic [3*OW-1:0] s0_o_i,
   input  logic [3*N-1:0]  s0_org_i,
@@ -34,25 +34,26 @@ module rc_sight #(
   input  logic [E-1:0]    s0_len_i,
   // Results
   output logic [3*G-1:0]  toward_o,
-  output logic [3*X-1:0]  moment_o,
-  output logic [Y-1:0]    way_o,
+  output logic [3*MomentW-1:0] moment_o,
+  output logic [WayW-1:0] way_o,
   output logic [N+3:0]    slack_o,
   output logic [G-1:0]    square_o,
   output logic [16:0]     inverse_o,
   output logic [5:0]      right_o
 );
   localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned M    = rc_pkg::MulStages;
+  localparam int unsigned Mul  = rc_pkg::MulStages;
   localparam int unsigned Sum  = N + 6;     // of three ways and Least, which is below 2^17
   localparam int unsigned Drop = 13;        // bits from the unit of D . e up to an eighth of a step
   localparam bit          Shades = rc_pkg::Shading != 0;   // origins may lie between lattice points
 
   // D, the way from the origin to the node's corner.
-  logic [3*D-1:0] s0_way, way_q;
-  logic [E-1:0]   exp_q;
+  logic [3*AxisW-1:0] s0_way, way_q;
+  logic [E-1:0]       exp_q;
 
   for (genvar k = 0; k < 3; k++) begin : gen_way
-    assign s0_way[k*D +: D] = D'($signed(s0_org_i[k*N +: N])) - D'($signed(s0_o_i[k*OW+OW-1 -: N]));
+    assign s0_way[k*AxisW +: AxisW] = AxisW'($signed(s0_org_i[k*N +: N]))
+                                    - AxisW'($signed(s0_o_i[k*OW+OW-1 -: N]));
   end
 
   always_ff @(posedge clk_i) begin
@@ -67,65 +68,67 @@ module rc_sight #(
   logic [E-1:0] moment_exp;
   logic [2:0]   fine;
 
-  rc_shift_register #(.Width(E), .Stages(1 + M)) u_exp (
-    .clk_i, .valid_i(moves_i[M+1:1]), .data_i(exp_q), .data_o(moment_exp));
+  rc_shift_register #(.Width(E), .Stages(1 + Mul)) u_exp (
+    .clk_i, .valid_i(moves_i[Mul+1:1]), .data_i(exp_q), .data_o(moment_exp));
   rc_path_register #(.Width(3)) u_fine (.clk_i, .data_i(moment_exp[2:0]), .data_o(fine));
 
   for (genvar k = 0; k < 3; k++) begin : gen_moment
-    localparam int unsigned A = (k + 1) % 3;
+    localparam int unsigned A = (k + 1) % 3;   // the other two axes
     localparam int unsigned B = (k + 2) % 3;
-    logic signed [D+G-1:0] ab, ba;
-    logic signed [X-1:0]   moment_q, coarse, coarse_q, placed;
+    logic signed [AxisW+G-1:0] ab, ba;
+    logic signed [MomentW-1:0] moment_q, coarse, coarse_q, placed;
 
-    rc_mul #(.AW(D), .BW(G)) u_ab (
-      .clk_i, .a_i($signed(way_q[A*D +: D])), .b_i($signed(toward_o[B*G +: G])), .p_o(ab));
-    rc_mul #(.AW(D), .BW(G)) u_ba (
-      .clk_i, .a_i($signed(way_q[B*D +: D])), .b_i($signed(toward_o[A*G +: G])), .p_o(ba));
+    rc_mul #(.AW(AxisW), .BW(G)) u_ab (
+      .clk_i, .a_i($signed(way_q[A*AxisW +: AxisW])), .b_i($signed(toward_o[B*G +: G])), .p_o(ab));
+    rc_mul #(.AW(AxisW), .BW(G)) u_ba (
+      .clk_i, .a_i($signed(way_q[B*AxisW +: AxisW])), .b_i($signed(toward_o[A*G +: G])), .p_o(ba));
 
-    always_ff @(posedge clk_i) if (moves_i[M+1]) moment_q <= X'(ab) - X'(ba);
+    always_ff @(posedge clk_i) if (moves_i[Mul+1]) moment_q <= MomentW'(ab) - MomentW'(ba);
 
     assign coarse = moment_q >>> {moment_exp[E-1:3], 3'd0};
-    rc_path_register #(.Width(X)) u_coarse (.clk_i, .data_i(coarse), .data_o(coarse_q));
+    rc_path_register #(.Width(MomentW)) u_coarse (.clk_i, .data_i(coarse), .data_o(coarse_q));
 
     assign placed = coarse_q >>> fine;
-    rc_path_register #(.Width(X)) u_moment (.clk_i, .data_i(placed), .data_o(moment_o[k*X +: X]));
+    rc_path_register #(.Width(MomentW)) u_moment (
+      .clk_i, .data_i(placed), .data_o(moment_o[k*MomentW +: MomentW]));
   end
 
   // The way along the ray. An origin between lattice points was moved by up to 49 eighths of a
   // step.
-  localparam int unsigned P = D + G + 2;
-  localparam logic signed [P-1:0] Moved = Shades ? P'(49 << Drop) : '0;
+  localparam int unsigned AlongW = AxisW + G + 2;
+  localparam logic signed [AlongW-1:0] Moved = Shades ? AlongW'(49 << Drop) : '0;
 
-  logic [3*(D+G)-1:0]  parts;
-  logic signed [P-1:0] two, two_q, third, third_q, along_q, along_coarse, along_fine;
-  logic signed [P-1:0] along_placed, along;
-  logic [E-1:0]        along_exp;
-  logic [2:0]          along_rest;
+  logic [3*(AxisW+G)-1:0]   parts;
+  logic signed [AlongW-1:0] two, two_q, third, third_q, along_q, along_coarse, along_fine;
+  logic signed [AlongW-1:0] along_placed, along;
+  logic [E-1:0]             along_exp;
+  logic [2:0]               along_rest;
 
   for (genvar k = 0; k < 3; k++) begin : gen_part
-    rc_mul #(.AW(D), .BW(G)) u_part (
-      .clk_i, .a_i($signed(way_q[k*D +: D])), .b_i($signed(toward_o[k*G +: G])),
-      .p_o(parts[k*(D+G) +: D+G]));
+    rc_mul #(.AW(AxisW), .BW(G)) u_part (
+      .clk_i, .a_i($signed(way_q[k*AxisW +: AxisW])), .b_i($signed(toward_o[k*G +: G])),
+      .p_o(parts[k*(AxisW+G) +: AxisW+G]));
   end
 
-  assign two   = P'($signed(parts[0 +: D+G])) + P'($signed(parts[D+G +: D+G]));
-  assign third = P'($signed(parts[2*(D+G) +: D+G])) - Moved;
+  assign two   = AlongW'($signed(parts[0 +: AxisW+G]))
+               + AlongW'($signed(parts[AxisW+G +: AxisW+G]));
+  assign third = AlongW'($signed(parts[2*(AxisW+G) +: AxisW+G])) - Moved;
 
-  rc_path_register #(.Width(P)) u_along_two (.clk_i, .data_i(two), .data_o(two_q));
-  rc_path_register #(.Width(P)) u_along_third (.clk_i, .data_i(third), .data_o(third_q));
+  rc_path_register #(.Width(AlongW)) u_along_two (.clk_i, .data_i(two), .data_o(two_q));
+  rc_path_register #(.Width(AlongW)) u_along_third (.clk_i, .data_i(third), .data_o(third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[M+1+Cut]) along_q <= two_q + third_q;
+  always_ff @(posedge clk_i) if (moves_i[Mul+1+Cut]) along_q <= two_q + third_q;
   rc_path_register #(.Width(E)) u_along_exp (.clk_i, .data_i(moment_exp), .data_o(along_exp));
 
   assign along_coarse = along_q >>> {along_exp[E-1:3], 3'd0};
-  rc_path_register #(.Width(P)) u_along_coarse (
+  rc_path_register #(.Width(AlongW)) u_along_coarse (
     .clk_i, .data_i(along_coarse), .data_o(along_fine));
   rc_path_register #(.Width(3)) u_along_rest (.clk_i, .data_i(along_exp[2:0]), .data_o(along_rest));
 
   assign along_placed = along_fine >>> along_rest;
-  rc_path_register #(.Width(P)) u_along (.clk_i, .data_i(along_placed), .data_o(along));
+  rc_path_register #(.Width(AlongW)) u_along (.clk_i, .data_i(along_placed), .data_o(along));
 
-  always_ff @(posedge clk_i) if (moves_i[M+2+3*Cut]) way_o <= Y'(along >>> Drop);
+  always_ff @(posedge clk_i) if (moves_i[Mul+2+3*Cut]) way_o <= WayW'(along >>> Drop);
 
   // slack. The distance to the node is the sum over the axes. A direction is off by less than 2^-16
   // of that distance. An origin between lattice points was moved by less than 14 eighths of a step.
@@ -138,7 +141,7 @@ module rc_sight #(
 
   for (genvar k = 0; k < 3; k++) begin : gen_size
     logic signed [Sum-1:0] axis;
-    assign axis = Sum'($signed(way_q[k*D +: D]));
+    assign axis = Sum'($signed(way_q[k*AxisW +: AxisW]));
     assign size[k*Sum +: Sum] = axis[Sum-1] ? -axis : axis;
   end
 
@@ -178,43 +181,47 @@ module rc_sight #(
   rc_path_register #(.Width(2 * G)) u_square_third (
     .clk_i, .data_i(squares[4*G +: 2*G]), .data_o(square_third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[M+Cut]) square_q <= square_two_q + square_third_q;
+  always_ff @(posedge clk_i) if (moves_i[Mul+Cut]) square_q <= square_two_q + square_third_q;
 
   assign up = square_q[2*G-1:G] + G'(1);
   rc_shift_register #(.Width(G), .Stages(2 + 3 * Cut)) u_up (
-    .clk_i, .valid_i(moves_i[M+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
+    .clk_i, .valid_i(moves_i[Mul+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
 
   rc_inverse u_inverse (
-    .clk_i, .last_moves_i(moves_i[1+2*M+3*Cut]), .square_i(square_q), .n_o(n), .inverse_o(inverse));
+    .clk_i, .last_moves_i(moves_i[1+2*Mul+3*Cut]), .square_i(square_q), .n_o(n),
+    .inverse_o(inverse));
 
   rc_shift_register #(.Width(17), .Stages(3 + 6 * Cut)) u_late_inverse (
-    .clk_i, .valid_i(moves_i[2+2*M+3*Cut +: 3+6*Cut]), .data_i(inverse), .data_o(inverse_o));
+    .clk_i, .valid_i(moves_i[2+2*Mul+3*Cut +: 3+6*Cut]), .data_i(inverse), .data_o(inverse_o));
 
   // right. Left shifts by T or more saturate.
-  localparam int unsigned S = 8;   // shift, signed
-  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
-      - S'(20);
+  localparam int unsigned ShiftW = 8;   // shift, signed
+  localparam logic signed [ShiftW-1:0] ShiftBase =
+      ShiftW'(rc_pkg::TFracBits) + ShiftW'(rc_pkg::RayDirBits)
+      - ShiftW'(20);
 
-  logic [E-1:0]        len_q, shift_exp;
-  logic signed [S-1:0] shift_q, move;
-  logic [5:0]          right_q;
+  logic [E-1:0]             len_q, shift_exp;
+  logic signed [ShiftW-1:0] shift_q, move;
+  logic [5:0]               right_q;
 
-  rc_shift_register #(.Width(2 * E), .Stages(1 + M + Cut)) u_len (
-    .clk_i, .valid_i(moves_i[M+Cut:0]), .data_i({s0_len_i, s0_exp_i}), .data_o({len_q, shift_exp}));
+  rc_shift_register #(.Width(2 * E), .Stages(1 + Mul + Cut)) u_len (
+    .clk_i, .valid_i(moves_i[Mul+Cut:0]), .data_i({s0_len_i, s0_exp_i}),
+    .data_o({len_q, shift_exp}));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[1+M+Cut])
-      shift_q <= ShiftBase - $signed({{(S-E){1'b0}}, len_q}) + $signed({{(S-E){1'b0}}, shift_exp})
-          - $signed({{(S-2){1'b0}}, n});
-    if (moves_i[2+M+Cut]) right_q <= move[5:0];
+    if (moves_i[1+Mul+Cut])
+      shift_q <= ShiftBase - $signed({{(ShiftW-E){1'b0}}, len_q})
+          + $signed({{(ShiftW-E){1'b0}}, shift_exp})
+          - $signed({{(ShiftW-2){1'b0}}, n});
+    if (moves_i[2+Mul+Cut]) right_q <= move[5:0];
   end
 
-  assign move = shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - shift_q;
+  assign move = shift_q > $signed(ShiftW'(T)) ? '0 : $signed(ShiftW'(T)) - shift_q;
 
-  rc_shift_register #(.Width(6), .Stages(3 + 2 * M + 8 * Cut)) u_right (
-    .clk_i, .valid_i(moves_i[3+M+Cut +: 3+2*M+8*Cut]), .data_i(right_q), .data_o(right_o));
+  rc_shift_register #(.Width(6), .Stages(3 + 2 * Mul + 8 * Cut)) u_right (
+    .clk_i, .valid_i(moves_i[3+Mul+Cut +: 3+2*Mul+8*Cut]), .data_i(right_q), .data_o(right_o));
 
   logic unused;
-  assign unused = ^{moves_i, square_q[G-1:0], s0_o_i, move[S-1:6], along};
+  assign unused = ^{moves_i, square_q[G-1:0], s0_o_i, move[ShiftW-1:6], along};
 endmodule
 `default_nettype wire

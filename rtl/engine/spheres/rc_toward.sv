@@ -27,9 +27,10 @@ module rc_toward #(
   localparam int unsigned Cut   = rc_pkg::Cut;
   localparam int unsigned Waits = 3 * Cut;
 
-  // Bit length of the longest component, and the free bits above it.
+  // Bit length of the longest component, and the free bits above it. full_len counts as for full
+  // width.
   logic [H-2:0]   used;
-  logic [E-1:0]   len, told, free, free_q;
+  logic [E-1:0]   len, full_len, free, free_q;
   logic [3*H-1:0] dir_q;
 
   always_comb begin
@@ -45,7 +46,7 @@ module rc_toward #(
     end
   end
 
-  assign told = short_i ? len + E'(H - rc_pkg::DirBits) : len;
+  assign full_len = short_i ? len + E'(H - rc_pkg::DirBits) : len;
 
   rc_path_register #(.Width(3 * H)) u_dir (.clk_i, .data_i(d_i), .data_o(dir_q));
   rc_path_register #(.Width(E)) u_free (.clk_i, .data_i(free), .data_o(free_q));
@@ -81,7 +82,7 @@ module rc_toward #(
 
   rc_path_register #(.Width(I), .Stages(Waits)) u_ray (.clk_i, .data_i(ray_i), .data_o(ray_o));
   rc_path_register #(.Width(3 * OW), .Stages(Waits)) u_o (.clk_i, .data_i(o_i), .data_o(o_q));
-  rc_path_register #(.Width(E), .Stages(Waits)) u_len (.clk_i, .data_i(told), .data_o(len_q));
+  rc_path_register #(.Width(E), .Stages(Waits)) u_len (.clk_i, .data_i(full_len), .data_o(len_q));
 
   assign kept_o = {o_q, toward_q, len_q};
 

@@ -12,16 +12,16 @@
 // magnitude and sign. Model: flat_test() in model/unit/isect/any.cpp.
 `default_nettype none
 module rc_edges #(
-  localparam int unsigned N = rc_pkg::CoordBits,
-  localparam int unsigned W = rc_pkg::OriginWidth,
-  localparam int unsigned M = rc_pkg::RayDirBits,
-  localparam int unsigned E = rc_pkg::EdgeBits,
-  localparam int unsigned U = rc_pkg::NumBits,
-  localparam int unsigned L = rc_pkg::EdgesStages
+  localparam int unsigned N      = rc_pkg::CoordBits,
+  localparam int unsigned W      = rc_pkg::OriginWidth,
+  localparam int unsigned M      = rc_pkg::RayDirBits,
+  localparam int unsigned E      = rc_pkg::EdgeBits,
+  localparam int unsigned U      = rc_pkg::NumBits,
+  localparam int unsigned Stages = rc_pkg::EdgesStages
 ) (
   input  logic                clk_i,
-  input  logic [L-1:0]        valid_i,       // valid_i[i]: stage i holds a triangle
-  input  logic [L-1:0]        there_i,       // valid bits alone; valid_i may be set without them
+  input  logic [Stages-1:0]   valid_i,       // valid_i[i]: stage i holds a triangle
+  input  logic [Stages-1:0]   there_i,       // valid bits alone; valid_i may be set without them
   // Ray and triangle
   input  logic                s0_leaves_i,   // from a surface: o has a fraction
   input  logic                s0_far_i,      // from beyond the lattice: o in units of 2^-Far
@@ -99,12 +99,12 @@ module rc_edges #(
     assign dot_far = 1'b0;
   end
 
-  rc_shift_register #(.Width(1), .Stages(L - 1)) u_plane (
-    .clk_i, .valid_i(valid_i[L-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
+  rc_shift_register #(.Width(1), .Stages(Stages - 1)) u_plane (
+    .clk_i, .valid_i(valid_i[Stages-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
 
   // Cross products: P1 = d x e1, P2 = d x e2, n = e1 x e2.
   for (genvar k = 0; k < 3; k++) begin : gen_cross
-    localparam int unsigned Y = (k + 1) % 3;
+    localparam int unsigned Y = (k + 1) % 3;   // the other two axes
     localparam int unsigned Z = (k + 2) % 3;
     logic signed [M+D-1:0] p1_yz, p1_zy, p2_yz, p2_zy;
     logic signed [2*D-1:0] n_yz, n_zy;
@@ -277,7 +277,7 @@ module rc_edges #(
   assign end_v_turn = rc_pkg::Planes == 1 ? end_v[E-1] : end_flip;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[L-1]) begin
+    if (valid_i[Stages-1]) begin
       hit_o <= !end_edge_on
             && (end_plane || (end_u_neg == end_flip && end_v_neg == end_flip
                               && end_w_neg == end_flip))

@@ -8,14 +8,14 @@
 // share a stage of a divider. A stage works only if valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
-  parameter  int unsigned E = 8,         // bits of den, at least those of det
-  localparam int unsigned D = rc_pkg::EdgeBits,
-  localparam int unsigned U = rc_pkg::NumBits,
-  localparam int unsigned T = rc_pkg::TBits,
-  localparam int unsigned B = rc_pkg::BaryBits,
-  localparam int unsigned V = rc_pkg::UvBits,
-  localparam int unsigned K = V - 1 - B,  // whole bits of u and v of a plane
-  localparam int unsigned L = rc_pkg::HitdivStages
+  parameter  int unsigned E      = 8,         // bits of den, at least those of det
+  localparam int unsigned D      = rc_pkg::EdgeBits,
+  localparam int unsigned U      = rc_pkg::NumBits,
+  localparam int unsigned T      = rc_pkg::TBits,
+  localparam int unsigned B      = rc_pkg::BaryBits,
+  localparam int unsigned V      = rc_pkg::UvBits,
+  localparam int unsigned K      = V - 1 - B,  // whole bits of u and v of a plane
+  localparam int unsigned Stages = rc_pkg::HitdivStages
 ) (
   input  logic         clk_i,
   input  logic         valid_i,
@@ -33,11 +33,11 @@ module rc_hitdiv #(
   output logic [V-1:0] u_o,
   output logic [V-1:0] v_o
 );
-  localparam int unsigned Cut     = rc_pkg::Cut;
-  localparam int unsigned Bits    = rc_pkg::HitBits;      // quotient bits per stage
-  localparam int unsigned Stages  = L - 2 * Cut;          // of the division
-  localparam int unsigned Every   = rc_pkg::TriInterval;
-  localparam int unsigned Q       = Bits * Stages;        // quotient bits, at least T and B
+  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Bits      = rc_pkg::HitBits;    // quotient bits per stage
+  localparam int unsigned DivStages = Stages - 2 * Cut;   // of the division
+  localparam int unsigned Every     = rc_pkg::TriInterval;
+  localparam int unsigned Q         = Bits * DivStages;   // quotient bits, at least T and B
 
   // num * 2^(M-1+F) * 2^(Q-T) / den in Q bits. The dividend above the quotient's bits is num *
   // 2^(M-1+F-T). That is num shifted left by M - N - 3, or right if that is negative.
@@ -63,12 +63,12 @@ module rc_hitdiv #(
   end
 
   // valid[i]: stage i holds a hit.
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic [Stages-1:0] valid_q;
+  logic [Stages:0]   valid;
 
   assign valid = {valid_q, valid_i};
 
-  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
 
   // Begin of the dividers. If they make several steps per stage, the valid bit alone is needed.
   logic there, begins;
@@ -88,19 +88,19 @@ module rc_hitdiv #(
     .clk_i, .data_i({beyond && Cut == 0 ? '0 : num_above[E-1:0], den_i, num_below}),
     .data_o({t_rem, t_den, t_below}));
 
-  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(Right)) u_t (
+  rc_divide #(.Width(E), .Stages(DivStages), .Bits(Bits), .Every(Every), .Lows(Right)) u_t (
     .clk_i, .valid_i(begins), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),
     .quo_o(t_quo), .inexact_o(t_inexact));
 
   // u and v have fewer bits: they are ready earlier, and wait for t. Their quotients have K + B
   // bits and one more: without planes for u = det, with planes for saturation.
-  localparam int unsigned Short = (K + B + Bits - 1) / Bits;
-  localparam int unsigned Rest  = Stages - Short;
-  localparam int unsigned R     = Bits * Short;
+  localparam int unsigned Short  = (K + B + Bits - 1) / Bits;
+  localparam int unsigned Rest   = DivStages - Short;
+  localparam int unsigned ShortW = Bits * Short;
 
-  logic [D-1:0] u_above, v_above;
-  logic [R-1:0] u_below, v_below, u_quo, v_quo;
-  logic         u_top, v_top, u_inexact, v_inexact;
+  logic [D-1:0]      u_above, v_above;
+  logic [ShortW-1:0] u_below, v_below, u_quo, v_quo;
+  logic              u_top, v_top, u_inexact, v_inexact;
 
   if (K > 0) begin : gen_whole
     assign u_above = u_i >> K;
@@ -108,8 +108,8 @@ module rc_hitdiv #(
     logic [D+K-1:0] u_wide, v_wide;   // small formats have fewer than K bits
     assign u_wide  = {{K{1'b0}}, u_i};
     assign v_wide  = {{K{1'b0}}, v_i};
-    assign u_below = {u_wide[K-1:0], {(R-K){1'b0}}};
-    assign v_below = {v_wide[K-1:0], {(R-K){1'b0}}};
+    assign u_below = {u_wide[K-1:0], {(ShortW-K){1'b0}}};
+    assign v_below = {v_wide[K-1:0], {(ShortW-K){1'b0}}};
 
     logic unused;
     assign unused  = ^{u_wide, v_wide};
@@ -125,10 +125,10 @@ module rc_hitdiv #(
     assign v_top   = v_i == det_i;
   end
 
-  logic [D-1:0] u_rem, v_rem, uv_den;
-  logic [R-1:0] u_low, v_low;
+  logic [D-1:0]      u_rem, v_rem, uv_den;
+  logic [ShortW-1:0] u_low, v_low;
 
-  rc_path_register #(.Width(3 * D + 2 * R)) u_uv_first (
+  rc_path_register #(.Width(3 * D + 2 * ShortW)) u_uv_first (
     .clk_i, .data_i({u_top ? '0 : u_above, v_top ? '0 : v_above, det_i, u_below, v_below}),
     .data_o({u_rem, v_rem, uv_den, u_low, v_low}));
 
@@ -150,8 +150,8 @@ module rc_hitdiv #(
   logic [2:0]       end_flags;
   logic [2*UvW-1:0] short_uv, end_uv;
 
-  rc_shift_register #(.Width(3), .Stages(L)) u_flags (
-    .clk_i, .valid_i(valid[L-1:0]), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
+  rc_shift_register #(.Width(3), .Stages(Stages)) u_flags (
+    .clk_i, .valid_i(valid[Stages-1:0]), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
 
   if (K > 0) begin : gen_signed
     logic         u_many, u_neg, v_many, v_neg, u_rest, v_rest, u_left, v_left;
@@ -162,11 +162,11 @@ module rc_hitdiv #(
       .clk_i, .valid_i(valid[2*Cut+Short-1:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
       .data_o({u_many, u_neg, v_many, v_neg}));
 
-    assign u_rest = u_inexact || (R > K + B && u_quo[0]);
-    assign v_rest = v_inexact || (R > K + B && v_quo[0]);
+    assign u_rest = u_inexact || (ShortW > K + B && u_quo[0]);
+    assign v_rest = v_inexact || (ShortW > K + B && v_quo[0]);
 
     rc_path_register #(.Width(2 * V)) u_left_over (
-      .clk_i, .data_i({u_rest, v_rest, u_quo[R-1 -: K+B], v_quo[R-1 -: K+B]}),
+      .clk_i, .data_i({u_rest, v_rest, u_quo[ShortW-1 -: K+B], v_quo[ShortW-1 -: K+B]}),
       .data_o({u_left, v_left, u_whole, v_whole}));
 
     assign u_size   = {1'b0, u_whole};
@@ -179,7 +179,7 @@ module rc_hitdiv #(
                        v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};
   end else begin : gen_positive
     rc_path_register #(.Width(2 * B)) u_whole (
-      .clk_i, .data_i({u_quo[R-1 -: B], v_quo[R-1 -: B]}), .data_o(short_uv));
+      .clk_i, .data_i({u_quo[ShortW-1 -: B], v_quo[ShortW-1 -: B]}), .data_o(short_uv));
 
     logic unused;
     assign unused = ^{u_neg_i, v_neg_i, u_inexact, v_inexact};
@@ -189,7 +189,7 @@ module rc_hitdiv #(
     assign end_uv = short_uv;
   end else begin : gen_wait
     rc_shift_register #(.Width(2 * UvW), .Stages(Rest)) u_uv (
-      .clk_i, .valid_i(valid[L-1:L-Rest]), .data_i(short_uv), .data_o(end_uv));
+      .clk_i, .valid_i(valid[Stages-1:Stages-Rest]), .data_i(short_uv), .data_o(end_uv));
   end
 
   // t, rounded up.
@@ -219,6 +219,6 @@ module rc_hitdiv #(
   end
 
   logic unused;
-  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid[L]};
+  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid[Stages]};
 endmodule
 `default_nettype wire

@@ -8,7 +8,7 @@
 // above 1, products share multipliers, and steps of the root and of the division share a stage.
 // model/core/stages.cpp counts its stages as well. A stage's prefix is its content:
 // - s1: the vector from the centre; s2: the products; s3: products of these; s4: the decision;
-// - s5: the shortened discriminant; r: its root; w: the way along the ray (V bits);
+// - s5: the shortened discriminant; r: its root; w: the way along the ray (WayW bits);
 // - t: the distance; p: the products with the best hit.
 `default_nettype none
 module rc_sphere #(
@@ -48,14 +48,15 @@ module rc_sphere #(
   output logic           far_o,
   output logic [T-1:0]   t_o            // if closer
 );
-  localparam int unsigned S = W + 1;            // s
-  localparam int unsigned G = 2 * M;            // d.d of all rays except shadow rays
-  localparam int unsigned A = 2 * W + 3 > G + 1 ? 2 * W + 3 : G + 1;   // d.d, and a sign
-  localparam int unsigned V = M + W + 2 > G + 1 ? M + W + 2 : G + 1;   // d.s except of shadow rays
-  localparam int unsigned L = V > N + W + 3 ? V : N + W + 3;           // d.s
-  localparam int unsigned C = 2 * W + 3;        // s.s - R2
-  localparam int unsigned D = 2 * (M + W) + 2 > 2 * (N + W) + 4
-                            ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
+  localparam int unsigned VectorW     = W + 1;       // s
+  localparam int unsigned NearSquareW = 2 * M;       // d.d of all rays except shadow rays
+  localparam int unsigned PowerW      = 2 * W + 3;   // s.s - R2
+  // d.d, and a sign; d.s except of shadow rays; d.s
+  localparam int unsigned SquareW = PowerW > NearSquareW + 1 ? PowerW : NearSquareW + 1;
+  localparam int unsigned WayW    = M + W + 2 > NearSquareW + 1 ? M + W + 2 : NearSquareW + 1;
+  localparam int unsigned AlongW  = WayW > N + W + 3 ? WayW : N + W + 3;
+  localparam int unsigned DiscW   = 2 * (M + W) + 2 > 2 * (N + W) + 4
+                                  ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
   localparam int unsigned RootW  = rc_pkg::RootBits;
   localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // if met
   localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
@@ -122,19 +123,19 @@ module rc_sphere #(
   assign s0_shadow = s0_any_i && !s0_leaves_i;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    localparam int unsigned X = H > S ? H : S;
+    localparam int unsigned X = H > VectorW ? H : VectorW;
 
-    logic signed [W-1:0]   s0_o;
-    logic signed [N-1:0]   s0_c;
-    logic signed [S-1:0]   s0_s, s1_s_q;
-    logic signed [H-1:0]   s1_d_q;
-    logic signed [H+S-1:0] along;
-    logic signed [2*H-1:0] square;
-    logic signed [2*S-1:0] power;
+    logic signed [W-1:0]         s0_o;
+    logic signed [N-1:0]         s0_c;
+    logic signed [VectorW-1:0]   s0_s, s1_s_q;
+    logic signed [H-1:0]         s1_d_q;
+    logic signed [H+VectorW-1:0] along;
+    logic signed [2*H-1:0]       square;
+    logic signed [2*VectorW-1:0] power;
 
     assign s0_o = s0_o_i[k*W +: W];
     assign s0_c = s0_c_i[k*N +: N];
-    assign s0_s = S'(s0_o) - (S'(s0_c) <<< B);
+    assign s0_s = VectorW'(s0_o) - (VectorW'(s0_c) <<< B);
 
     always_ff @(posedge clk_i) begin
       if (moves[0]) begin
@@ -144,9 +145,10 @@ module rc_sphere #(
     end
 
     if (Three == 1) begin : gen_at_once
-      rc_mul #(.AW(H), .BW(S)) u_along (.clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
+      rc_mul #(.AW(H), .BW(VectorW)) u_along (.clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
       rc_mul #(.AW(H), .BW(H)) u_square (.clk_i, .a_i(s1_d_q), .b_i(s1_d_q), .p_o(square));
-      rc_mul #(.AW(S), .BW(S)) u_power (.clk_i, .a_i(s1_s_q), .b_i(s1_s_q), .p_o(power));
+      rc_mul #(.AW(VectorW), .BW(VectorW)) u_power (
+        .clk_i, .a_i(s1_s_q), .b_i(s1_s_q), .p_o(power));
     end else begin : gen_shared
       logic [3*2*X-1:0] products;
 
@@ -154,9 +156,9 @@ module rc_sphere #(
         .clk_i, .valid_i(there[1]), .a_i({X'(s1_d_q), X'(s1_d_q), X'(s1_s_q)}),
         .b_i({X'(s1_s_q), X'(s1_d_q), X'(s1_s_q)}), .p_o(products));
 
-      assign power  = products[0 +: 2*S];
+      assign power  = products[0 +: 2*VectorW];
       assign square = products[2*X +: 2*H];
-      assign along  = products[4*X +: H+S];
+      assign along  = products[4*X +: H+VectorW];
 
       logic unused;
       assign unused = ^products;
@@ -189,41 +191,43 @@ module rc_sphere #(
     .data_o({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}));
 
   // ---- s2: b = d.s, A = d.d, C = s.s - R2.
-  logic signed [L-1:0] s2_along_q;
-  logic signed [A-1:0] s2_square_q;
-  logic signed [C-1:0] s2_power_q;
+  logic signed [AlongW-1:0]  s2_along_q;
+  logic signed [SquareW-1:0] s2_square_q;
+  logic signed [PowerW-1:0]  s2_power_q;
 
   always_ff @(posedge clk_i) begin
     if (moves[AtS2-1]) begin
-      s2_along_q  <= L'(gen_axis[0].along) + L'(gen_axis[1].along) + L'(gen_axis[2].along);
-      s2_square_q <= A'(gen_axis[0].square) + A'(gen_axis[1].square) + A'(gen_axis[2].square);
-      s2_power_q  <= C'(gen_axis[0].power) + C'(gen_axis[1].power) + C'(gen_axis[2].power)
-                     - $signed({{(C-2*W){1'b0}}, s2_rr});
+      s2_along_q  <= AlongW'(gen_axis[0].along) + AlongW'(gen_axis[1].along)
+                     + AlongW'(gen_axis[2].along);
+      s2_square_q <= SquareW'(gen_axis[0].square) + SquareW'(gen_axis[1].square)
+                     + SquareW'(gen_axis[2].square);
+      s2_power_q  <= PowerW'(gen_axis[0].power) + PowerW'(gen_axis[1].power)
+                     + PowerW'(gen_axis[2].power) - $signed({{(PowerW-2*W){1'b0}}, s2_rr});
     end
   end
 
-  // ---- s3: b b and A C, modulo 2^D, because their difference fits. For a shadow ray A is the long
-  // factor, for other rays C.
-  localparam int unsigned Short = G + 1 > 2 * N + 3 ? G + 1 : 2 * N + 3;
-  localparam int unsigned Long  = A > C ? A : C;
+  // ---- s3: b b and A C, modulo 2^DiscW, because their difference fits. For a shadow ray A is the
+  // long factor, for other rays C.
+  localparam int unsigned Short = NearSquareW + 1 > 2 * N + 3 ? NearSquareW + 1 : 2 * N + 3;
+  localparam int unsigned Long  = SquareW > PowerW ? SquareW : PowerW;
 
   logic signed [Long-1:0]       s2_long;
   logic signed [Short-1:0]      s2_short;
-  logic signed [2*L-1:0]        s2_bb;
+  logic signed [2*AlongW-1:0]   s2_bb;
   logic signed [Long+Short-1:0] s2_ac;
-  logic signed [D-1:0]          s3_bb_q, s3_ac_q, s3_disc;
+  logic signed [DiscW-1:0]      s3_bb_q, s3_ac_q, s3_disc;
 
   assign s2_long  = s2_shadow ? Long'(s2_square_q) : Long'(s2_power_q);
   assign s2_short = s2_shadow ? Short'(s2_power_q) : Short'(s2_square_q);
 
   if (Share == 1) begin : gen_at_once
-    rc_mul #(.AW(L), .BW(L), .Sums(2)) u_bb (
+    rc_mul #(.AW(AlongW), .BW(AlongW), .Sums(2)) u_bb (
       .clk_i, .a_i(s2_along_q), .b_i(s2_along_q), .p_o(s2_bb));
     rc_mul #(.AW(Long), .BW(Short), .Sums(2)) u_ac (
       .clk_i, .a_i(s2_long), .b_i(s2_short), .p_o(s2_ac));
   end else begin : gen_shared
-    localparam int unsigned X = Long > L ? Long : L;
-    localparam int unsigned Y = Short > L ? Short : L;
+    localparam int unsigned X = Long > AlongW ? Long : AlongW;
+    localparam int unsigned Y = Short > AlongW ? Short : AlongW;
     logic [2*(X+Y)-1:0] products;
     logic [2*X-1:0]     a;
     logic [2*Y-1:0]     b;
@@ -240,7 +244,7 @@ module rc_sphere #(
     end
 
     assign s2_ac = products[0 +: Long+Short];
-    assign s2_bb = products[X+Y +: 2*L];
+    assign s2_bb = products[X+Y +: 2*AlongW];
 
     logic unused;
     assign unused = ^products;
@@ -248,37 +252,39 @@ module rc_sphere #(
 
   always_ff @(posedge clk_i) begin
     if (moves[AtS3-1]) begin
-      s3_bb_q <= D'(s2_bb);
-      s3_ac_q <= D'(s2_ac);
+      s3_bb_q <= DiscW'(s2_bb);
+      s3_ac_q <= DiscW'(s2_ac);
     end
   end
 
-  rc_path_register #(.Width(D)) u_disc (.clk_i, .data_i(s3_bb_q - s3_ac_q), .data_o(s3_disc));
+  rc_path_register #(.Width(DiscW)) u_disc (.clk_i, .data_i(s3_bb_q - s3_ac_q), .data_o(s3_disc));
 
   // In parallel, for a shadow ray: |O - c|^2 - R2 at its end O, and whether its point nearest to
   // the centre comes before O.
-  localparam int unsigned Foot = (L + B > A ? L + B : A) + 1;
+  localparam int unsigned Foot = (AlongW + B > SquareW ? AlongW + B : SquareW) + 1;
 
-  logic signed [C-1:0]    s2_end, sum_end;
-  logic signed [Foot-1:0] s2_foot, sum_foot;
+  logic signed [PowerW-1:0] s2_end, sum_end;
+  logic signed [Foot-1:0]   s2_foot, sum_foot;
   logic                   s2_on, s2_still, sum_on, sum_still, sum_out, sum_nearing;
   logic                   s3_any, s3_shadow, s3_own, s3_inside, s3_glass;
   logic                   s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out;
 
-  assign s2_end   = C'(s2_square_q) + (C'(s2_along_q) <<< (B + 1)) + (s2_power_q <<< (2 * B));
+  assign s2_end   = PowerW'(s2_square_q) + (PowerW'(s2_along_q) <<< (B + 1))
+                  + (s2_power_q <<< (2 * B));
   assign s2_foot  = (Foot'(s2_along_q) <<< B) + Foot'(s2_square_q);
   assign s2_on    = s2_power_q == '0;
   assign s2_still = s2_square_q == '0;
 
-  rc_path_register #(.Width(C + Foot + 4)) u_sums (
-    .clk_i, .data_i({s2_end, s2_foot, s2_on, s2_still, !s2_power_q[C-1], s2_along_q[L-1]}),
+  rc_path_register #(.Width(PowerW + Foot + 4)) u_sums (
+    .clk_i,
+    .data_i({s2_end, s2_foot, s2_on, s2_still, !s2_power_q[PowerW-1], s2_along_q[AlongW-1]}),
     .data_o({sum_end, sum_foot, sum_on, sum_still, sum_out, sum_nearing}));
 
   rc_shift_register #(.Width(7), .Stages(AtS3 - AtS2)) u_tests (
     .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2+Cut]),
     .data_i({sum_still, sum_nearing, sum_out && !sum_on, sum_on,
-             !sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],
-             !sum_end[C-1] && sum_end != '0}),
+             !sum_foot[Foot-1] && sum_foot != '0, sum_end[PowerW-1],
+             !sum_end[PowerW-1] && sum_end != '0}),
     .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
 
   rc_shift_register #(.Width(5), .Stages(AtS3 + Cut - AtS2)) u_kind (
@@ -290,7 +296,7 @@ module rc_sphere #(
   logic             s3_meets, s3_goes, s3_blocked;
   logic [Plain-1:0] s4_disc_q;
 
-  assign s3_meets = s3_nearing && !s3_disc[D-1];
+  assign s3_meets = s3_nearing && !s3_disc[DiscW-1];
   assign s3_goes  = (!s3_own || s3_inside)
                  && (s3_outside ? s3_meets : s3_glass && (s3_on ? s3_nearing : !s3_still));
   assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
@@ -306,7 +312,7 @@ module rc_sphere #(
 
   assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
 
-  if (Plain > D) begin : gen_short_disc
+  if (Plain > DiscW) begin : gen_short_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= Plain'(s3_disc);
   end else begin : gen_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= s3_disc[Plain-1:0];
@@ -331,18 +337,18 @@ module rc_sphere #(
   localparam int unsigned RightLate = (RootSteps - 1 + Every - 1) / Every;
   localparam int unsigned RayLate   = (AtR - 1 - AtS2 + Every - 1) / Every;
 
-  logic [RootW-1:0]    r_root;
-  logic                r_inexact, r_lost;
-  logic [RightW-1:0]   r_right;
-  logic signed [V-1:0] r_along;
-  logic [G-1:0]        r_square;
-  logic [RightW:0]     late_right_lost;
-  logic [V-1:0]        s2_near_along;    // all rays except shadow rays have so many bits
-  logic [G-1:0]        s2_near_square;
-  logic [V+G-1:0]      late_ray;
+  logic [RootW-1:0]            r_root;
+  logic                        r_inexact, r_lost;
+  logic [RightW-1:0]           r_right;
+  logic signed [WayW-1:0]      r_along;
+  logic [NearSquareW-1:0]      r_square;
+  logic [RightW:0]             late_right_lost;
+  logic [WayW-1:0]             s2_near_along;    // all rays except shadow rays have so many bits
+  logic [NearSquareW-1:0]      s2_near_square;
+  logic [WayW+NearSquareW-1:0] late_ray;
 
-  assign s2_near_along  = s2_along_q[V-1:0];
-  assign s2_near_square = s2_square_q[G-1:0];
+  assign s2_near_along  = s2_along_q[WayW-1:0];
+  assign s2_near_square = s2_square_q[NearSquareW-1:0];
 
   rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
     .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
@@ -352,34 +358,34 @@ module rc_sphere #(
     .clk_i, .rst_ni, .come_i(met_q[AtS5]), .leave_i(met_q[AtR-1]), .data_i(s5_right_lost_q),
     .data_o(late_right_lost));
 
-  rc_stage_delay #(.Width(V + G), .Stages(RayLate), .Every(Every)) u_ray (
+  rc_stage_delay #(.Width(WayW + NearSquareW), .Stages(RayLate), .Every(Every)) u_ray (
     .clk_i, .rst_ni, .come_i(there[AtS2]), .leave_i(there[AtR-1]),
     .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
 
-  rc_path_register #(.Width(RightW + 1 + V + G), .Stages(1)) u_late (
+  rc_path_register #(.Width(RightW + 1 + WayW + NearSquareW), .Stages(1)) u_late (
     .clk_i, .data_i({late_right_lost, late_ray}),
     .data_o({r_right, r_lost, r_along, r_square}));
 
   // ---- The way to the near root, -b - r with r rounded down, or to the far root, -b + r with r
   // rounded up.
-  logic [V-1:0]      r_size, w_size, w_back, w_way, w_way_q;
+  logic [WayW-1:0]   r_size, w_size, w_back, w_way, w_way_q;
   logic [RootW:0]    r_up, up;
   logic [RightW-1:0] up_right;
-  logic [V-1:0]      up_back;
-  logic [G-1:0]      up_square, w_square, w_square_q;
+  logic [WayW-1:0]   up_back;
+  logic [NearSquareW-1:0] up_square, w_square, w_square_q;
 
   assign r_up = {1'b0, r_root} + {{RootW{1'b0}}, far_q[AtR] && (r_inexact || r_lost)};
 
-  rc_path_register #(.Width(RootW + 1 + RightW + V + G)) u_up (
+  rc_path_register #(.Width(RootW + 1 + RightW + WayW + NearSquareW)) u_up (
     .clk_i, .data_i({r_up, r_right, -r_along, r_square}),
     .data_o({up, up_right, up_back, up_square}));
 
-  assign r_size = V'(up) << up_right;
+  assign r_size = WayW'(up) << up_right;
 
-  rc_path_register #(.Width(2 * V + G)) u_size (
+  rc_path_register #(.Width(2 * WayW + NearSquareW)) u_size (
     .clk_i, .data_i({r_size, up_back, up_square}), .data_o({w_size, w_back, w_square}));
 
-  rc_addsub #(.Width(V)) u_way (
+  rc_addsub #(.Width(WayW)) u_way (
     .minus_i(!far_q[AtW-1]), .a_i(w_back), .b_i(w_size),
     .sum_o(w_way));
 
@@ -391,51 +397,54 @@ module rc_sphere #(
   end
 
   // ---- Distance: ceil(2^(M-1+F-B) way / d.d), saturated, as in rc_hitdiv.
-  localparam int unsigned Q     = Bits * DivSteps;
+  localparam int unsigned QuoW  = Bits * DivSteps;
   localparam int unsigned Right = N + 3 + B > M ? N + 3 + B - M : 1;   // at least 2: M <= N + B + 1
 
-  logic [V-1:0]   w_above;
-  logic [Q+V-1:0] w_below;
-  logic           w_beyond, d_beyond, d_inexact, d_up, t_up;
-  logic [G-1:0]   d_rem, d_den;
-  logic [Q-1:0]   d_low, d_quo;
-  logic [T-1:0]   t_down, t;
+  logic [WayW-1:0]        w_above;
+  logic [QuoW+WayW-1:0]   w_below;
+  logic                   w_beyond, d_beyond, d_inexact, d_up, t_up;
+  logic [NearSquareW-1:0] d_rem, d_den;
+  logic [QuoW-1:0]        d_low, d_quo;
+  logic [T-1:0]           t_down, t;
 
   assign w_above  = w_way_q >> Right;
-  assign w_below  = {w_way_q, {Q{1'b0}}} >> Right;
-  assign w_beyond = w_above >= {{(V-G){1'b0}}, w_square_q};
+  assign w_below  = {w_way_q, {QuoW{1'b0}}} >> Right;
+  assign w_beyond = w_above >= {{(WayW-NearSquareW){1'b0}}, w_square_q};
 
-  rc_path_register #(.Width(2 * G + Q)) u_first (
-    .clk_i, .data_i({w_beyond && Cut == 0 ? '0 : w_above[G-1:0], w_square_q, w_below[Q-1:0]}),
+  rc_path_register #(.Width(2 * NearSquareW + QuoW)) u_first (
+    .clk_i,
+    .data_i({w_beyond && Cut == 0 ? '0 : w_above[NearSquareW-1:0], w_square_q,
+             w_below[QuoW-1:0]}),
     .data_o({d_rem, d_den, d_low}));
 
   rc_divide #(
-    .Width(G), .Stages(DivSteps), .Bits(Bits), .Every(Every), .Lows(Right < Q ? Right : Q)) u_t (
+    .Width(NearSquareW), .Stages(DivSteps), .Bits(Bits), .Every(Every),
+    .Lows(Right < QuoW ? Right : QuoW)) u_t (
     .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_moves[AtW+Cut]), .rem_i(d_rem),
     .low_i(d_low), .den_i(d_den), .quo_o(d_quo), .inexact_o(d_inexact));
 
   rc_shift_register #(.Width(1), .Stages(AtT - AtW)) u_beyond (
     .clk_i, .valid_i(met_moves[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
 
-  if (Q > T) begin : gen_spare_bit
+  if (QuoW > T) begin : gen_spare_bit
     assign d_up = d_inexact || d_quo[0];
   end else begin : gen_exact_bits
     assign d_up = d_inexact;
   end
 
   rc_path_register #(.Width(T + 1)) u_last (
-    .clk_i, .data_i({d_up, d_quo[Q-1 -: T]}), .data_o({t_up, t_down}));
+    .clk_i, .data_i({d_up, d_quo[QuoW-1 -: T]}), .data_o({t_up, t_down}));
 
   assign t = d_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
 
   // ---- Comparison: t / 2^(M-1+F) against best_num / best_det. Closer, or equally close with a
   // lower number.
-  localparam int unsigned P = T + E > U + M - 1 + F ? T + E : U + M - 1 + F;
+  localparam int unsigned ProductW = T + E > U + M - 1 + F ? T + E : U + M - 1 + F;
 
   logic [T+E-1:0] t_mine;
   logic           t_found, t_first, p_found_q, p_first_q, p_before, last_before;
   logic [U-1:0]   t_num;
-  logic [P-1:0]   p_mine_q, p_theirs_q;
+  logic [ProductW-1:0] p_mine_q, p_theirs_q;
 
   assign best_next_o = there[AtT-1];
 
@@ -454,8 +463,8 @@ module rc_sphere #(
     if (met_moves[AtP-1]) begin
       p_found_q  <= t_found;
       p_first_q  <= t_first;
-      p_mine_q   <= {{(P-T-E){1'b0}}, t_mine};
-      p_theirs_q <= {{(P-U){1'b0}}, t_num} << (M - 1 + F);
+      p_mine_q   <= {{(ProductW-T-E){1'b0}}, t_mine};
+      p_theirs_q <= {{(ProductW-U){1'b0}}, t_num} << (M - 1 + F);
     end
   end
 
@@ -469,12 +478,12 @@ module rc_sphere #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && met_q[AtW-1])
-    a_way_is_ahead: assert (far_q[AtW-1] ? w_size > V'(-w_back) || !w_back[V-1]
-                                         : !w_back[V-1] && w_back > w_size)
+    a_way_is_ahead: assert (far_q[AtW-1] ? w_size > WayW'(-w_back) || !w_back[WayW-1]
+                                         : !w_back[WayW-1] && w_back > w_size)
     else $error("a sphere is met behind the ray's origin");
 `endif
 
   logic unused;
-  assign unused = ^{w_below[Q+V-1:Q], s2_bb, s2_ac, s3_disc, s4_cut, there, moves, up};
+  assign unused = ^{w_below[QuoW+WayW-1:QuoW], s2_bb, s2_ac, s3_disc, s4_cut, there, moves, up};
 endmodule
 `default_nettype wire

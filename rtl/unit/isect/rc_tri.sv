@@ -27,18 +27,18 @@ module rc_tri (
   output rc_pkg::tri_rsp_t rsp_o
 );
   localparam bit          IsSheared = rc_pkg::PrimitiveTest == rc_pkg::TestSheared;
-  localparam int unsigned N    = rc_pkg::CoordBits;
-  localparam int unsigned M    = rc_pkg::DirBits;
-  localparam int unsigned T    = rc_pkg::TBits;
-  localparam int unsigned V    = rc_pkg::UvBits;
-  localparam int unsigned D    = rc_pkg::EdgeBits;   // width of det, u, v
-  localparam int unsigned U    = rc_pkg::NumBits;
-  localparam int unsigned E    = IsSheared ? 2 * N + M + 2 : D;   // width of den
-  localparam int unsigned I    = rc_pkg::RayBits;
-  localparam int unsigned P    = rc_pkg::PrimBits;
-  localparam int unsigned L    = rc_pkg::TriLatency;
-  localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned Mul  = rc_pkg::MulStages;
+  localparam int unsigned N        = rc_pkg::CoordBits;
+  localparam int unsigned M        = rc_pkg::DirBits;
+  localparam int unsigned T        = rc_pkg::TBits;
+  localparam int unsigned V        = rc_pkg::UvBits;
+  localparam int unsigned D        = rc_pkg::EdgeBits;   // width of det, u, v
+  localparam int unsigned U        = rc_pkg::NumBits;
+  localparam int unsigned E        = IsSheared ? 2 * N + M + 2 : D;   // width of den
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned P        = rc_pkg::PrimBits;
+  localparam int unsigned Latency  = rc_pkg::TriLatency;
+  localparam int unsigned Cut      = rc_pkg::Cut;
+  localparam int unsigned Mul      = rc_pkg::MulStages;
   localparam int unsigned Share    = rc_pkg::PairShare;    // products or parts, per multiplier
   localparam int unsigned Pair     = rc_pkg::PairStages;   // of a pair of products, without Mul
   localparam int unsigned Interval = rc_pkg::TriInterval;
@@ -52,23 +52,23 @@ module rc_tri (
   localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
   localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
-  localparam int unsigned Extra = L - Core;
+  localparam int unsigned Extra = Latency - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
   localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
   localparam int unsigned HitW   = TailW + T + 2 * V;
 
-  if (L < Core) begin : gen_refuse
+  if (Latency < Core) begin : gen_refuse
     $error("rc_tri: TriLatency must be at least Core");
   end
 
   // ---- Admission: an answer has a place in the result queue. valid[i]: stage i holds a primitive.
-  logic         admit;
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic               admit;
+  logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
 
   assign valid = {valid_q, admit};
 
-  rc_credited_pipeline #(.Credits(rc_pkg::TriQueue), .Stages(L)) u_stages (
+  rc_credited_pipeline #(.Credits(rc_pkg::TriQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
@@ -79,9 +79,9 @@ module rc_tri (
   end
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [L:0] moves;
+  logic [Latency:0] moves;
 
-  assign moves = valid | {(L+1){Cut != 0}};
+  assign moves = valid | {(Latency+1){Cut != 0}};
 
   // The request.
   rc_pkg::tri_req_t           in;
@@ -94,8 +94,8 @@ module rc_tri (
 
   logic [I-1:0] end_ray;
 
-  rc_interval_delay #(.Width(I), .Stages(L - In), .Every(Interval)) u_ray (
-    .clk_i, .rst_ni, .valid_i(moves[L-1:In]), .there_i(valid[L-1:In]), .data_i(in.ray),
+  rc_interval_delay #(.Width(I), .Stages(Latency - In), .Every(Interval)) u_ray (
+    .clk_i, .rst_ni, .valid_i(moves[Latency-1:In]), .there_i(valid[Latency-1:In]), .data_i(in.ray),
     .data_o(end_ray));
 
   // ---- Stages up to Front: the ray and the primitive, and whether they meet. num / den is t; num
@@ -429,7 +429,7 @@ module rc_tri (
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
     rc_shift_register #(.Width(HitW + 1), .Stages(Extra)) u_end (
-      .clk_i, .valid_i(moves[L-1:Core]), .data_i({closer, blocked, hit}),
+      .clk_i, .valid_i(moves[Latency-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
@@ -441,13 +441,13 @@ module rc_tri (
                                  : {end_ray, end_blocked, {(HitW-1){1'b0}}};
 
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
+    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
 
   assign rsp_o = rsp_data;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni && valid_q[L-1])
+  always_ff @(posedge clk_i) if (rst_ni && valid_q[Latency-1])
     a_never_dropped: assert (queue_ready)
     else $error("an answer met a full queue");
 
@@ -456,7 +456,7 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[L], moves, goes, in_flat, in_leaves, in_far, in_plane,
+  assign unused = ^{queue_ready, valid[Latency], moves, goes, in_flat, in_leaves, in_far, in_plane,
                     in_sphere, pre_back};
 endmodule
 `default_nettype wire

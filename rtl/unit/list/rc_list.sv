@@ -61,15 +61,15 @@ module rc_list (
   input  logic              closest_ready_i,
   output rc_pkg::closest_t  closest_o
 );
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned O  = rc_pkg::OffsetBits;
-  localparam int unsigned C  = rc_pkg::CountBits;
-  localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned S  = rc_pkg::SlotBits;
-  localparam int unsigned W  = rc_pkg::NodeWidth;
-  localparam int unsigned TB = rc_pkg::TBits;
-  localparam int unsigned T  = rc_pkg::Contexts;
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned A        = rc_pkg::AddrBits;
+  localparam int unsigned O        = rc_pkg::OffsetBits;
+  localparam int unsigned C        = rc_pkg::CountBits;
+  localparam int unsigned G        = rc_pkg::GroupBits;
+  localparam int unsigned S        = rc_pkg::SlotBits;
+  localparam int unsigned W        = rc_pkg::NodeWidth;
+  localparam int unsigned T        = rc_pkg::TBits;
+  localparam int unsigned Contexts = rc_pkg::Contexts;
 
   // ---- The two events of a cycle: leaves from trav (in), an answer from tri (came). In a fast
   // chip the answer is in a register first.
@@ -97,7 +97,7 @@ module rc_list (
 
   logic                it_fires, it_closer;
   logic [I-1:0]        it_ray;
-  logic [TB-1:0]       it_came_t;
+  logic [T-1:0]        it_came_t;
   rc_pkg::best_t       came_best;
   logic [BestW-1:0]    it_best;
   rc_pkg::kept_hit_t   came_hit;
@@ -117,40 +117,40 @@ module rc_list (
 
   rc_pulse_register u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
   rc_pulse_register u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
-  rc_path_register #(.Width(I + TB + BestW + KeptHitW)) u_it_kept (
+  rc_path_register #(.Width(I + T + BestW + KeptHitW)) u_it_kept (
     .clk_i, .data_i({came.ray, came.t, came_best, came_hit}),
     .data_o({it_ray, it_came_t, it_best, it_hit}));
 
   // ---- Best hits. found: the memories hold a hit of the ray.
-  logic [I-1:0] start_ray;
-  logic [T-1:0] found;
-  logic         ends_at_any, it_blocked;
+  logic [I-1:0]        start_ray;
+  logic [Contexts-1:0] found;
+  logic                ends_at_any, it_blocked;
 
   assign start_ray  = start_i.ray;
   assign it_blocked = it_closer && ends_at_any;
 
-  rc_flags #(.Flags(T)) u_is_found (
+  rc_flags #(.Flags(Contexts)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(it_closer), .set_at_i(it_ray), .flags_o(found));
 
   if (rc_pkg::Shading != 0) begin : gen_kinds
-    logic         to_light;
-    logic [T-1:0] any_hit;   // rays that any hit ends
+    logic                to_light;
+    logic [Contexts-1:0] any_hit;   // rays that any hit ends
 
     assign to_light = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
-    rc_bit_array #(.Marks(T)) u_any (
+    rc_bit_array #(.Marks(Contexts)) u_any (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(to_light),
       .marks_o(any_hit));
-    rc_bit_select #(.Flags(T)) u_ends_at_any (
+    rc_bit_select #(.Flags(Contexts)) u_ends_at_any (
       .clk_i, .flags_i(any_hit), .index_i(came.ray), .flag_o(ends_at_any));
   end else begin : gen_camera
     assign ends_at_any = 1'b0;
   end
 
   // ---- Distances to beat.
-  logic [TB-1:0]   old_t;   // of came; in a fast chip one cycle later
-  logic [2*TB-1:0] nears;   // nearest points of the leaves that may follow
-  logic [1:0]      it_within, old_within;
+  logic [T-1:0]   old_t;   // of came; in a fast chip one cycle later
+  logic [2*T-1:0] nears;   // nearest points of the leaves that may follow
+  logic [1:0]     it_within, old_within;
 
   rc_ray_t_max #(.Nears(2)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
@@ -168,13 +168,13 @@ module rc_list (
   assign in_group.offset = in.offset;
   assign in_group.count  = in.count;
 
-  rc_ram_prefetch #(.Width(GroupW), .Depth(T)) u_group (
+  rc_ram_prefetch #(.Width(GroupW), .Depth(Contexts)) u_group (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
     .write_data_i(in_group), .head_addr_i(came.ray),
     .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
 
   // ---- Cursors: leaf and triangle in flight per ray. They are 0, 0 until tri has answered once.
-  logic [T-1:0] moved;
+  logic [Contexts-1:0] moved;
   logic [S-1:0]   cursor_leaf, next_leaf;
   logic [C-1:0]   cursor_triangle, next_triangle;
   logic [S+C-1:0] cursor, it_cursor;
@@ -182,27 +182,27 @@ module rc_list (
   logic           end_fires;
   logic [I-1:0]   end_ray;
 
-  rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
+  rc_ram #(.Width(S + C), .Depth(Contexts)) u_cursor (
     .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
     .write_data_i({next_leaf, next_triangle}),
     .read_addr_i(came.ray), .read_data_o(cursor));
 
-  rc_flags #(.Flags(T)) u_moved (
+  rc_flags #(.Flags(Contexts)) u_moved (
     .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
     .set_i(it_fires), .set_at_i(it_ray), .flags_o(moved));
 
-  rc_bit_select #(.Flags(T)) u_was_moved (
+  rc_bit_select #(.Flags(Contexts)) u_was_moved (
     .clk_i, .flags_i(moved), .index_i(came.ray), .flag_o(was_moved));
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. A fast
   // chip reads the ray's state in two cycles, compares in one, and sends in one.
-  logic            end_blocked;
-  logic [TB-1:0]   it_t, end_t;
-  logic [A-1:0]    end_base;
-  logic [G-1:0]    group_leaves;
-  logic [W*TB-1:0] group_near;
-  logic [W*O-1:0]  group_offset;
-  logic [W*C-1:0]  group_count;
+  logic           end_blocked;
+  logic [T-1:0]   it_t, end_t;
+  logic [A-1:0]   end_base;
+  logic [G-1:0]   group_leaves;
+  logic [W*T-1:0] group_near;
+  logic [W*O-1:0] group_offset;
+  logic [W*C-1:0] group_count;
 
   rc_path_register #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
 
@@ -226,13 +226,13 @@ module rc_list (
   logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
 
   // Whether another leaf follows: computed for both cursors, because the selection is known late.
-  logic [TB-1:0] it_near;
-  logic          more_after_it, more_after_first;
+  logic [T-1:0] it_near;
+  logic         more_after_it, more_after_first;
 
   assign it_leaf     = it_cursor[C +: S];
   assign it_next     = it_leaf + S'(1);
-  assign nears       = {it_near, group_near[TB +: TB]};
-  assign it_within   = it_closer ? {it_near <= it_came_t, nears[TB-1:0] <= it_came_t} : old_within;
+  assign nears       = {it_near, group_near[T +: T]};
+  assign it_within   = it_closer ? {it_near <= it_came_t, nears[T-1:0] <= it_came_t} : old_within;
 
   always_comb begin
     leaf_count  = '0;
@@ -243,7 +243,7 @@ module rc_list (
       if (cursor_leaf == S'(i)) leaf_count  = leaf_count | group_count[i*C +: C];
       if (cursor_leaf == S'(i)) this_offset = this_offset | group_offset[i*O +: O];
       if (at_next == S'(i))     next_offset = next_offset | group_offset[i*O +: O];
-      if (it_next == S'(i))     it_near     = it_near | group_near[i*TB +: TB];
+      if (it_next == S'(i))     it_near     = it_near | group_near[i*T +: T];
     end
   end
 
@@ -253,7 +253,7 @@ module rc_list (
   assign more_after_first = group_leaves > G'(1) && it_within[0];
   assign more_leaves      = was_moved ? more_after_it : more_after_first;
 
-  rc_path_register #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
+  rc_path_register #(.Width(I + 3 + T + A + S + C + 2 * O)) u_end (
     .clk_i,
     .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group.base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
@@ -276,10 +276,10 @@ module rc_list (
       + {{(A+1-C){1'b0}}, next_triangle};
   assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in.offset[O-1:0]};
 
-  rc_queue #(.Width(I + A + 1), .Depth(T)) u_next (
+  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_next (
     .clk_i, .rst_ni, .push_i(end_fires && tri_prim), .data_i({end_ray, next_addr}),
     .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
-  rc_queue #(.Width(I + A + 1), .Depth(T)) u_first (
+  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_first (
     .clk_i, .rst_ni, .push_i(in_fires), .data_i({in.ray, first_addr}),
     .valid_o(first_valid), .pop_i(first_valid && first_ready), .data_o(first_data));
 
@@ -298,7 +298,7 @@ module rc_list (
     assign ended.stop = end_blocked;
   end
 
-  rc_queue #(.Width(rc_pkg::TestedW), .Depth(T)) u_tested (
+  rc_queue #(.Width(rc_pkg::TestedW), .Depth(Contexts)) u_tested (
     .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i(ended),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i), .data_o(tested_o));
 
@@ -341,7 +341,7 @@ module rc_list (
   end
 
   if (rc_pkg::Planes != 0 && rc_pkg::Homes == 1) begin : gen_kept_partial
-    rc_ram #(.Width(1), .Depth(T)) u_partial (
+    rc_ram #(.Width(1), .Depth(Contexts)) u_partial (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_i.is_partial),
       .read_addr_i(change_i.ray), .read_data_o(ray_for_tri.is_partial));
   end else if (rc_pkg::Planes != 0) begin : gen_partial
@@ -349,7 +349,7 @@ module rc_list (
   end
 
   if (rc_pkg::Spheres != 0 && rc_pkg::Homes == 1) begin : gen_kept_self
-    rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(T)) u_self (
+    rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(Contexts)) u_self (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
       .write_data_i({ray_i.self, ray_i.is_inside}), .read_addr_i(change_i.ray),
       .read_data_o({ray_for_tri.self, ray_for_tri.is_inside}));
@@ -363,12 +363,12 @@ module rc_list (
   rc_path_register #(.Width(I + TriRayW)) u_keeps_ray (
     .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
 
-  rc_ram_prefetch #(.Width(TriRayW), .Depth(T)) u_ray (
+  rc_ram_prefetch #(.Width(TriRayW), .Depth(Contexts)) u_ray (
     .clk_i, .rst_ni, .write_i(keeps), .write_addr_i(keeps_ray), .write_data_i(keeps_for_tri),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_ray));
 
-  rc_ram_prefetch #(.Width(BestW), .Depth(T)) u_best (
+  rc_ram_prefetch #(.Width(BestW), .Depth(Contexts)) u_best (
     .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_best));
@@ -387,9 +387,9 @@ module rc_list (
       asked_ray_q <= prim_req_o.ray;
     end
 
-    rc_bit_select #(.Flags(T)) u_was_found (
+    rc_bit_select #(.Flags(Contexts)) u_was_found (
       .clk_i, .flags_i(found), .index_i(prim_req_o.ray), .flag_o(was_found));
-    rc_ram #(.Width(1), .Depth(T)) u_was (
+    rc_ram #(.Width(1), .Depth(Contexts)) u_was (
       .clk_i, .write_i(asked_q), .write_addr_i(asked_ray_q), .write_data_i(was_found),
       .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_found));
 
@@ -411,7 +411,7 @@ module rc_list (
   end else begin : gen_scene_number
     logic [rc_pkg::PrimBits-1:0] first_number;
 
-    rc_ram_prefetch #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
+    rc_ram_prefetch #(.Width(rc_pkg::PrimBits), .Depth(Contexts)) u_first_number (
       .clk_i, .rst_ni, .write_i(change_fires_i), .write_addr_i(change_i.ray),
       .write_data_i(change_i.first), .head_addr_i(prim_rsp_i.ray),
       .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i), .read_data_o(first_number));
@@ -443,7 +443,7 @@ module rc_list (
   rc_path_register #(.Width(I + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
     .clk_i, .data_i({it_ray, it_hit}), .data_o({kept_ray, kept_hit}));
 
-  rc_ram_prefetch #(.Width(KeptHitW), .Depth(T)) u_hit (
+  rc_ram_prefetch #(.Width(KeptHitW), .Depth(Contexts)) u_hit (
     .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_hit),
     .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
     .read_data_o(end_hit));
@@ -464,10 +464,10 @@ module rc_list (
     logic [A-1:0] here, it_here, end_place;
 
     rc_path_register #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
-    rc_ram #(.Width(A), .Depth(T)) u_here (
+    rc_ram #(.Width(A), .Depth(Contexts)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
       .read_addr_i(came.ray), .read_data_o(here));
-    rc_ram_prefetch #(.Width(A), .Depth(T)) u_place (
+    rc_ram_prefetch #(.Width(A), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
       .read_data_o(end_place));
@@ -475,7 +475,7 @@ module rc_list (
     assign closest_o.place = is_found ? end_place : '0;
   end
 
-  rc_bit_prefetch #(.Flags(T)) u_was_best (
+  rc_bit_prefetch #(.Flags(Contexts)) u_was_best (
     .clk_i, .rst_ni, .flags_i(found), .head_valid_i(done_valid_i), .head_i(done_i.ray),
     .next_fires_i(done_next_fires_i), .next_i(done_next_i.ray), .flag_o(is_found));
 

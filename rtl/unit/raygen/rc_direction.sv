@@ -11,38 +11,38 @@
 // short.
 `default_nettype none
 module rc_direction #(
-  parameter  int unsigned G = rc_pkg::GuardDirBits,   // of a sum, with G - DirBits fraction bits
-  localparam int unsigned M = rc_pkg::DirBits,
-  localparam int unsigned L = rc_pkg::DirectionStages
+  parameter  int unsigned G      = rc_pkg::GuardDirBits,   // a sum, with G - DirBits fraction bits
+  localparam int unsigned M      = rc_pkg::DirBits,
+  localparam int unsigned Stages = rc_pkg::DirectionStages
 ) (
   input  logic           clk_i,
-  input  logic [L-1:0]   valid_i,   // valid_i[i]: stage i holds a ray
+  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a ray
   input  logic [3*G-1:0] sum_i,
   output logic [3*M-1:0] dir_o
 );
-  localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned Most = rc_pkg::MostShift;
-  localparam int unsigned S    = $clog2(Most + 1);
+  localparam int unsigned Cut    = rc_pkg::Cut;
+  localparam int unsigned Most   = rc_pkg::MostShift;
+  localparam int unsigned ShiftW = $clog2(Most + 1);
 
   // s0: the bits that differ from the sign in any component, and the free bits above them.
   logic [3*G-1:0] s0_sum;
 
   rc_path_register #(.Width(3 * G)) u_sum (.clk_i, .data_i(sum_i), .data_o(s0_sum));
 
-  logic [G-2:0] s0_used;
-  logic [S-1:0] s0_shift;
+  logic [G-2:0]      s0_used;
+  logic [ShiftW-1:0] s0_shift;
 
   always_comb begin
     s0_used = '0;
     for (int k = 0; k < 3; k++) begin
       s0_used = s0_used | (s0_sum[k*G +: G-1] ^ {(G-1){s0_sum[k*G+G-1]}});
     end
-    s0_shift = S'(Most);
-    for (int i = Most - 1; i >= 0; i--) if (s0_used[G-2-i]) s0_shift = S'(i);
+    s0_shift = ShiftW'(Most);
+    for (int i = Most - 1; i >= 0; i--) if (s0_used[G-2-i]) s0_shift = ShiftW'(i);
   end
 
-  logic [3*G-1:0] s1_sum_q;
-  logic [S-1:0]   s1_shift_q;
+  logic [3*G-1:0]    s1_sum_q;
+  logic [ShiftW-1:0] s1_shift_q;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Cut]) begin

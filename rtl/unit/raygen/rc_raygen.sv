@@ -33,9 +33,9 @@ module rc_raygen (
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
   localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // stages of rc_sample
-  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
-  localparam int unsigned Q       = P + 1 + SubBits;                     // position, signed
+  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? rc_pkg::SampleStages : 0;
+  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? rc_pkg::SubPixelBits : 0;
+  localparam int unsigned Q       = P + 1 + SubBits;   // position, signed
   localparam int unsigned GD      = rc_pkg::GuardDirBits;
   localparam int unsigned G       = GD + SubBits;
   localparam int unsigned RecipL  = rc_pkg::RecipStages;
@@ -43,7 +43,7 @@ module rc_raygen (
   // Stages that hold the pixel's steps, and the ray's direction.
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
-  // A chip for streams, which has no rc_raygen, has a shorter latency: tools read this all the same.
+  // RaygenLatency of a chip for streams, which has no rc_raygen, is shorter; tools read this too.
   localparam int unsigned Latency = rc_pkg::Streams != 0 ? Dir + RecipL : rc_pkg::RaygenLatency;
 
   // s0: requests. A new pixel is a camera ray through its first sample.
@@ -114,11 +114,11 @@ module rc_raygen (
   assign frame_flat = frame_i;
 
   if (rc_pkg::Supersampling != 0) begin : gen_sample
-    logic signed [7:0] offset_x, offset_y;
-    logic [P-1:0]      wait_x, wait_y;
+    logic signed [SubBits-1:0] offset_x, offset_y;
+    logic [P-1:0]              wait_x, wait_y;
 
     rc_sample u_sample (
-      .clk_i, .valid_i(moves[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
+      .clk_i, .valid_i(moves[SampleL-1:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
       .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
       .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
@@ -126,8 +126,8 @@ module rc_raygen (
     rc_shift_register #(.Width(2 * P), .Stages(SampleL)) u_pixel (
       .clk_i, .valid_i(moves[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
 
-    assign x = $signed({1'b0, wait_x, 8'd0}) + Q'(offset_x);
-    assign y = $signed({1'b0, wait_y, 8'd0}) + Q'(offset_y);
+    assign x = $signed({1'b0, wait_x, {SubBits{1'b0}}}) + Q'(offset_x);
+    assign y = $signed({1'b0, wait_y, {SubBits{1'b0}}}) + Q'(offset_y);
   end else begin : gen_middle
     assign x = $signed({1'b0, req.x});
     assign y = $signed({1'b0, req.y});

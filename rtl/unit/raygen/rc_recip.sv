@@ -19,20 +19,21 @@ module rc_recip #(
   output logic [rc_pkg::RecipBits:0]           recip_o,
   output logic [rc_pkg::ExpBits-1:0]           len_o
 );
-  localparam int unsigned M      = rc_pkg::RayDirBits;
-  localparam int unsigned R      = rc_pkg::RecipBits;
-  localparam int unsigned E      = rc_pkg::ExpBits;
-  localparam int unsigned L      = rc_pkg::RecipStages;
-  localparam int unsigned Bits   = rc_pkg::QuotientBits;
-  localparam int unsigned Moved  = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
-  localparam int unsigned Stages = L - Moved;             // of the division
+  localparam int unsigned M         = rc_pkg::RayDirBits;
+  localparam int unsigned R         = rc_pkg::RecipBits;
+  localparam int unsigned E         = rc_pkg::ExpBits;
+  localparam int unsigned Stages    = rc_pkg::RecipStages;
+  localparam int unsigned Bits      = rc_pkg::QuotientBits;
+  localparam int unsigned Moved     = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
+  localparam int unsigned DivStages = Stages - Moved;        // of the division
 
-  // valid[i]: stage i holds a component.
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  // valid[i]: stage i holds a component. After a reset none does: a ring (rc_stage_delay) counts
+  // them, and the shortest reset takes fewer cycles than there are stages.
+  logic [Stages-1:0] valid_q;
+  logic [Stages:0]   valid;
 
   assign valid = {valid_q, valid_i};
-  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+  always_ff @(posedge clk_i) valid_q <= rst_ni ? valid[Stages-1:0] : '0;
 
   // Magnitude.
   logic [M-1:0] s0_mag, mag;
@@ -43,8 +44,8 @@ module rc_recip #(
   rc_path_register #(.Width(M + 1)) u_mag (
     .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
 
-  // Its bit length, and the left shift that sets its top bit.
-  logic [E-1:0] mag_len, mag_up, len, len_told, len_up;
+  // Its bit length, and the left shift that sets its top bit. len_full counts as for full width.
+  logic [E-1:0] mag_len, mag_up, len, len_full, len_up;
   logic [M-1:0] len_mag;
   logic         mag_power, len_power;   // a power of two, or zero
   logic         len_short;
@@ -68,19 +69,19 @@ module rc_recip #(
     .clk_i, .data_i({mag, mag_short, mag_len, mag_up, mag_power}),
     .data_o({len_mag, len_short, len, len_up, len_power}));
 
-  assign len_told = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
+  assign len_full = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
 
   // The shift, first by multiples of four, then by the remaining two bits.
   logic [M-1:0] coarse_mag, coarse, fine_m;
-  logic [E-1:0] coarse_told;
+  logic [E-1:0] coarse_full;
   logic [1:0]   coarse_up;
   logic         coarse_power;
 
   assign coarse_mag = len_mag << {len_up[E-1:2], 2'b00};
 
   rc_path_register #(.Width(M + E + 3)) u_coarse (
-    .clk_i, .data_i({coarse_mag, len_told, len_up[1:0], len_power}),
-    .data_o({coarse, coarse_told, coarse_up, coarse_power}));
+    .clk_i, .data_i({coarse_mag, len_full, len_up[1:0], len_power}),
+    .data_o({coarse, coarse_full, coarse_up, coarse_power}));
 
   assign fine_m = coarse << coarse_up;
 
@@ -92,7 +93,7 @@ module rc_recip #(
   always_ff @(posedge clk_i) begin
     if (valid[Moved-1]) begin
       m_q   <= fine_m;
-      len_q <= coarse_told;
+      len_q <= coarse_full;
       top_q <= coarse_power;
       rem_q <= coarse_power ? '0 : {1'b1, {(M-1){1'b0}}};
     end
@@ -100,23 +101,23 @@ module rc_recip #(
 
   // The other R bits. With two bits per stage and an odd R there is one bit too many, dropped
   // below.
-  logic [Bits*Stages-1:0] quo;
-  logic                   inexact;
+  logic [Bits*DivStages-1:0] quo;
+  logic                      inexact;
 
-  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
-    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*Stages)'(0)),
+  rc_divide #(.Width(M), .Stages(DivStages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
+    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i((Bits*DivStages)'(0)),
     .den_i(m_q), .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit are delayed to match the divider.
   logic top;
 
-  rc_interval_delay #(.Width(E + 1), .Stages(Stages), .Every(Every)) u_wait (
-    .clk_i, .rst_ni, .valid_i(valid[L-1:Moved]), .there_i(valid[L-1:Moved]),
+  rc_interval_delay #(.Width(E + 1), .Stages(DivStages), .Every(Every)) u_wait (
+    .clk_i, .rst_ni, .valid_i(valid[Stages-1:Moved]), .there_i(valid[Stages-1:Moved]),
     .data_i({top_q, len_q}), .data_o({top, len_o}));
 
-  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*Stages-1 -: R]};
+  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*DivStages-1 -: R]};
 
   logic unused;
-  assign unused = ^{inexact, quo[0], valid[L]};
+  assign unused = ^{inexact, quo[0], valid[Stages]};
 endmodule
 `default_nettype wire

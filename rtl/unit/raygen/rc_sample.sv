@@ -4,16 +4,18 @@
 // middle. With jitter a hash of seed, pixel and sample gives its place in the cell. The hash is
 // Jenkins's one at a time (1997), over the words x, y and s.
 //
-// Latency 4, throughput 1 per cycle, no stall; stage i works when valid_i[i] is set. Model:
-// sample_offset() in model/scene/whitted.cpp. The host ensures that side is in 1..8, stride at most
-// side, and s below side^2.
+// Latency rc_pkg::SampleStages, throughput 1 per cycle, no stall; stage i works when valid_i[i] is
+// set. Model: sample_offset() in model/scene/whitted.cpp. The host ensures that side is in 1..8,
+// stride at most side, and s below side^2.
 `default_nettype none
 module rc_sample #(
-  localparam int unsigned P = rc_pkg::PixelBits,
-  localparam int unsigned S = rc_pkg::SampleBits
+  localparam int unsigned P       = rc_pkg::PixelBits,
+  localparam int unsigned S       = rc_pkg::SampleBits,
+  localparam int unsigned Stages  = rc_pkg::SampleStages,
+  localparam int unsigned SubBits = rc_pkg::SubPixelBits
 ) (
   input  logic              clk_i,
-  input  logic [3:0]        valid_i,
+  input  logic [Stages-1:0] valid_i,
   // From the frame
   input  logic [3:0]        side_i,
   input  logic [S-1:0]      stride_i,
@@ -24,9 +26,12 @@ module rc_sample #(
   input  logic [P-1:0]      y_i,
   input  logic [S-1:0]      sample_i,
   // Position
-  output logic signed [7:0] x_o,       // right
-  output logic signed [7:0] y_o        // down
+  output logic signed [SubBits-1:0] x_o,   // right
+  output logic signed [SubBits-1:0] y_o    // down
 );
+  if (Stages != 4 || SubBits != 8) begin : gen_refuse
+    $error("rc_sample: its stages and widths are those of model/core");
+  end
 
   // Mixes one word into the hash.
   function automatic logic [31:0] mix(input logic [31:0] h, input logic [31:0] word);
@@ -121,7 +126,7 @@ module rc_sample #(
   always_ff @(posedge clk_i) begin
     if (valid_i[3]) begin
       x_o <= {~s3_over_x[21], s3_over_x[20:14]};
-      y_o  <= {~s3_over_y[21], s3_over_y[20:14]};
+      y_o <= {~s3_over_y[21], s3_over_y[20:14]};
     end
   end
 

@@ -16,7 +16,7 @@ module rc_dispatch (
   output logic [rc_pkg::Pipelines-1:0] tile_fires_o,
   output rc_pkg::tile_t                tile_o,
   // What it did: rc_pkg::dispatch_cause_e
-  output logic [2:0]                   cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned PB = P < 2 ? 1 : $clog2(P);

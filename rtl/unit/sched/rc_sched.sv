@@ -32,15 +32,15 @@ module rc_sched (
   input  logic             hit_ready_i,
   output rc_pkg::hit_t     hit_o,
   // What it did: rc_pkg::sched_cause_e
-  output logic [2:0]       cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned P  = rc_pkg::PixelBits;
-  localparam int unsigned T  = rc_pkg::Contexts;
-  localparam int unsigned K  = rc_pkg::TileBits;
-  localparam int unsigned AW = K == 0 ? 1 : 2 * K;
-  localparam logic [2:0] Stalled = rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream
-                                                        : rc_pkg::SchedStalledRaygen;
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned P        = rc_pkg::PixelBits;
+  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned K        = rc_pkg::TileBits;
+  localparam int unsigned AW       = K == 0 ? 1 : 2 * K;
+  localparam logic [rc_pkg::CauseBits-1:0] Stalled =
+      rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream : rc_pkg::SchedStalledRaygen;
 
   // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
   // The tile's position relative to the picture, inside or on the edge, is computed when the tile
@@ -138,7 +138,7 @@ module rc_sched (
   logic         fresh, freed, free_valid;
   logic [I-1:0] free_ray, slot_ray;
 
-  assign fresh        = started_q != (I+1)'(T);
+  assign fresh        = started_q != (I+1)'(Contexts);
   assign slot_valid_o = at_hand && (fresh || free_valid);
   assign slot_ray     = fresh ? started_q[I-1:0] : free_ray;
   assign slot_o       = {slot_ray, x, y};
@@ -150,14 +150,14 @@ module rc_sched (
     else if (give && fresh) started_q <= started_q + 1'b1;
   end
 
-  rc_queue #(.Width(I), .Depth(T)) u_free (
+  rc_queue #(.Width(I), .Depth(Contexts)) u_free (
     .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),
     .valid_o(free_valid), .pop_i(give && !fresh), .data_o(free_ray));
 
   // ---- Finished pixels get their position.
   logic [2*P-1:0] place;
 
-  rc_ram #(.Width(2 * P), .Depth(T)) u_pixel (
+  rc_ram #(.Width(2 * P), .Depth(Contexts)) u_pixel (
     .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x, y}),
     .read_addr_i(pixel_i.ray), .read_data_o(place));
 

@@ -41,7 +41,9 @@ module rc_ambient #(
   rc_shift_register #(.Width(VB + CB), .Stages(6)) u_weighted (
     .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
 
-  localparam int unsigned Q = VB + 2 * CB;   // a product
+  localparam int unsigned Q    = VB + 2 * CB;             // a product
+  localparam int unsigned Drop = 2 * rc_pkg::ShareBits;   // fraction bits that it loses
+  localparam logic [Q-1:0] Half = Q'(1) << (Drop - 1);
   logic [3*Q-1:0] s6_product;
 
   rc_mul_held #(.AW(VB + CB), .BW(CB), .Signed(1'b0), .Products(3)) u_products (
@@ -66,11 +68,11 @@ module rc_ambient #(
       if (valid_i[6]) s7_ambient_q <= s6_product[k*Q +: Q];
     end
 
-    assign rounded = s7_ambient_q + 43'h800000;
-    assign s7_ambient_o[k*VB +: VB] = rounded[40:24];
+    assign rounded = s7_ambient_q + Half;
+    assign s7_ambient_o[k*VB +: VB] = rounded[Drop +: VB];
 
     logic unused;
-    assign unused = ^{between[0], rounded[42:41], rounded[23:0]};
+    assign unused = ^{between[0], rounded[Q-1:Drop+VB], rounded[Drop-1:0]};
   end
 
   logic unused;

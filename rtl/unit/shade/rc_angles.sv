@@ -72,16 +72,17 @@ module rc_angles #(
   end
 
   // Cosines: sums of the products, rounded to nearest, halves up.
+  localparam logic signed [37:0] Half = 38'(rc_pkg::ProductHalf);
   logic signed [37:0] s14_cosine, s14_mirror;
 
   assign s14_cosine = 38'($signed(s14_cosine_q[0 +: 36])) + 38'($signed(s14_cosine_q[36 +: 36]))
-      + 38'($signed(s14_cosine_q[72 +: 36])) + 38'sh8000;
+      + 38'($signed(s14_cosine_q[72 +: 36])) + Half;
   assign s14_mirror = 38'($signed(s14_mirror_q[0 +: 36])) + 38'($signed(s14_mirror_q[36 +: 36]))
-      + 38'($signed(s14_mirror_q[72 +: 36])) + 38'sh8000;
+      + 38'($signed(s14_mirror_q[72 +: 36])) + Half;
 
   always_ff @(posedge clk_i) begin
     if (surf_i[14] || light_i[14])
-      s15_cosine_o <= s14_cosine[37] ? '0 : s14_cosine[36:32] != '0 ? 17'h10000
+      s15_cosine_o <= s14_cosine[37] ? '0 : s14_cosine[36:32] != '0 ? rc_pkg::ValueOne
                     : {1'b0, s14_cosine[31:16]};
     if (light_i[14]) s15_mirror_o <= s14_mirror[34:16];
   end

@@ -31,32 +31,32 @@ module rc_approach #(
   localparam int unsigned Every = rc_pkg::ShadeInterval;
 
   // Width of a point on the ray: all steps together are 2^(Shift + Steps) directions.
-  localparam int unsigned Reach = Shift + Steps + M - 1;
-  localparam int unsigned Q     = (Reach > PW ? Reach : PW) + 2;
+  localparam int unsigned Reach  = Shift + Steps + M - 1;
+  localparam int unsigned PlaceW = (Reach > PW ? Reach : PW) + 2;
 
-  localparam logic signed [Q-1:0] End = Q'(((65'(1) << (N - 1)) - 65'd1) << B);
+  localparam logic signed [PlaceW-1:0] End = PlaceW'(((65'(1) << (N - 1)) - 65'd1) << B);
 
-  localparam int unsigned R     = Reach + 1;   // of twice a way
+  localparam int unsigned TwiceW = Reach + 1;   // of twice a way
 
   // State between steps: the depth of the point, twice the way of the next step, and whether the
   // ray runs downwards. After the last step it is the way of that step, not twice the way.
-  logic [3*Q-1:0] s15_depth, first_depth, last_depth;
-  logic [3*R-1:0] s15_twice, first_twice, last_way;
-  logic [2:0]     s15_down, first_down, last_down;
+  logic [3*PlaceW-1:0] s15_depth, first_depth, last_depth;
+  logic [3*TwiceW-1:0] s15_twice, first_twice, last_way;
+  logic [2:0]          s15_down, first_down, last_down;
 
   for (genvar k = 0; k < 3; k++) begin : gen_first
-    logic signed [Q-1:0] p;
-    logic [M-1:0]        d, size;
+    logic signed [PlaceW-1:0] p;
+    logic [M-1:0]             d, size;
 
-    assign p           = Q'($signed(s15_p_i[k*PW +: PW]));
+    assign p           = PlaceW'($signed(s15_p_i[k*PW +: PW]));
     assign d           = s15_d_i[k*M +: M];
     assign s15_down[k] = d[M-1];
-    assign s15_depth[k*Q +: Q] = d[M-1] ? End - p : p + End;
+    assign s15_depth[k*PlaceW +: PlaceW] = d[M-1] ? End - p : p + End;
     assign size        = d[M-1] ? -d : d;
-    assign s15_twice[k*R +: R] = R'(size) << (Shift + Steps);
+    assign s15_twice[k*TwiceW +: TwiceW] = TwiceW'(size) << (Shift + Steps);
   end
 
-  rc_path_register #(.Width(3 * (Q + R + 1)), .Stages(rc_pkg::ShadeCut)) u_first (
+  rc_path_register #(.Width(3 * (PlaceW + TwiceW + 1)), .Stages(rc_pkg::ShadeCut)) u_first (
     .clk_i, .data_i({s15_depth, s15_twice, s15_down}),
     .data_o({first_depth, first_twice, first_down}));
 
@@ -80,10 +80,10 @@ module rc_approach #(
 
   // Steps: a step is made if, after it, a slab still lies ahead.
   for (genvar i = 0; i <= Last; i++) begin : gen_stage
-    logic [3*Q-1:0] depth, from, next, depth_q;
-    logic [3*R-1:0] twice, now, twice_q;
-    logic [2:0]     down, down_q, ahead;   // ahead: the slab of axis k lies ahead of `next`
-    logic           comes;
+    logic [3*PlaceW-1:0] depth, from, next, depth_q;
+    logic [3*TwiceW-1:0] twice, now, twice_q;
+    logic [2:0]          down, down_q, ahead;   // ahead: the slab of axis k lies ahead of `next`
+    logic                comes;
 
     if (i == 0) begin : gen_begin
       assign {depth, twice, down} = {first_depth, first_twice, first_down};
@@ -96,12 +96,15 @@ module rc_approach #(
     assign now  = InTurn ? twice_q : twice;
 
     for (genvar k = 0; k < 3; k++) begin : gen_axis
-      assign next[k*Q +: Q] = from[k*Q +: Q] + Q'(now[k*R+1 +: R-1]);
-      assign ahead[k]       = next[k*Q+Q-1];
+      assign next[k*PlaceW +: PlaceW] = from[k*PlaceW +: PlaceW]
+                                      + PlaceW'(now[k*TwiceW+1 +: TwiceW-1]);
+      assign ahead[k]                 = next[k*PlaceW+PlaceW-1];
 
       always_ff @(posedge clk_i) begin
-        if (InTurn)     twice_q[k*R +: R] <= comes ? twice[k*R +: R] : now[k*R +: R] >> 1;
-        else if (comes) twice_q[k*R +: R] <= now[k*R +: R] >> 1;
+        if (InTurn)
+          twice_q[k*TwiceW +: TwiceW] <= comes ? twice[k*TwiceW +: TwiceW]
+                                               : now[k*TwiceW +: TwiceW] >> 1;
+        else if (comes) twice_q[k*TwiceW +: TwiceW] <= now[k*TwiceW +: TwiceW] >> 1;
       end
     end
 
@@ -130,11 +133,11 @@ module rc_approach #(
   logic [3*P-1:0] entry;
 
   for (genvar k = 0; k < 3; k++) begin : gen_last
-    logic signed [Q-1:0] depth, there;
+    logic signed [PlaceW-1:0] depth, there;
 
-    assign depth   = last_depth[k*Q +: Q] + Q'(last_way[k*R +: R]);
+    assign depth   = last_depth[k*PlaceW +: PlaceW] + PlaceW'(last_way[k*TwiceW +: TwiceW]);
     assign there   = last_down[k] ? End - depth : depth - End;
-    assign fits[k] = !depth[Q-1] && depth <= 2 * End;
+    assign fits[k] = !depth[PlaceW-1] && depth <= 2 * End;
     assign entry[k*P +: P] = there[P-1:0];
 
     logic unused;

@@ -4,6 +4,7 @@
 `default_nettype none
 module rc_background #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned UB    = rc_pkg::UnitBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic             clk_i,
@@ -35,16 +36,16 @@ module rc_background #(
 
   // Product, rounded to U1.16.
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [33:0] s10_product_q, rounded;
+    logic [2*VB-1:0] s10_product_q, rounded;
 
     always_ff @(posedge clk_i)
       if (s9_ends_i) s10_product_q <= s9_product[k*2*VB +: 2*VB];
 
-    assign rounded = s10_product_q + 34'h8000;
-    assign s10_colour[k*VB +: VB] = rounded[32:16];
+    assign rounded = s10_product_q + rc_pkg::ProductHalf;
+    assign s10_colour[k*VB +: VB] = rounded[UB +: VB];
 
     logic unused;
-    assign unused = ^{rounded[33], rounded[15:0]};
+    assign unused = ^{rounded[2*VB-1], rounded[UB-1:0]};
   end
 
   rc_stage_delay #(.Width(3 * VB), .Stages(rc_pkg::ShadeOut - 10), .Parts(rc_pkg::ShadeParts))

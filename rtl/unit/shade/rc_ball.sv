@@ -20,10 +20,10 @@ module rc_ball #(
   output logic [3*P-1:0] s3_o_o,
   output logic [3*P-1:0] s4_o_o
 );
-  localparam int unsigned Q    = M + T + 1;
-  localparam int unsigned Drop = M - 1 + rc_pkg::TFracBits - rc_pkg::OriginBits;
-  localparam int unsigned A    = (Q > P ? Q : P) + 1;
-  localparam logic signed [A-1:0] Most = A'((65'(1) << (P - 1)) - 65'd1);
+  localparam int unsigned ProductW = M + T + 1;
+  localparam int unsigned Drop     = M - 1 + rc_pkg::TFracBits - rc_pkg::OriginBits;
+  localparam int unsigned SumW     = (ProductW > P ? ProductW : P) + 1;
+  localparam logic signed [SumW-1:0] Most = SumW'((65'(1) << (P - 1)) - 65'd1);
 
   // If a pass stays long in s0, the flag for a sphere comes from a register, because it has many
   // loads.
@@ -37,20 +37,20 @@ module rc_ball #(
     .clk_i, .valid_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));
 
   // s1: the way t d. s2: the sum. s3: clamped.
-  logic [3*Q-1:0] s0_way;
+  logic [3*ProductW-1:0] s0_way;
 
   rc_mul_held #(.AW(M), .BW(T + 1), .Products(3)) u_ways (
     .clk_i, .turn_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [Q-1:0] s1_way_q, s1_rounded;
-    logic signed [A-1:0] s2_at_q;
+    logic signed [ProductW-1:0] s1_way_q, s1_rounded;
+    logic signed [SumW-1:0]     s2_at_q;
 
-    assign s1_rounded = (s1_way_q + $signed(Q'(65'(1) << Drop >> 1))) >>> Drop;
+    assign s1_rounded = (s1_way_q + $signed(ProductW'(65'(1) << Drop >> 1))) >>> Drop;
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[0] && s0_sphere) s1_way_q <= s0_way[k*Q +: Q];
-      if (valid_i[1] && sphere_i[1]) s2_at_q <= A'($signed(s1_o[k*P +: P])) + A'(s1_rounded);
+      if (valid_i[0] && s0_sphere) s1_way_q <= s0_way[k*ProductW +: ProductW];
+      if (valid_i[1] && sphere_i[1]) s2_at_q <= SumW'($signed(s1_o[k*P +: P])) + SumW'(s1_rounded);
       if (valid_i[2] && sphere_i[2])
         s3_o_o[k*P +: P] <= s2_at_q > Most ? Most[P-1:0] : s2_at_q < -Most ? -Most[P-1:0]
                           : s2_at_q[P-1:0];

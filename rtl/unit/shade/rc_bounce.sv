@@ -10,7 +10,9 @@
 module rc_bounce #(
   localparam int unsigned VB = rc_pkg::ValueBits,
   localparam int unsigned AB = rc_pkg::AxisBits,
-  localparam int unsigned M = rc_pkg::DirBits,
+  localparam int unsigned UB = rc_pkg::UnitBits,
+  localparam int unsigned RB = rc_pkg::RatioBits,
+  localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic                 clk_i,
@@ -27,9 +29,18 @@ module rc_bounce #(
   output logic                 s13_total_o,   // total reflection
   output logic [3*M-1:0]       s15_d_o
 );
+  localparam int unsigned ProductW = 2 * VB;                            // of two values
+  localparam int unsigned ShareW   = VB + 1;                            // up to 2
+  localparam int unsigned AlongW   = RB - rc_pkg::IndexFrac + VB + 2;   // as in rc_snell, signed
+  localparam int unsigned NormalW  = AlongW + AB;                       // along * normal
+  localparam int unsigned ViewW    = RB + 1 + AB;                       // ratio * view
+  localparam int unsigned SumW     = NormalW + 1;
+  localparam int unsigned UnitW    = SumW - UB;                         // the sum, S.16
+  localparam logic signed [SumW-1:0]  Half = SumW'(1) << (UB - 1);
+  localparam logic signed [UnitW-1:0] One  = UnitW'(1) << UB;
 
   logic [VB-1:0] s0_cosine, s0_weight;
-  logic [15:0] s0_ratio;
+  logic [RB-1:0] s0_ratio;
   logic [VB-1:0] s0_mirror, s0_transmit, s0_r0;
   logic        s0_schlick, s0_total;
 
@@ -43,9 +54,9 @@ module rc_bounce #(
   assign s0_total    = s0_state_i.total;
 
   // Factors of both directions, and the share of the weight.
-  logic signed [22:0] s13_along;
-  logic [15:0]        s13_ratio;
-  logic [17:0]        s7_share;
+  logic signed [AlongW-1:0] s13_along;
+  logic [RB-1:0]            s13_ratio;
+  logic [ShareW-1:0]        s7_share;
 
   if (rc_pkg::Refraction == 1) begin : gen_refraction
     rc_snell u_snell (
@@ -67,8 +78,8 @@ module rc_bounce #(
     rc_shift_register #(.Width(VB), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
 
-    assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});
-    assign s13_ratio   = 16'd1 << rc_pkg::IndexFrac;
+    assign s13_along   = $signed({{(AlongW-VB-1){1'b0}}, s13_cosine, 1'b0});
+    assign s13_ratio   = RB'(1) << rc_pkg::IndexFrac;
     assign s13_total_o = 1'b0;
     assign s7_share    = {1'b0, s7_mirror};
 
@@ -78,66 +89,65 @@ module rc_bounce #(
   end
 
   // s15: the direction, S1.16; no component is above 1 in magnitude.
-  logic [3*41-1:0] s13_along_normal;
-  logic [3*35-1:0] s13_ratio_view;
+  logic [3*NormalW-1:0] s13_along_normal;
+  logic [3*ViewW-1:0]   s13_ratio_view;
 
-  rc_mul_held #(.AW(23), .BW(AB), .Products(3)) u_normal (
+  rc_mul_held #(.AW(AlongW), .BW(AB), .Products(3)) u_normal (
     .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
     .p_o(s13_along_normal));
 
-  rc_mul_held #(.AW(17), .BW(AB), .Products(3)) u_view (
+  rc_mul_held #(.AW(RB + 1), .BW(AB), .Products(3)) u_view (
     .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
     .p_o(s13_ratio_view));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [40:0] s14_normal_q;
-    logic signed [34:0] s14_view_q;
-    logic signed [41:0] s14_sum;
-    logic signed [25:0] s14_unit;     // a pass stays long enough for a register in a fast chip
-    logic signed [AB-1:0] s15_unit_q;
-    logic signed [M-1:0] d;
+    logic signed [NormalW-1:0] s14_normal_q;
+    logic signed [ViewW-1:0]   s14_view_q;
+    logic signed [SumW-1:0]    s14_sum;
+    logic signed [UnitW-1:0]   s14_unit;   // a pass stays long enough for a register in a fast chip
+    logic signed [AB-1:0]      s15_unit_q;
+    logic signed [M-1:0]       d;
 
-    assign s14_sum  = 42'(s14_normal_q) - (42'(s14_view_q) <<< 4) + 42'sh8000;
-    rc_path_register #(.Width(26), .Stages(rc_pkg::ShadeCut)) u_unit (
-      .clk_i, .data_i(s14_sum[41:16]), .data_o(s14_unit));
+    assign s14_sum = SumW'(s14_normal_q) - (SumW'(s14_view_q) <<< (UB - rc_pkg::IndexFrac)) + Half;
+    rc_path_register #(.Width(UnitW), .Stages(rc_pkg::ShadeCut)) u_unit (
+      .clk_i, .data_i(s14_sum[SumW-1:UB]), .data_o(s14_unit));
 
     always_ff @(posedge clk_i) begin
       if (valid_i[13]) begin
-        s14_normal_q <= s13_along_normal[k*41 +: 41];
-        s14_view_q   <= s13_ratio_view[k*35 +: 35];
+        s14_normal_q <= s13_along_normal[k*NormalW +: NormalW];
+        s14_view_q   <= s13_ratio_view[k*ViewW +: ViewW];
       end
       if (valid_i[14])
-        s15_unit_q <= s14_unit > 26'sh10000 ? 18'sh10000
-                    : s14_unit < -26'sh10000 ? -18'sh10000 : s14_unit[17:0];
+        s15_unit_q <= s14_unit > One ? AB'(One) : s14_unit < -One ? -AB'(One) : s14_unit[AB-1:0];
     end
 
     rc_turn u_turn (.unit_i(s15_unit_q), .d_o(d));
     assign s15_d_o[k*M +: M] = d;
 
     logic unused;
-    assign unused = ^s14_sum[15:0];
+    assign unused = ^s14_sum[UB-1:0];
   end
 
   // s9: weight of the new ray, U1.16.
-  logic [VB-1:0] s7_weight, s7_cut;
-  logic [33:0] s7_product, s8_weight_q, s8_rounded;
+  logic [VB-1:0]       s7_weight, s7_cut;
+  logic [ProductW-1:0] s7_product, s8_weight_q, s8_rounded;
 
   rc_shift_register #(.Width(VB), .Stages(7)) u_weight (
     .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
 
-  assign s7_cut     = s7_share[17:16] != '0 ? 17'h10000 : s7_share[16:0];
+  assign s7_cut = s7_share[ShareW-1:UB] != '0 ? rc_pkg::ValueOne : s7_share[VB-1:0];
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_weighted (
     .clk_i, .turn_i(turn_i[7*Every +: Every]), .a_i(s7_weight), .b_i(s7_cut), .p_o(s7_product));
 
-  assign s8_rounded = s8_weight_q + 34'h8000;
+  assign s8_rounded = s8_weight_q + rc_pkg::ProductHalf;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[7]) s8_weight_q <= s7_product;
-    if (valid_i[8]) s9_weight_o <= s8_rounded[32:16];
+    if (valid_i[8]) s9_weight_o <= s8_rounded[UB +: VB];
   end
 
   logic unused;
-  assign unused = ^{s0_state_i, s8_rounded[33], s8_rounded[15:0], turn_i};
+  assign unused = ^{s0_state_i, s8_rounded[ProductW-1], s8_rounded[UB-1:0], turn_i};
 endmodule
 `default_nettype wire

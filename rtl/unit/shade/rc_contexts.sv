@@ -9,13 +9,13 @@
 // only what it has changed: a surface's material when it begins, other groups when it ends.
 `default_nettype none
 module rc_contexts #(
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned T  = rc_pkg::Contexts,
-  localparam int unsigned M  = rc_pkg::DirBits,
-  localparam int unsigned P  = rc_pkg::OriginWidth,
-  localparam int unsigned D  = rc_pkg::RayDirBits,
-  localparam int unsigned HitW   = rc_pkg::ShadeHitW,
-  localparam int unsigned PlaceW = rc_pkg::ShadePlaceW
+  localparam int unsigned I        = rc_pkg::RayBits,
+  localparam int unsigned Contexts = rc_pkg::Contexts,
+  localparam int unsigned M        = rc_pkg::DirBits,
+  localparam int unsigned P        = rc_pkg::OriginWidth,
+  localparam int unsigned D        = rc_pkg::RayDirBits,
+  localparam int unsigned HitW     = rc_pkg::ShadeHitW,
+  localparam int unsigned PlaceW   = rc_pkg::ShadePlaceW
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -105,7 +105,7 @@ module rc_contexts #(
     assign d[k*M +: M] = ray_d[k*D +: M];
   end
 
-  rc_context_ram #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
+  rc_context_ram #(.Width(3 * P + 3 * M), .Depth(Contexts)) u_ray (
     .clk_i, .rst_ni, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
     .write_data_i({ray_i.o, d}), .read_i(reads), .read_addr_i(reads_ray),
     .read_data_o({o_o, d_o}));
@@ -122,13 +122,13 @@ module rc_contexts #(
   rc_pulse_register #(.Stages(Late)) u_answers (
     .clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
 
-  rc_context_ram #(.Width(HitW), .Depth(T)) u_hit (
+  rc_context_ram #(.Width(HitW), .Depth(Contexts)) u_hit (
     .clk_i, .rst_ni, .write_i(answers), .write_addr_i(answer_ray),
     .write_data_i(answer), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(hit_o));
 
   // ---- The instance that was hit last.
   if (rc_pkg::Homes == 1) begin : gen_place
-    rc_context_ram #(.Width(PlaceW), .Depth(T)) u_place (
+    rc_context_ram #(.Width(PlaceW), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(place_i),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_o));
   end else begin : gen_no_place
@@ -183,27 +183,27 @@ module rc_contexts #(
 
   rc_pulse_register u_pixel_begins (.clk_i, .rst_ni, .fires_i(slot_fires_i), .fires_o(begins));
 
-  rc_context_ram #(.Width(PixelW), .Depth(T)) u_pixel (
+  rc_context_ram #(.Width(PixelW), .Depth(Contexts)) u_pixel (
     .clk_i, .rst_ni, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
 
   // Memories of the groups.
   if (rc_pkg::Refraction == 1) begin : gen_bend
-    rc_context_ram #(.Width(EveryW + WaitsW), .Depth(T), .Parts(Parts)) u_every (
+    rc_context_ram #(.Width(EveryW + WaitsW), .Depth(Contexts), .Parts(Parts)) u_every (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i),
       .write_data_i({new_every, new_waits}), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o({every, waits}));
 
-    rc_context_ram #(.Width(LookW + BendW), .Depth(T), .Parts(Parts)) u_look (
+    rc_context_ram #(.Width(LookW + BendW), .Depth(Contexts), .Parts(Parts)) u_look (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray),
       .write_data_i({new_look, new_bend}), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o({look, bend}));
   end else begin : gen_no_bend
-    rc_context_ram #(.Width(EveryW), .Depth(T), .Parts(Parts)) u_every (
+    rc_context_ram #(.Width(EveryW), .Depth(Contexts), .Parts(Parts)) u_every (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_every),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(every));
 
-    rc_context_ram #(.Width(LookW), .Depth(T), .Parts(Parts)) u_look (
+    rc_context_ram #(.Width(LookW), .Depth(Contexts), .Parts(Parts)) u_look (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_look),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(look));
 
@@ -211,20 +211,20 @@ module rc_contexts #(
     assign bend  = '0;
   end
 
-  rc_context_ram #(.Width(PointW), .Depth(T), .Parts(Parts)) u_point (
+  rc_context_ram #(.Width(PointW), .Depth(Contexts), .Parts(Parts)) u_point (
     .clk_i, .rst_ni, .write_i(writes_point), .write_addr_i(write_ray_i), .write_data_i(new_point),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(point));
 
-  rc_context_ram #(.Width(FaceW), .Depth(T), .Parts(Parts)) u_face (
+  rc_context_ram #(.Width(FaceW), .Depth(Contexts), .Parts(Parts)) u_face (
     .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i), .write_data_i(new_face),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(face));
 
-  rc_context_ram #(.Width(ShareW), .Depth(T), .Parts(Parts)) u_share (
+  rc_context_ram #(.Width(ShareW), .Depth(Contexts), .Parts(Parts)) u_share (
     .clk_i, .rst_ni, .write_i(writes_share), .write_addr_i(write_ray_i), .write_data_i(new_share),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(share));
 
   if (rc_pkg::Supersampling == 1) begin : gen_sample
-    rc_context_ram #(.Width(SampleW), .Depth(T), .Parts(Parts)) u_sample (
+    rc_context_ram #(.Width(SampleW), .Depth(Contexts), .Parts(Parts)) u_sample (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_sample),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(sample));
   end else begin : gen_no_sample
@@ -232,7 +232,7 @@ module rc_contexts #(
   end
 
   if (rc_pkg::Spheres == 1) begin : gen_self
-    rc_context_ram #(.Width(SelfW), .Depth(T), .Parts(Parts)) u_self (
+    rc_context_ram #(.Width(SelfW), .Depth(Contexts), .Parts(Parts)) u_self (
       .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_self),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(self));
   end else begin : gen_no_self
@@ -244,7 +244,7 @@ module rc_contexts #(
   if (rc_pkg::Homes == 1) begin : gen_inner
     logic [InnerW-1:0] inner;
 
-    rc_context_ram #(.Width(InnerW), .Depth(T), .Parts(Parts)) u_inner (
+    rc_context_ram #(.Width(InnerW), .Depth(Contexts), .Parts(Parts)) u_inner (
       .clk_i, .rst_ni, .write_i(writes_inner), .write_addr_i(write_ray_i),
       .write_data_i(new_state[PlaceAt +: InnerW]), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o(inner));
@@ -258,8 +258,8 @@ module rc_contexts #(
   end
 
   // State of a context that has just begun: a camera ray of full weight.
-  logic [T-1:0]         all_fresh;
-  logic                 fresh;
+  logic [Contexts-1:0] all_fresh;
+  logic                fresh;
 
   if (rc_pkg::ShadeInterval == 1) begin : gen_now
     assign fresh = all_fresh[reads_ray];
@@ -279,12 +279,12 @@ module rc_contexts #(
       begun.purpose = rc_pkg::EventArrive;
       begun.pending = rc_pkg::PendingNone;
       begun.colour  = '0;
-      begun.weight  = 17'h10000;
+      begun.weight  = rc_pkg::ValueOne;
       begun.depth   = '0;
       begun.waiting = '0;
       begun.sample  = '0;
       begun.sum     = '0;
-      begun.least   = {3{17'h10000}};
+      begun.least   = {3{rc_pkg::ValueOne}};
       begun.most    = '0;
     end
   end
@@ -298,7 +298,7 @@ module rc_contexts #(
     assign state_o = begun;
   end
 
-  rc_flags #(.Flags(T)) u_fresh (
+  rc_flags #(.Flags(Contexts)) u_fresh (
     .clk_i, .rst_ni, .clear_i(write_i), .clear_at_i(write_ray_i),
     .set_i(begins), .set_at_i(begins_ray), .flags_o(all_fresh));
 

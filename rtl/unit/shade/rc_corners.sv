@@ -16,14 +16,14 @@ module rc_corners #(
   input  logic signed [W-1:0] s2_v_i,
   output logic [3*S-1:0]      s4_sum_o
 );
-  localparam int unsigned Q = W + 2 + C;
+  localparam int unsigned ProductW = W + 2 + C;
 
   // s2: products.
   logic [9*C-1:0] s2_normal;
   rc_shift_register #(.Width(9 * C), .Stages(2)) u_normal (
     .clk_i, .valid_i(valid_i[1:0]), .data_i(s0_normal_i), .data_o(s2_normal));
 
-  logic [9*Q-1:0] s2_product;   // [corner][axis]
+  logic [9*ProductW-1:0] s2_product;   // [corner][axis]
 
   rc_mul_held #(.AW(W + 2), .BW(C), .Products(9)) u_products (
     .clk_i, .turn_i, .a_i({{3{(W+2)'(s2_v_i)}}, {3{(W+2)'(s2_u_i)}}, {3{s2_rest_i}}}),
@@ -31,13 +31,13 @@ module rc_corners #(
 
   // s3, s4: their sums.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [Q-1:0] s3_a_q, s3_b_q, s3_c_q;
+    logic signed [ProductW-1:0] s3_a_q, s3_b_q, s3_c_q;
 
     always_ff @(posedge clk_i) begin
       if (valid_i[2]) begin
-        s3_a_q <= s2_product[k*Q +: Q];
-        s3_b_q <= s2_product[(3+k)*Q +: Q];
-        s3_c_q <= s2_product[(6+k)*Q +: Q];
+        s3_a_q <= s2_product[k*ProductW +: ProductW];
+        s3_b_q <= s2_product[(3+k)*ProductW +: ProductW];
+        s3_c_q <= s2_product[(6+k)*ProductW +: ProductW];
       end
       if (valid_i[3]) s4_sum_o[k*S +: S] <= S'(s3_a_q) + S'(s3_b_q) + S'(s3_c_q);
     end

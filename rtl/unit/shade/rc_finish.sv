@@ -68,7 +68,7 @@ module rc_finish #(
     assign most     = s0_most[k*VB +: VB];
     assign s1_sum[k*SB +: SB] = s1_sum_q;
     assign s1_apart = s1_most_q - s1_least_q;
-    assign s2_rounded = s2_mean_q + 40'h8000;
+    assign s2_rounded = s2_mean_q + Q'(rc_pkg::ProductHalf);
 
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
@@ -87,7 +87,7 @@ module rc_finish #(
         s3_sum_q   <= s2_sum_q;
         s3_least_q <= s2_least_q;
         s3_most_q  <= s2_most_q;
-        s3_mean_q  <= s2_rounded[Q-1:32] != '0 ? 17'h10000 : {1'b0, s2_rounded[31:16]};
+        s3_mean_q  <= s2_rounded[Q-1:32] != '0 ? rc_pkg::ValueOne : {1'b0, s2_rounded[31:16]};
       end
       if (valid_i[3]) s4_colour_o[k*VB +: VB] <= s3_mean_q;
     end

@@ -84,8 +84,8 @@ module rc_homes #(
     .clk_i, .valid_i(turn_valid_i[4:2]), .data_i(s2_toward), .data_o(s5_toward_o));
 
   // ---- Into the mesh's space: a direction, or a light.
-  localparam int unsigned X  = N > M ? N : M;
-  localparam int unsigned SW = X + K + 1;   // of a sum
+  localparam int unsigned FactorW = N > M ? N : M;
+  localparam int unsigned SW      = FactorW + K + 1;   // of a sum
   localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
 
   logic [9*E-1:0]     s15_a;
@@ -100,20 +100,20 @@ module rc_homes #(
     .data_o(s18_inner));
 
   // Products.
-  logic [3*X-1:0]      s15_v;
-  logic [3*SW-1:0]     s15_rest, s16_rest;
-  logic [9*(E+X)-1:0]  s15_product, s16_product;
-  logic                s18_near;
+  logic [3*FactorW-1:0]      s15_v;
+  logic [3*SW-1:0]           s15_rest, s16_rest;
+  logic [9*(E+FactorW)-1:0]  s15_product, s16_product;
+  logic                      s18_near;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    assign s15_v[k*X +: X] = s15_near_i ? X'($signed(s15_place_i[k*N +: N]))
-                                        : X'($signed(s15_d_i[k*D +: M]));
+    assign s15_v[k*FactorW +: FactorW] = s15_near_i ? FactorW'($signed(s15_place_i[k*N +: N]))
+                                        : FactorW'($signed(s15_d_i[k*D +: M]));
     assign s15_rest[k*SW +: SW] = s15_near_i ? SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;
   end
 
-  rc_mul_held #(.AW(E), .BW(X), .Products(9)) u_map_products (
+  rc_mul_held #(.AW(E), .BW(FactorW), .Products(9)) u_map_products (
     .clk_i, .turn_i(s15_turn_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
-  rc_shift_register #(.Width(9 * (E + X) + 3 * SW), .Stages(1)) u_map_product (
+  rc_shift_register #(.Width(9 * (E + FactorW) + 3 * SW), .Stages(1)) u_map_product (
     .clk_i, .valid_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
     .data_o({s16_product, s16_rest}));
 
@@ -122,20 +122,21 @@ module rc_homes #(
 
   // Sums, rounded; then the origin and the direction.
   for (genvar i = 0; i < 3; i++) begin : gen_moved
-    logic [SW-1:0] s17_first_q, s17_second_q, s17_total;
-    logic [X-1:0]  s18_moved_q;
-    logic [P-1:0]  s18_light;
+    logic [SW-1:0]      s17_first_q, s17_second_q, s17_total;
+    logic [FactorW-1:0] s18_moved_q;
+    logic [P-1:0]       s18_light;
 
     assign s17_total = s17_first_q + s17_second_q;
     assign s18_light = P'(s18_moved_q[N-1:0]) << B;
 
     always_ff @(posedge clk_i) begin
       if (leave_valid_i[16]) begin
-        s17_first_q  <= SW'($signed(s16_product[3*i*(E+X) +: E+X]))
-                      + SW'($signed(s16_product[(3*i+1)*(E+X) +: E+X]));
-        s17_second_q <= SW'($signed(s16_product[(3*i+2)*(E+X) +: E+X])) + s16_rest[i*SW +: SW];
+        s17_first_q <= SW'($signed(s16_product[3*i*(E+FactorW) +: E+FactorW]))
+                      + SW'($signed(s16_product[(3*i+1)*(E+FactorW) +: E+FactorW]));
+        s17_second_q <= SW'($signed(s16_product[(3*i+2)*(E+FactorW) +: E+FactorW]))
+                        + s16_rest[i*SW +: SW];
       end
-      if (leave_valid_i[17]) s18_moved_q <= s17_total[K +: X];
+      if (leave_valid_i[17]) s18_moved_q <= s17_total[K +: FactorW];
       if (leave_valid_i[18]) begin
         s19_o_o[i*P +: P] <= s18_near ? s18_light : s18_inner[i*P +: P];
         s19_d_o[i*D +: D] <= s18_near ? D'($signed(s18_inner[i*P +: P])) - D'($signed(s18_light))

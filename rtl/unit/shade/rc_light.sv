@@ -205,6 +205,11 @@ module rc_light #(
   rc_shift_register #(.Width(SB), .Stages(2)) u_shine (
     .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
+  // Half a unit of a value in products with more fraction bits: 12, 24 and 28 are dropped.
+  localparam logic [29:0] GlossHalf = 30'd1 << (rc_pkg::ShareBits - 1);
+  localparam logic [42:0] MatteHalf = 43'd1 << (2 * rc_pkg::ShareBits - 1);
+  localparam logic [52:0] ShareHalf = 53'd1 << 27;
+
   // s17: R . V = 2 (N . L) (N . V) - L . V, clamped to 0..1. s24: that to the power of shine.
   logic [34:0]        s16_double_q;
   logic signed [18:0] s16_mirror_q;
@@ -213,7 +218,7 @@ module rc_light #(
   logic [29:0]        s16_matte_q, s25_gloss_q, s25_rounded;
   logic [VB-1:0]        s17_phong_q, s24_phong;
 
-  assign s16_rounded = {1'b0, s16_double_q} + 36'h8000;
+  assign s16_rounded = {1'b0, s16_double_q} + 36'(rc_pkg::ProductHalf);
   assign s16_phong   = $signed({1'b0, s16_rounded[35:16]}) - 21'(s16_mirror_q);
 
   logic [33:0] s15_double;
@@ -239,7 +244,7 @@ module rc_light #(
       s16_albedo   <= s15_albedo;
     end
     if (valid_i[16])
-      s17_phong_q <= s16_phong[20] ? '0 : s16_phong[19:16] != '0 ? 17'h10000
+      s17_phong_q <= s16_phong[20] ? '0 : s16_phong[19:16] != '0 ? rc_pkg::ValueOne
                    : {1'b0, s16_phong[15:0]};
     if (valid_i[24]) s25_gloss_q <= s24_gloss;
   end
@@ -248,7 +253,7 @@ module rc_light #(
     .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q),
     .n_i(s17_shine), .power_o(s24_phong));
 
-  assign s25_rounded = s25_gloss_q + 30'h800;
+  assign s25_rounded = s25_gloss_q + GlossHalf;
 
   // s26: matte and gloss. s28: both in the light's colour, U1.16.
   logic [3*VB-1:0] s17_matte, s25_matte;
@@ -277,9 +282,9 @@ module rc_light #(
     logic [VB-1:0] s28_share_q;
 
     assign s26_lit[k*18 +: 18] = s26_lit_q;
-    assign s17_rounded = s17_matte_q + 43'h800000;
+    assign s17_rounded = s17_matte_q + MatteHalf;
     assign s17_matte[k*VB +: VB] = s17_rounded[40:24];
-    assign s27_rounded = {1'b0, s27_share_q} + 53'h8000000;
+    assign s27_rounded = {1'b0, s27_share_q} + ShareHalf;
 
     always_ff @(posedge clk_i) begin
       if (valid_i[16]) s17_matte_q <= s16_product[k*43 +: 43];
@@ -288,7 +293,7 @@ module rc_light #(
       if (valid_i[26]) s27_share_q <= s26_product[k*52 +: 52];
       // If a pass stays long, rc_pass_end reads the share at the end of s27.
       if (rc_pkg::ShadeCut != 0 || valid_i[27])
-        s28_share_q <= s27_rounded[52:44] != '0 ? 17'h10000 : {1'b0, s27_rounded[43:28]};
+        s28_share_q <= s27_rounded[52:44] != '0 ? rc_pkg::ValueOne : {1'b0, s27_rounded[43:28]};
     end
 
     assign s28_share_o[k*VB +: VB] = s28_share_q;

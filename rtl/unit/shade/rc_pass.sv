@@ -19,7 +19,7 @@ module rc_pass #(
   localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned U  = rc_pkg::UvBits,
-  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned CB = rc_pkg::ColourBits,
   localparam int unsigned SB = rc_pkg::SumBits
 ) (
@@ -53,14 +53,14 @@ module rc_pass #(
   output logic [rc_pkg::SpawnW-1:0] spawn_o,
   output logic [rc_pkg::PixelW-1:0] pixel_o
 );
-  localparam int unsigned L     = rc_pkg::ShadeStages;
-  localparam int unsigned Every = rc_pkg::ShadeInterval;
-  localparam int unsigned N     = rc_pkg::CoordBits;
-  localparam int unsigned NB    = rc_pkg::NormalBits;
-  localparam int unsigned V     = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
-  localparam int unsigned LongW = V > NB ? V : NB;   // V also holds a sum of corner normals
-  localparam int unsigned TurnW = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
-  localparam int unsigned UnitW = LongW > TurnW ? LongW : TurnW;
+  localparam int unsigned Stages   = rc_pkg::ShadeStages;
+  localparam int unsigned Every    = rc_pkg::ShadeInterval;
+  localparam int unsigned N        = rc_pkg::CoordBits;
+  localparam int unsigned NB       = rc_pkg::NormalBits;
+  localparam int unsigned ToLightW = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
+  localparam int unsigned LongW    = ToLightW > NB ? ToLightW : NB;   // or a sum of corner normals
+  localparam int unsigned TurnW    = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
+  localparam int unsigned UnitW    = LongW > TurnW ? LongW : TurnW;
 
   // The inputs of the end are ready before it. The end is computed in registers on the way.
   // rc_pass_end latches it at the end of the last stage; then the next inputs may come.
@@ -107,9 +107,9 @@ module rc_pass #(
   end
 
   // ---- s0: purpose of the pass.
-  logic [L:0]           ends;   // the pass leaves the stage; the last: it has come
+  logic [Stages:0]      ends;   // the pass leaves the stage; the last: it has come
   logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
-  logic [TB-1:0]        t;
+  logic [T-1:0]         t;
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
@@ -130,29 +130,29 @@ module rc_pass #(
 
   // turn: the cycle of each stage, s0 lowest. The pass is over in the first cycle after the last
   // stage.
-  logic [L*Every:0] turn;
-  logic [L*Every:1] turn_q;
+  logic [Stages*Every:0] turn;
+  logic [Stages*Every:1] turn_q;
 
   assign turn = {turn_q, valid};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) turn_q <= '0;
-    else         turn_q <= turn[L*Every-1:0];
+    else         turn_q <= turn[Stages*Every-1:0];
   end
 
-  for (genvar i = 0; i < L; i++) begin : gen_ends
+  for (genvar i = 0; i < Stages; i++) begin : gen_ends
     assign ends[i] = turn[i*Every+Every-1];
   end
 
-  assign ends[L]     = turn[L*Every];
-  assign end_valid_o = ends[L];
+  assign ends[Stages] = turn[Stages*Every];
+  assign end_valid_o  = ends[Stages];
 
   // The purposes of the passes that leave their stages.
-  logic [L:0] surf_at, light_at, bounce_at, end_at, turn_at, face_at;   // face: surf or turn
-  logic [L:1] surf_q, light_q, bounce_q, end_q, turn_q_at;
+  logic [Stages:0] surf_at, light_at, bounce_at, end_at, turn_at, face_at;   // face: surf or turn
+  logic [Stages:1] surf_q, light_q, bounce_q, end_q, turn_q_at;
 
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < L; i++)
+    for (int i = 0; i < Stages; i++)
       if (Every == 1 || ends[i]) begin
         surf_q[i+1]   <= surf_at[i];
         light_q[i+1]  <= light_at[i];
@@ -169,11 +169,11 @@ module rc_pass #(
     assign end_at    = {end_q, s0_end};
     assign turn_at   = {turn_q_at, s0_turn};
   end else begin : gen_goes_on
-    assign surf_at   = {surf_q & ends[L:1], s0_surf};
-    assign light_at  = {light_q & ends[L:1], s0_light};
-    assign bounce_at = {bounce_q & ends[L:1], s0_bounce};
-    assign end_at    = {end_q & ends[L:1], s0_end};
-    assign turn_at   = {turn_q_at & ends[L:1], s0_turn};
+    assign surf_at   = {surf_q & ends[Stages:1], s0_surf};
+    assign light_at  = {light_q & ends[Stages:1], s0_light};
+    assign bounce_at = {bounce_q & ends[Stages:1], s0_bounce};
+    assign end_at    = {end_q & ends[Stages:1], s0_end};
+    assign turn_at   = {turn_q_at & ends[Stages:1], s0_turn};
   end
 
   assign face_at = surf_at | turn_at;
@@ -190,7 +190,7 @@ module rc_pass #(
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
     .ray_o(end_ray), .was_o(was), .mirrors_o(mirrors), .transmits_o(transmits));
 
-  rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_top (
+  rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_top (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
     .data_o(top));
 
@@ -237,13 +237,13 @@ module rc_pass #(
     .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
-  logic [3*V-1:0]     s5_to;
+  logic [3*ToLightW-1:0] s5_to;
   logic [3*AB-1:0]    s13_unit, s13_new_view, surf_normal, surf_view;
   logic [VB-1:0]      s15_cosine, surf_cosine;
   logic signed [18:0] s15_mirror;
 
   for (genvar k = 0; k < 3; k++) begin : gen_target
-    assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*V +: V]))
+    assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
                             : turn_q_at[5] ? s5_turned[k*UnitW +: UnitW]
                                            : s5_toward[k*UnitW +: UnitW];
   end
@@ -466,13 +466,13 @@ module rc_pass #(
 
   // ---- s28: end of the pass.
   rc_pass_end u_end (
-    .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
+    .clk_i, .take_i(ends[Stages-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
-    .surf_i(Cut ? surf_q[L-1] : surf_at[L]),
+    .surf_i(Cut ? surf_q[Stages-1] : surf_at[Stages]),
     .surf_normal_i(surf_normal), .surf_view_i(surf_view), .surf_cosine_i(surf_cosine),
     .surf_far_i(surf_far), .surf_lost_i(surf_lost), .surf_albedo_i(surf_albedo),
     .surf_ambient_i(surf_ambient), .background_i(end_background),
-    .turn_i(Cut ? turn_q_at[L-1] : turn_at[L]), .turn_o_i(turned_o), .home_i(end_home),
+    .turn_i(Cut ? turn_q_at[Stages-1] : turn_at[Stages]), .turn_o_i(turned_o), .home_i(end_home),
     .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
     .light_share_i(light_share), .above_i(end_above), .below_i(end_below),

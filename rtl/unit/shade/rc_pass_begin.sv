@@ -4,7 +4,7 @@
 module rc_pass_begin #(
   localparam int unsigned VB = rc_pkg::ValueBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned U  = rc_pkg::UvBits
 ) (
   // Context, and the last ray's answer
@@ -29,7 +29,7 @@ module rc_pass_begin #(
   // Purpose.
   logic          arrives, found, back;   // arrives: a camera ray or bounce is done
   logic [PB-1:0] prim;
-  logic [TB-1:0] t;
+  logic [T-1:0]  t;
   logic [U-1:0]  u, v;
 
   assign found = hit_i.found;
@@ -60,7 +60,7 @@ module rc_pass_begin #(
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
     assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
-    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
   // The state.

@@ -110,7 +110,7 @@ module rc_pass_end #(
     logic [17:0] sum;
 
     assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
-    assign colour[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+    assign colour[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
   // ---- The next event, after a surface or a light.
@@ -261,7 +261,7 @@ module rc_pass_end #(
     if (is_next) begin
       next.sample = was_i.sample + 6'd1;
       next.colour = '0;
-      next.weight = 17'h10000;
+      next.weight = rc_pkg::ValueOne;
       next.depth  = '0;
       next.purpose = rc_pkg::EventArrive;
     end

@@ -20,7 +20,7 @@ module rc_pass_state #(
   output logic                 mirrors_o,
   output logic                 transmits_o
 );
-  localparam int unsigned L      = rc_pkg::ShadeStages;
+  localparam int unsigned Stages = rc_pkg::ShadeStages;
   localparam int unsigned StateW = rc_pkg::ShadeStateW;
   localparam int unsigned FrontW = rc_pkg::ShadePixelW + rc_pkg::ShadeEveryW
                                  + 3 * rc_pkg::PointWidth;   // from x to o
@@ -38,7 +38,8 @@ module rc_pass_state #(
   assign known_many.least  = known_i.least;
   assign known_many.most   = known_i.most;
 
-  rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_all (
+  rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(Stages),
+    .Parts(rc_pkg::ShadeParts)) u_all (
     .clk_i, .rst_ni, .come_i, .leave_i,
     .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,
              known_i.mirror != '0, known_i.transmit != '0, known_i.total, known_i.is_inside,
@@ -48,7 +49,7 @@ module rc_pass_state #(
 
   if (rc_pkg::Supersampling == 1) begin : gen_many
     rc_stage_delay #(
-      .Width(rc_pkg::ShadeSamplesW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_many (
+      .Width(rc_pkg::ShadeSamplesW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_many (
       .clk_i, .rst_ni, .come_i, .leave_i, .data_i(known_many), .data_o(many));
   end else begin : gen_one
     assign many = '0;

@@ -41,13 +41,13 @@ module rc_shade (
   input  logic              pixel_ready_i,
   output rc_pkg::pixel_t    pixel_o,
   // What it did: rc_pkg::shade_cause_e
-  output logic [2:0]        cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  localparam int unsigned I    = rc_pkg::RayBits;
-  localparam int unsigned T    = rc_pkg::Contexts;
-  localparam int unsigned A    = rc_pkg::AddrBits;
-  localparam int unsigned PB   = rc_pkg::PrimBits;
-  localparam int unsigned Every = rc_pkg::ShadeInterval;
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned A        = rc_pkg::AddrBits;
+  localparam int unsigned PB       = rc_pkg::PrimBits;
+  localparam int unsigned Every    = rc_pkg::ShadeInterval;
   localparam int unsigned SpawnDataW = rc_pkg::SpawnW - I;
   localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
 
@@ -101,7 +101,7 @@ module rc_shade (
   rc_path_register #(.Width(I + 1)) u_starts (
     .clk_i, .data_i({ray_i.ray, ends_at_any}), .data_o({starts_ray, starts_any}));
 
-  rc_ram #(.Width(1), .Depth(T)) u_any (
+  rc_ram #(.Width(1), .Depth(Contexts)) u_any (
     .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
     .read_addr_i(way_ray), .read_data_o(any_hit));
 
@@ -142,7 +142,7 @@ module rc_shade (
     assign surfaces = shade_frame.surfaces;
     assign line     = surfaces + A'(closest_prim);
 
-    rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
+    rc_queue #(.Width(I + A), .Depth(Contexts)) u_fetch (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
@@ -157,14 +157,14 @@ module rc_shade (
     logic unused;
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
-    logic [T-1:0]       placing_q, lends_q;   // waits for an instance, for a material
-    logic [A-1:0]       prim, surface_line, kept_line;
-    logic [T-1:0]       lent_q;               // the context's last instance has a material
-    logic               lends;
-    logic [I-1:0]       came_ray;
-    logic [A-1:0]       line;
-    logic               place_valid, place_ready, fetch_valid, fetch_ready;
-    logic [I+A-1:0]     place_next, fetch_next, fetch;
+    logic [Contexts-1:0]     placing_q, lends_q;   // waits for an instance, for a material
+    logic [A-1:0]            prim, surface_line, kept_line;
+    logic [Contexts-1:0]     lent_q;               // the context's last instance has a material
+    logic                    lends;
+    logic [I-1:0]            came_ray;
+    logic [A-1:0]            line;
+    logic                    place_valid, place_ready, fetch_valid, fetch_ready;
+    logic [I+A-1:0]          place_next, fetch_next, fetch;
 
     assign came_ray      = surf_rsp_i.ray;
     assign surface_line  = instance_came.surfaces + prim;
@@ -191,14 +191,14 @@ module rc_shade (
       if (answers) lends_q[closest_ray] <= 1'b0;
     end
 
-    rc_ram #(.Width(A), .Depth(T)) u_line (
+    rc_ram #(.Width(A), .Depth(Contexts)) u_line (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
       .read_addr_i(came_ray), .read_data_o(kept_line));
 
     // A material for all primitives of the instance replaces the surface's own.
     logic [LentW:0] material;
 
-    rc_ram #(.Width(LentW + 1), .Depth(T)) u_material (
+    rc_ram #(.Width(LentW + 1), .Depth(Contexts)) u_material (
       .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
       .write_data_i({surface_came.schlick, surf_rsp[LentW-1:0]}), .read_addr_i(came_ray),
       .read_data_o(material));
@@ -213,16 +213,16 @@ module rc_shade (
 
     assign surface_found = lent;
 
-    rc_ram #(.Width(A), .Depth(T)) u_prim (
+    rc_ram #(.Width(A), .Depth(Contexts)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
       .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
 
-    rc_queue #(.Width(I + A), .Depth(T)) u_place (
+    rc_queue #(.Width(I + A), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, closest_place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
 
-    rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
+    rc_queue #(.Width(I + A), .Depth(Contexts)) u_fetch (
       .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
       .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
 
@@ -241,7 +241,7 @@ module rc_shade (
   assign came   = surf_rsp_valid_i && !placing;
 
   // Rays that need no surface.
-  rc_queue #(.Width(I), .Depth(T)) u_arrived (
+  rc_queue #(.Width(I), .Depth(Contexts)) u_arrived (
     .clk_i, .rst_ni, .push_i(answers && !wants_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
@@ -351,7 +351,7 @@ module rc_shade (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(out_ready), .data_i({end_ray, leave}),
     .valid_o(out_valid), .ready_i(1'b1), .data_o({out_ray, out_leave}));
 
-  rc_queue #(.Width(I), .Depth(T)) u_again (
+  rc_queue #(.Width(I), .Depth(Contexts)) u_again (
     .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
 
@@ -363,19 +363,19 @@ module rc_shade (
   assign colours = out_valid && out_leave == rc_pkg::LeavePixel;
 
   if (Every == 1) begin : gen_beside
-    rc_queue #(.Width(I), .Depth(T)) u_spawn (
+    rc_queue #(.Width(I), .Depth(Contexts)) u_spawn (
       .clk_i, .rst_ni, .push_i(spawns), .data_i(out_ray), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
 
-    rc_queue #(.Width(I), .Depth(T)) u_pixel (
+    rc_queue #(.Width(I), .Depth(Contexts)) u_pixel (
       .clk_i, .rst_ni, .push_i(colours), .data_i(out_ray), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
 
-    rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
+    rc_ram #(.Width(SpawnDataW), .Depth(Contexts)) u_spawn_data (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
       .write_data_i(SpawnDataW'(spawn)), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
 
-    rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
+    rc_ram #(.Width(PixelDataW), .Depth(Contexts)) u_pixel_data (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
       .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
   end else begin : gen_queued   // in the queues themselves, which are block RAM in a fast chip
@@ -394,11 +394,11 @@ module rc_shade (
       assign pixel_then = PixelDataW'(pixel);
     end
 
-    rc_queue #(.Width(rc_pkg::SpawnW), .Depth(T)) u_spawn (
+    rc_queue #(.Width(rc_pkg::SpawnW), .Depth(Contexts)) u_spawn (
       .clk_i, .rst_ni, .push_i(spawns), .data_i({out_ray, spawn_then}), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o({spawn_ray, spawn_data}));
 
-    rc_queue #(.Width(rc_pkg::PixelW), .Depth(T)) u_pixel (
+    rc_queue #(.Width(rc_pkg::PixelW), .Depth(Contexts)) u_pixel (
       .clk_i, .rst_ni, .push_i(colours), .data_i({out_ray, pixel_then}), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end

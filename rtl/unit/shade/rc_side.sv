@@ -18,11 +18,11 @@ module rc_side #(
   output logic            above_o,
   output logic            below_o
 );
-  localparam int unsigned Q = NB + D;
+  localparam int unsigned ProductW = NB + D;
 
-  logic [3*Q-1:0]  product, product_q;
-  logic [3*NB-1:0] n;
-  logic [3*D-1:0]  d;
+  logic [3*ProductW-1:0] product, product_q;
+  logic [3*NB-1:0]       n;
+  logic [3*D-1:0]        d;
 
   rc_path_register #(.Width(3 * (NB + D)), .Stages(rc_pkg::ShadeCut)) u_in (
     .clk_i, .data_i({n_i, d_i}), .data_o({n, d}));
@@ -33,18 +33,19 @@ module rc_side #(
   always_ff @(posedge clk_i) if (valid_i[0]) product_q <= product;
 
   // Sum of the products.
-  logic signed [Q+1:0] sum_now, sum;
+  logic signed [ProductW+1:0] sum_now, sum;
 
-  assign sum_now = (Q+2)'($signed(product_q[0 +: Q])) + (Q+2)'($signed(product_q[Q +: Q]))
-      + (Q+2)'($signed(product_q[2*Q +: Q]));
+  assign sum_now = (ProductW+2)'($signed(product_q[0 +: ProductW]))
+      + (ProductW+2)'($signed(product_q[ProductW +: ProductW]))
+      + (ProductW+2)'($signed(product_q[2*ProductW +: ProductW]));
 
-  rc_path_register #(.Width(Q + 2), .Stages(rc_pkg::ShadeCut)) u_sum (
+  rc_path_register #(.Width(ProductW + 2), .Stages(rc_pkg::ShadeCut)) u_sum (
     .clk_i, .data_i(sum_now), .data_o(sum));
 
   always_ff @(posedge clk_i) begin
     if (valid_i[1]) begin
-      above_o <= !sum[Q+1] && sum != '0;
-      below_o <= sum[Q+1];
+      above_o <= !sum[ProductW+1] && sum != '0;
+      below_o <= sum[ProductW+1];
     end
   end
 endmodule

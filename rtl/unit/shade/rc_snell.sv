@@ -5,8 +5,13 @@
 // cosine has 16 fraction bits, ratio has 12.
 `default_nettype none
 module rc_snell #(
-  localparam int unsigned VB    = rc_pkg::ValueBits,
-  localparam int unsigned Every = rc_pkg::ShadeInterval
+  localparam int unsigned VB     = rc_pkg::ValueBits,
+  localparam int unsigned UB     = rc_pkg::UnitBits,
+  localparam int unsigned RB     = rc_pkg::RatioBits,
+  localparam int unsigned IF     = rc_pkg::IndexFrac,
+  localparam int unsigned Every  = rc_pkg::ShadeInterval,
+  localparam int unsigned LongW  = RB + VB,           // ratio * cosine
+  localparam int unsigned AlongW = LongW - IF + 2     // that with 16 fraction bits, signed
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,
@@ -14,94 +19,103 @@ module rc_snell #(
   input  logic [2*Every-1:0] turn_i,        // the cycle of each stage
   input  logic               s0_refract_i,
   input  logic [VB-1:0]      s0_cosine_i,
-  input  logic [15:0]        s0_ratio_i,
-  output logic signed [22:0] s13_along_o,
-  output logic [15:0]        s13_ratio_o,
+  input  logic [RB-1:0]      s0_ratio_i,
+  output logic signed [AlongW-1:0] s13_along_o,
+  output logic [RB-1:0]      s13_ratio_o,
   output logic               s13_total_o
 );
+  localparam int unsigned SquareW = 2 * UB + 1;             // square of a value, 0 to 1
+  localparam int unsigned BentW   = 2 * RB + SquareW;       // ratio^2 times that
+  localparam int unsigned InsideW = BentW - 2 * IF + 2;     // 1 minus that, signed
+  localparam int unsigned RootW   = UB + 2;                 // a root
+  localparam logic [SquareW-1:0] One  = SquareW'(1) << (2 * UB);
+  localparam logic [LongW-1:0]   Half = LongW'(1) << (IF - 1);
 
   // s3: 2^32 times the squared cosine inside, rounded up. If negative, the reflection is total.
-  logic [32:0]        s1_cosine2_q, s1_sine2;
-  logic [31:0]        s1_ratio2_q;
-  logic [64:0]        s2_bent_q;
-  logic signed [42:0] s2_cosine2;
+  logic [SquareW-1:0] s1_cosine2_q, s1_sine2;
+  logic [2*RB-1:0]    s1_ratio2_q;
+  logic [BentW-1:0]   s2_bent_q;
+  logic signed [InsideW-1:0] s2_cosine2;
   logic               s1_refract, s2_refract, s3_total_q, s3_refract_q;
-  logic [32:0]        s3_square_q;
+  logic [SquareW-1:0] s3_square_q;
 
   rc_shift_register #(.Width(1), .Stages(1)) u_refract1 (
     .clk_i, .valid_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
   rc_shift_register #(.Width(1), .Stages(1)) u_refract2 (
     .clk_i, .valid_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
 
-  assign s1_sine2   = 33'h1_0000_0000 - s1_cosine2_q;
-  assign s2_cosine2 = 43'sh1_0000_0000 - $signed({2'b00, s2_bent_q[64:24]});
+  assign s1_sine2   = One - s1_cosine2_q;
+  assign s2_cosine2 = $signed(InsideW'(One)) - $signed({2'b00, s2_bent_q[BentW-1:2*IF]});
 
-  logic [33:0] s0_cosine2;
-  logic [31:0] s0_ratio2;
-  logic [64:0] s1_bent;
+  logic [2*VB-1:0]  s0_cosine2;
+  logic [2*RB-1:0]  s0_ratio2;
+  logic [BentW-1:0] s1_bent;
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_cosine2 (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_cosine_i), .b_i(s0_cosine_i), .p_o(s0_cosine2));
-  rc_mul_held #(.AW(16), .BW(16), .Signed(1'b0)) u_ratio2 (
+  rc_mul_held #(.AW(RB), .BW(RB), .Signed(1'b0)) u_ratio2 (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_ratio_i), .p_o(s0_ratio2));
-  rc_mul_held #(.AW(32), .BW(33), .Signed(1'b0)) u_bent (
+  rc_mul_held #(.AW(2 * RB), .BW(SquareW), .Signed(1'b0)) u_bent (
     .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_ratio2_q), .b_i(s1_sine2), .p_o(s1_bent));
 
   always_ff @(posedge clk_i) begin
     if (valid_i[0] && s0_refract_i) begin
-      s1_cosine2_q <= s0_cosine2[32:0];
+      s1_cosine2_q <= s0_cosine2[SquareW-1:0];
       s1_ratio2_q  <= s0_ratio2;
     end
     if (valid_i[1] && s1_refract) s2_bent_q <= s1_bent;
     if (valid_i[2]) s3_refract_q <= s2_refract;
     if (valid_i[2] && s2_refract) begin
-      s3_total_q  <= s2_cosine2[42];
-      s3_square_q <= s2_cosine2[42] ? '0 : s2_cosine2[32:0];
+      s3_total_q  <= s2_cosine2[InsideW-1];
+      s3_square_q <= s2_cosine2[InsideW-1] ? '0 : s2_cosine2[SquareW-1:0];
     end
   end
 
   // s12: its root.
-  logic [17:0] s12_root;
-  logic        inexact;
+  logic [RootW-1:0] s12_root;
+  logic             inexact;
 
   rc_sqrt #(.Stages(9), .Held(Every)) u_sqrt (
-    .clk_i, .valid_i(valid_i[3] && s3_refract_q), .square_i({3'd0, s3_square_q}),
+    .clk_i, .valid_i(valid_i[3] && s3_refract_q),
+    .square_i({{(2*RootW-SquareW){1'b0}}, s3_square_q}),
     .root_o(s12_root), .inexact_o(inexact));
 
   // s13: ratio * cosine minus the root, or 2 cosine.
-  logic [32:0] s0_long, s1_long_q, s1_rounded;
-  logic [21:0] s2_long_q, s12_long;
-  logic        s12_refract, s12_total;
+  logic [LongW-1:0]  s0_long, s1_long_q, s1_rounded;
+  logic [AlongW-2:0] s2_long_q, s12_long;
+  logic              s12_refract, s12_total;
 
-  rc_mul_held #(.AW(16), .BW(VB), .Signed(1'b0)) u_long_product (
+  rc_mul_held #(.AW(RB), .BW(VB), .Signed(1'b0)) u_long_product (
     .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_cosine_i), .p_o(s0_long));
 
-  assign s1_rounded = s1_long_q + 33'h800;
+  assign s1_rounded = s1_long_q + Half;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[0])
-      s1_long_q <= s0_refract_i ? s0_long : {15'd0, s0_cosine_i, 1'b0};
-    if (valid_i[1]) s2_long_q <= s1_refract ? {1'b0, s1_rounded[32:12]} : s1_long_q[21:0];
+      s1_long_q <= s0_refract_i ? s0_long : {{(LongW-VB-1){1'b0}}, s0_cosine_i, 1'b0};
+    if (valid_i[1])
+      s2_long_q <= s1_refract ? {1'b0, s1_rounded[LongW-1:IF]} : s1_long_q[AlongW-2:0];
     if (valid_i[12]) begin
       s13_along_o <= $signed({1'b0, s12_long})
-                   - (s12_refract ? $signed({5'd0, s12_root}) : 23'sd0);
+                   - (s12_refract ? $signed({{(AlongW-RootW){1'b0}}, s12_root})
+                                  : $signed(AlongW'(0)));
       s13_total_o <= s12_refract && s12_total;
     end
   end
 
-  rc_stage_delay #(.Width(22), .Stages(10)) u_long (
+  rc_stage_delay #(.Width(AlongW - 1), .Stages(10)) u_long (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
     .data_o(s12_long));
   rc_stage_delay #(.Width(2), .Stages(9)) u_flags (
     .clk_i, .rst_ni, .come_i(valid_i[3]), .leave_i(valid_i[12]),
     .data_i({s3_refract_q, s3_total_q}),
     .data_o({s12_refract, s12_total}));
-  rc_stage_delay #(.Width(16), .Stages(13)) u_ratio (
+  rc_stage_delay #(.Width(RB), .Stages(13)) u_ratio (
     .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]),
-    .data_i(s0_refract_i ? s0_ratio_i : 16'd1 << rc_pkg::IndexFrac), .data_o(s13_ratio_o));
+    .data_i(s0_refract_i ? s0_ratio_i : RB'(1) << IF), .data_o(s13_ratio_o));
 
   logic unused;
-  assign unused = ^{inexact, valid_i, s0_cosine2[33], s1_rounded[11:0], s2_bent_q[23:0],
-    s2_cosine2[41:33]};
+  assign unused = ^{inexact, valid_i, s0_cosine2[2*VB-1:SquareW], s1_rounded[IF-1:0],
+                    s2_bent_q[2*IF-1:0], s2_cosine2[InsideW-2:SquareW]};
 endmodule
 `default_nettype wire

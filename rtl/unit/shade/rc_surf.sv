@@ -38,15 +38,15 @@ module rc_surf #(
   output logic [3*rc_pkg::ColourBits-1:0] s6_albedo_o,
   output logic [3*VB-1:0]    s7_ambient_o
 );
-  localparam int unsigned C    = rc_pkg::CornerBits;
-  localparam int unsigned Y    = rc_pkg::BaryBits;
-  localparam int unsigned Drop = Y - B;             // bits that u and v lose
-  localparam int unsigned F    = rc_pkg::MostFine;  // more bits on triangles with coarse edges
-  localparam int unsigned W    = U + 2 - Drop + F;  // of u and v afterwards, signed
-  localparam int unsigned X    = U + 2 > W ? U + 2 : W;
-  localparam int unsigned E    = N + 1;             // of an edge, signed
-  localparam int unsigned A    = W + E + 2;         // of a point of a plane, signed
-  localparam int unsigned S    = W + 2 + C + 2;     // of a weighted sum of corner normals, signed
+  localparam int unsigned C      = rc_pkg::CornerBits;
+  localparam int unsigned Y      = rc_pkg::BaryBits;
+  localparam int unsigned Drop   = Y - B;             // bits that u and v lose
+  localparam int unsigned F      = rc_pkg::MostFine;  // more bits on triangles with coarse edges
+  localparam int unsigned W      = U + 2 - Drop + F;  // of u and v afterwards, signed
+  localparam int unsigned RoundW = U + 2 > W ? U + 2 : W;
+  localparam int unsigned E      = N + 1;             // of an edge, signed
+  localparam int unsigned A      = W + E + 2;         // of a point of a plane, signed
+  localparam int unsigned S      = W + 2 + C + 2;     // of a weighted sum of corner normals, signed
 
   // s1: edges; u and v rounded; kind.
   logic              s0_sphere, s0_plane;
@@ -95,17 +95,17 @@ module rc_surf #(
     .clk_i, .data_i(s0_drop), .data_o(s0_by));
 
   for (genvar i = 0; i < 2; i++) begin : gen_weight
-    logic [U-1:0]        x;
-    logic signed [X-1:0] sum, told, shifted;
-    logic signed [W-1:0] moved, weight;
+    logic [U-1:0]             x;
+    logic signed [RoundW-1:0] sum, sum_q, shifted;
+    logic signed [W-1:0]      moved, weight;
 
     assign x   = i == 0 ? s0_u_i : s0_v_i;
-    assign sum = $signed({{(X-U){s0_plane && x[U-1]}}, x}) + $signed(X'(1) << s0_by >> 1);
+    assign sum = $signed({{(RoundW-U){s0_plane && x[U-1]}}, x}) + $signed(RoundW'(1) << s0_by >> 1);
 
-    rc_path_register #(.Width(X), .Stages(rc_pkg::ShadeCut)) u_sum (
-      .clk_i, .data_i(sum), .data_o(told));
+    rc_path_register #(.Width(RoundW), .Stages(rc_pkg::ShadeCut)) u_sum (
+      .clk_i, .data_i(sum), .data_o(sum_q));
 
-    assign shifted = told >>> s0_by;
+    assign shifted = sum_q >>> s0_by;
 
     rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_moved (
       .clk_i, .data_i(shifted[W-1:0]), .data_o(moved));
@@ -187,7 +187,7 @@ module rc_surf #(
     .b_i({s2_e2, s2_e1}), .p_o(s2_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    localparam int unsigned I = (k + 1) % 3;
+    localparam int unsigned I = (k + 1) % 3;   // the other two axes
     localparam int unsigned J = (k + 2) % 3;
 
     assign s1_left[k*E +: E]      = s1_e1_q[I*E +: E];

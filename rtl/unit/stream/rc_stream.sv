@@ -27,7 +27,7 @@ module rc_stream (
   input  rc_pkg::stream_fill_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
   output logic                 waits_o,
-  output logic [2:0]           deed_o
+  output logic [rc_pkg::CauseBits-1:0] deed_o
 );
   localparam int unsigned I     = rc_pkg::RayBits;
   localparam int unsigned A     = rc_pkg::AddrBits;

@@ -8,18 +8,17 @@
 module rc_node_answer #(
   parameter  int unsigned Latency = rc_pkg::BoxLatency,   // of the unit, without its queue
   parameter  bit          Exits   = 1'b0,                 // of rc_child_offsets
-  localparam int unsigned W  = rc_pkg::NodeWidth,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned C  = rc_pkg::CountBits,
-  localparam int unsigned O  = rc_pkg::OffsetBits,
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned A  = rc_pkg::AddrBits,
-  localparam int unsigned G  = rc_pkg::GroupBits,
-  localparam int unsigned L  = Latency
+  localparam int unsigned W = rc_pkg::NodeWidth,
+  localparam int unsigned T = rc_pkg::TBits,
+  localparam int unsigned C = rc_pkg::CountBits,
+  localparam int unsigned O = rc_pkg::OffsetBits,
+  localparam int unsigned I = rc_pkg::RayBits,
+  localparam int unsigned A = rc_pkg::AddrBits,
+  localparam int unsigned G = rc_pkg::GroupBits
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
-  input  logic [L-1:0]               moves_i,   // moves_i[i]: stage i + 1 accepts its input
+  input  logic [Latency-1:0]         moves_i,   // moves_i[i]: stage i + 1 accepts its input
   // The node, at stage In
   input  logic [I-1:0]               ray_i,
   input  logic [A-1:0]               base_i,
@@ -35,7 +34,7 @@ module rc_node_answer #(
 );
   localparam int unsigned EntryW = T + O + C;
   localparam int unsigned In     = rc_pkg::Cut;
-  localparam int unsigned Rank   = L - rc_pkg::RankStages;
+  localparam int unsigned Rank   = Latency - rc_pkg::RankStages;
 
   // Ray and base wait until the end, the kinds until rc_child_offsets needs them.
   logic [I+A-1:0] end_whose;   // {ray, base}
@@ -43,8 +42,8 @@ module rc_node_answer #(
   logic [W*O-1:0] rank_offset;
   logic [W-1:0]   there, rank_leaf;
 
-  rc_shift_register #(.Width(I + A), .Stages(L - In)) u_whose (
-    .clk_i, .valid_i(moves_i[L-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
+  rc_shift_register #(.Width(I + A), .Stages(Latency - In)) u_whose (
+    .clk_i, .valid_i(moves_i[Latency-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
 
   rc_shift_register #(.Width(W * C), .Stages(Rank - 2 - In)) u_kind (
     .clk_i, .valid_i(moves_i[Rank-3:In]), .data_i(kind_i), .data_o(late_kind));
@@ -71,7 +70,7 @@ module rc_node_answer #(
   logic [W*EntryW-1:0] end_entries;
 
   rc_rank u_rank (
-    .clk_i, .valid_i(moves_i[L-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
+    .clk_i, .valid_i(moves_i[Latency-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
     .s0_leaf_i(rank_leaf), .s0_offset_i(rank_offset), .s0_count_i(rank_count),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 

@@ -20,7 +20,7 @@ module rc_node_test #(
   output rc_pkg::box_rsp_t rsp_o,        // all these units have the same form of answer
   // In: its cache waits for memory. Out: what it did, rc_pkg::decide_cause_e.
   input  logic             node_waits_i,
-  output logic [2:0]       cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   logic                       asks, ready, rests, valid;
   rc_pkg::box_rsp_t           own;

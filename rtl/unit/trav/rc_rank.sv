@@ -13,10 +13,10 @@ module rc_rank #(
   localparam int unsigned C      = rc_pkg::CountBits,
   localparam int unsigned O      = rc_pkg::OffsetBits,
   localparam int unsigned G      = rc_pkg::GroupBits,
-  localparam int unsigned L      = rc_pkg::RankStages
+  localparam int unsigned Stages = rc_pkg::RankStages
 ) (
   input  logic                 clk_i,
-  input  logic [L-1:0]         valid_i,    // valid_i[i]: stage i holds a node
+  input  logic [Stages-1:0]    valid_i,    // valid_i[i]: stage i holds a node
   // Children
   input  logic [W-1:0]         s0_hit_i,
   input  logic [W*T-1:0]       s0_near_i,
@@ -56,10 +56,10 @@ module rc_rank #(
     end
   end
 
-  // A level exchanges keys i and i ^ J if their order is wrong for blocks of K.
+  // A level exchanges keys i and i ^ Step if their order is wrong for blocks of Block keys.
   for (genvar l = 0; l < Levels; l++) begin : gen_level
-    localparam int unsigned K = l == 0 ? 2 : l < 3 ? 4 : 8;
-    localparam int unsigned J = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
+    localparam int unsigned Block = l == 0 ? 2 : l < 3 ? 4 : 8;
+    localparam int unsigned Step  = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
     logic holds;
     assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
 
@@ -75,20 +75,20 @@ module rc_rank #(
         assign key = gen_level[l-1].gen_key[i].late;
       end
 
-      if ((i & J) == 0) begin : gen_compare
+      if ((i & Step) == 0) begin : gen_compare
         logic [KeyW-1:0] other, here, there;
-        assign other = gen_level[l].gen_key[i ^ J].key;
+        assign other = gen_level[l].gen_key[i ^ Step].key;
         always_comb begin
           here  = key;
           there = other;
-          if (holds && (key > other) == ((i & K) == 0 || K == W)) begin
+          if (holds && (key > other) == ((i & Block) == 0 || Block == W)) begin
             here  = other;
             there = key;
           end
         end
         assign put = here;
       end else begin : gen_follow
-        assign put = gen_level[l].gen_key[i ^ J].gen_compare.there;
+        assign put = gen_level[l].gen_key[i ^ Step].gen_compare.there;
       end
 
       if (l == Middle) begin : gen_middle
@@ -110,7 +110,7 @@ module rc_rank #(
     logic [KeyW-1:0] last;
     assign last = gen_level[Levels-1].gen_key[i].late;
     always_ff @(posedge clk_i)
-      if (valid_i[L-1])
+      if (valid_i[Stages-1])
         {t_q[i*T +: T], offset_q[i*O +: O], count_q[i*C +: C]} <=
           last[KeyW-1] ? '0 : last[T+O+C-1:0];
 
@@ -119,7 +119,7 @@ module rc_rank #(
   end
   assign entries_o = {t_q, offset_q, count_q};
 
-  rc_shift_register #(.Width(2 * G), .Stages(L)) u_counts (
+  rc_shift_register #(.Width(2 * G), .Stages(Stages)) u_counts (
     .clk_i, .valid_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
 endmodule
 `default_nettype wire

@@ -27,26 +27,26 @@ module rc_ray_t_max #(
   input  logic [Nears*rc_pkg::TBits-1:0] near_i,
   output logic [Nears-1:0]           within_o
 );
-  localparam int unsigned T  = rc_pkg::Contexts;
-  localparam int unsigned TB = rc_pkg::TBits;
-  localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
+  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned T        = rc_pkg::TBits;
+  localparam logic [T-1:0] SurfaceT = T'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
   // written: the memory holds the ray's value. shadow: the ray ends at the surface.
-  logic [T-1:0]               written, shadow;
-  logic [TB-1:0]              kept, kept_then;
+  logic [Contexts-1:0]        written, shadow;
+  logic [T-1:0]               kept, kept_then;
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
 
   assign start_ray = start_i.ray;
 
   // Not block RAM, even for many rays: its data would come too late for the comparison.
-  (* ram_style = "distributed" *) logic [TB-1:0] t_mem [T < 2 ? 2 : T];
+  (* ram_style = "distributed" *) logic [T-1:0] t_mem [Contexts < 2 ? 2 : Contexts];
 
   assign kept = t_mem[read_ray_i];
 
   always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_i;
 
-  rc_flags #(.Flags(T)) u_written (
+  rc_flags #(.Flags(Contexts)) u_written (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(write_i), .set_at_i(write_ray_i), .flags_o(written));
 
@@ -54,10 +54,10 @@ module rc_ray_t_max #(
     logic is_shadow;
 
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;
-    rc_bit_array #(.Marks(T)) u_shadow (
+    rc_bit_array #(.Marks(Contexts)) u_shadow (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(is_shadow),
       .marks_o(shadow));
-    rc_bit_select #(.Flags(T)) u_was_shadow (
+    rc_bit_select #(.Flags(Contexts)) u_was_shadow (
       .clk_i, .flags_i(shadow), .index_i(read_ray_i), .flag_o(was_shadow));
   end else begin : gen_camera
     assign shadow   = '0;
@@ -67,17 +67,17 @@ module rc_ray_t_max #(
     assign unused = ^shadow;
   end
 
-  rc_bit_select #(.Flags(T)) u_was_written (
+  rc_bit_select #(.Flags(Contexts)) u_was_written (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
 
-  rc_path_register #(.Width(TB)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
+  rc_path_register #(.Width(T)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
 
   assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
 
   // Comparisons with both candidates, then the selection.
   for (genvar i = 0; i < Nears; i++) begin : gen_near
-    logic [TB-1:0] near;
-    assign near        = near_i[i*TB +: TB];
+    logic [T-1:0] near;
+    assign near        = near_i[i*T +: T];
     assign within_o[i] = was_written ? near <= kept_then : !was_shadow || near <= SurfaceT;
   end
 endmodule

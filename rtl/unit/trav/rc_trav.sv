@@ -66,7 +66,7 @@ module rc_trav (
   output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
   // What it did: rc_pkg::trav_cause_e
-  output logic [2:0]        cause_o,
+  output logic [rc_pkg::CauseBits-1:0] cause_o,
   // With two levels: to and from xform
   output logic               xform_req_valid_o,
   input  logic               xform_req_ready_i,
@@ -74,15 +74,15 @@ module rc_trav (
   input  logic               change_fires_i,
   input  rc_pkg::change_t    change_i
 );
-  localparam int unsigned I = rc_pkg::RayBits;
-  localparam int unsigned A = rc_pkg::AddrBits;
-  localparam int unsigned T = rc_pkg::Contexts;
-  localparam int unsigned M = rc_pkg::RayDirBits;
-  localparam int unsigned TB = rc_pkg::TBits;
-  localparam int unsigned S = rc_pkg::SlotBits;
-  localparam int unsigned W = rc_pkg::NodeWidth;
-  localparam int unsigned O = rc_pkg::OffsetBits;
-  localparam int unsigned C = rc_pkg::CountBits;
+  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned A        = rc_pkg::AddrBits;
+  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned M        = rc_pkg::RayDirBits;
+  localparam int unsigned T        = rc_pkg::TBits;
+  localparam int unsigned S        = rc_pkg::SlotBits;
+  localparam int unsigned W        = rc_pkg::NodeWidth;
+  localparam int unsigned O        = rc_pkg::OffsetBits;
+  localparam int unsigned C        = rc_pkg::CountBits;
 
   // ---- Rays: the fields that the unit that decides nodes needs wait here for the ray's nodes.
   localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
@@ -109,7 +109,7 @@ module rc_trav (
     .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
     .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
 
-  rc_ram_prefetch #(.Width(BoxRayW), .Depth(T)) u_ray (
+  rc_ram_prefetch #(.Width(BoxRayW), .Depth(Contexts)) u_ray (
     .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
     .next_addr_i(node_next_i), .read_data_o(kept_ray));
@@ -154,12 +154,12 @@ module rc_trav (
       .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
       .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
 
-    rc_ram_prefetch #(.Width(KeptW), .Depth(T)) u_direction (
+    rc_ram_prefetch #(.Width(KeptW), .Depth(Contexts)) u_direction (
       .clk_i, .rst_ni, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(kept_way));
 
-    rc_ram_prefetch #(.Width(MeshRayW), .Depth(T)) u_changed (
+    rc_ram_prefetch #(.Width(MeshRayW), .Depth(Contexts)) u_changed (
       .clk_i, .rst_ni, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(changed_ray));
@@ -207,7 +207,7 @@ module rc_trav (
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires;
-  logic [TB-1:0]              in_t;
+  logic [T-1:0]               in_t;
 
   assign came               = decide_rsp_i;
   assign came_fires         = decide_rsp_valid_i;
@@ -225,11 +225,11 @@ module rc_trav (
   assign in = in_flat;
 
   // Leaves: moved to the front of the entries.
-  logic [S-1:0]    in_inner;
-  logic [W*TB-1:0] leaf_near;
-  logic [W*O-1:0]  in_offset, leaf_offset;
-  logic [W*C-1:0]  leaf_count;
-  logic [W*S-1:0]  in_slot;
+  logic [S-1:0]   in_inner;
+  logic [W*T-1:0] leaf_near;
+  logic [W*O-1:0] in_offset, leaf_offset;
+  logic [W*C-1:0] leaf_count;
+  logic [W*S-1:0] in_slot;
 
   assign in_inner  = in.inner[S-1:0];   // W inner children leave no leaves
   assign in_offset = in.offset;
@@ -240,7 +240,7 @@ module rc_trav (
     leaf_count  = in.count;
     for (int b = 0; b < S; b++)
       if (in_inner[b]) begin
-        leaf_near   = leaf_near >> (TB << b);
+        leaf_near   = leaf_near >> (T << b);
         leaf_offset = leaf_offset >> (O << b);
         leaf_count  = leaf_count >> (C << b);
       end
@@ -253,26 +253,26 @@ module rc_trav (
   rc_pkg::leaves_t              leaves;
   logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
   logic [rc_pkg::ChildrenW-1:0] in_children, children;
-  logic [TB-1:0]                leaves_beat;
+  logic [T-1:0]                 leaves_beat;
 
   assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
   assign in_children = {in.base, in.inner, in.t_near, in_slot};
 
-  rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
+  rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + T)) u_moved (
     .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
 
   // Leaves go to list if the nearest can matter. A fast chip compares all children one cycle
   // earlier, and selects the nearest leaf's result. A few hundred cells of list get it from a
   // register.
-  logic            leafless_fires;
-  logic [W*TB-1:0] leaves_near;
+  logic           leafless_fires;
+  logic [W*T-1:0] leaves_near;
 
   assign leaves_near = leaves.t_near;
 
   if (rc_pkg::Cut == 0) begin : gen_in_now
     logic matters;
-    assign matters        = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;
+    assign matters        = leaves.leaves != '0 && leaves_near[T-1:0] <= leaves_beat;
     assign in_fires       = came_fires;
     assign leaves_fires_o = in_fires && matters;
     assign leafless_fires = in_fires && !matters;
@@ -302,10 +302,10 @@ module rc_trav (
   // ---- Steps: rays whose leaves are tested, and rays without leaves.
   logic            leafless_valid, leafless_ready, step_valid, step_ready;
   logic [I-1:0]    leafless_ray;
-  logic [TB-1:0]   leafless_t;
+  logic [T-1:0]    leafless_t;
   rc_pkg::tested_t leafless;
 
-  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
+  rc_queue #(.Width(I + T), .Depth(Contexts)) u_leafless (
     .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
@@ -336,7 +336,7 @@ module rc_trav (
   // ---- Stage 0: a returning ray goes before a new step. It has no new children and no stop.
   logic            again_q, step_fires;
   logic [I-1:0]    again_ray_q, s0_ray;
-  logic [TB-1:0]   again_t_q;
+  logic [T-1:0]    again_t_q;
   rc_pkg::tested_t again_tested;
 
   assign step_ready = !again_q;
@@ -366,7 +366,7 @@ module rc_trav (
     else if (step_fires) s1_tested_q <= step;
   end
 
-  rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
+  rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(Contexts)) u_children (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
     .read_data_o(kept_children));
@@ -397,7 +397,7 @@ module rc_trav (
   logic [I+A-1:0] visit_data, root_data;
   logic [I-1:0]   spawn_ray;
 
-  rc_queue #(.Width(I + A), .Depth(T)) u_visit (
+  rc_queue #(.Width(I + A), .Depth(Contexts)) u_visit (
     .clk_i, .rst_ni, .push_i(visit),
     .data_i({end_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
     .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
@@ -414,7 +414,7 @@ module rc_trav (
     logic           mesh_valid, mesh_ready;
     logic [I+A-1:0] mesh_data;
 
-    rc_queue #(.Width(I + A), .Depth(T)) u_mesh (
+    rc_queue #(.Width(I + A), .Depth(Contexts)) u_mesh (
       .clk_i, .rst_ni, .push_i(change_fires_i), .data_i({change_i.ray, change_i.root}),
       .valid_o(mesh_valid), .pop_i(mesh_valid && mesh_ready), .data_o(mesh_data));
 
@@ -440,7 +440,7 @@ module rc_trav (
   rc_pulse_register u_ends (.clk_i, .rst_ni, .fires_i(done), .fires_o(ends));
   rc_path_register #(.Width(I)) u_ends_ray (.clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
 
-  rc_fifo_peek #(.Width(I), .Depth(T < 2 ? 2 : T), .Second(1)) u_done (
+  rc_fifo_peek #(.Width(I), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));

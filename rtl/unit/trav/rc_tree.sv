@@ -48,13 +48,13 @@ module rc_tree (
   output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
   // What its units did: rc_pkg::trav_cause_e, decide_cause_e
-  output logic [2:0]        trav_cause_o,
-  output logic [2:0]        decide_cause_o,
-  output logic [2:0]        mesh_cause_o,    // of the second unit
+  output logic [rc_pkg::CauseBits-1:0] trav_cause_o,
+  output logic [rc_pkg::CauseBits-1:0] decide_cause_o,
+  output logic [rc_pkg::CauseBits-1:0] mesh_cause_o,    // of the second unit
   // With two levels: a transformed ray, to list; rc_pkg::xform_cause_e
   output logic              change_fires_o,
   output rc_pkg::change_t   change_o,
-  output logic [2:0]        xform_cause_o
+  output logic [rc_pkg::CauseBits-1:0] xform_cause_o
 );
   // Links.
   logic                           decide_req_valid, decide_req_ready;

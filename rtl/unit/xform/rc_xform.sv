@@ -28,18 +28,18 @@ module rc_xform (
   output logic               change_fires_o,
   output rc_pkg::change_t    change_o
 );
-  localparam int unsigned N  = rc_pkg::OriginWidth;
-  localparam int unsigned M  = rc_pkg::RayDirBits;
-  localparam int unsigned X  = N > M ? N : M;
-  localparam int unsigned E  = rc_pkg::MapBits;
-  localparam int unsigned K  = rc_pkg::MapFrac;
-  localparam int unsigned B  = rc_pkg::OriginBits;
-  localparam int unsigned BW = N - B + K;
-  localparam int unsigned P  = E + X;               // width of a product
-  localparam int unsigned SW = X + K + 1;           // width of a sum
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1;
-  localparam int unsigned EB = rc_pkg::ExpBits;
-  localparam int unsigned L  = rc_pkg::XformLatency;
+  localparam int unsigned N        = rc_pkg::OriginWidth;
+  localparam int unsigned M        = rc_pkg::RayDirBits;
+  localparam int unsigned FactorW  = N > M ? N : M;
+  localparam int unsigned E        = rc_pkg::MapBits;
+  localparam int unsigned K        = rc_pkg::MapFrac;
+  localparam int unsigned B        = rc_pkg::OriginBits;
+  localparam int unsigned BW       = N - B + K;
+  localparam int unsigned ProductW = E + FactorW;               // width of a product
+  localparam int unsigned SW       = FactorW + K + 1;           // width of a sum
+  localparam int unsigned R1       = rc_pkg::RecipBits + 1;
+  localparam int unsigned EB       = rc_pkg::ExpBits;
+  localparam int unsigned Latency  = rc_pkg::XformLatency;
   localparam int unsigned Share  = rc_pkg::RecipShare;
 
   // Stages in which a ray has arrived, its products are ready, and it is transformed.
@@ -70,14 +70,14 @@ module rc_xform (
   assign req_ready_o = !rests_o;
 
   // valid[i]: stage i holds a ray.
-  logic [L-1:0] valid_q;
-  logic [L:0]   valid;
+  logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
 
   assign valid = {valid_q, admit};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else         valid_q <= valid[L-1:0];
+    else         valid_q <= valid[Latency-1:0];
   end
 
   // The request.
@@ -89,13 +89,13 @@ module rc_xform (
   assign in = in_flat;
 
   // ---- Products: of o, then of d, each row by row.
-  logic [3*N-1:0]  in_o;
-  logic [3*M-1:0]  in_d;
-  logic [9*E-1:0]  in_a;
-  logic [3*BW-1:0] in_b;
-  logic [18*E-1:0] factor_a;
-  logic [18*X-1:0] factor_v;
-  logic [18*P-1:0] product;
+  logic [3*N-1:0]         in_o;
+  logic [3*M-1:0]         in_d;
+  logic [9*E-1:0]         in_a;
+  logic [3*BW-1:0]        in_b;
+  logic [18*E-1:0]        factor_a;
+  logic [18*FactorW-1:0]  factor_v;
+  logic [18*ProductW-1:0] product;
 
   assign in_o     = in.o;
   assign in_d     = in.d;
@@ -104,11 +104,11 @@ module rc_xform (
   assign factor_a = {in_a, in_a};
 
   for (genvar i = 0; i < 9; i++) begin : gen_factor
-    assign factor_v[i*X +: X]     = X'($signed(in_o[(i%3)*N +: N]));
-    assign factor_v[(9+i)*X +: X] = X'($signed(in_d[(i%3)*M +: M]));
+    assign factor_v[i*FactorW +: FactorW] = FactorW'($signed(in_o[(i%3)*N +: N]));
+    assign factor_v[(9+i)*FactorW +: FactorW] = FactorW'($signed(in_d[(i%3)*M +: M]));
   end
 
-  rc_mul_shared #(.AW(E), .BW(X), .Products(18), .Share(rc_pkg::MapShare)) u_products (
+  rc_mul_shared #(.AW(E), .BW(FactorW), .Products(18), .Share(rc_pkg::MapShare)) u_products (
     .clk_i, .valid_i(valid[In]), .a_i(factor_a), .b_i(factor_v), .p_o(product));
 
   // ---- Sums. Half a step, for the rounding, is added to b or, for d, in its place.
@@ -127,30 +127,31 @@ module rc_xform (
   rc_path_register #(.Width(3 * SW), .Stages(Made - In)) u_b (
     .clk_i, .data_i(begin_b), .data_o(made_b));
 
-  logic [3*X-1:0] moved_o, moved_d;   // as wide as the wider of the two
+  logic [3*FactorW-1:0] moved_o, moved_d;   // as wide as the wider of the two
   for (genvar i = 0; i < 6; i++) begin : gen_sum
-    logic [SW-1:0] rest, first_q, second_q;
-    logic [SW-1:0] total;
-    logic [X-1:0]  moved_q, home, rounded;
+    logic [SW-1:0]      rest, first_q, second_q;
+    logic [SW-1:0]      total;
+    logic [FactorW-1:0] moved_q, home, rounded;
 
     if (i < 3) begin : gen_point
       assign rest = made_b[i*SW +: SW];
-      assign moved_o[i*X +: X] = moved_q;
-      assign home = X'($signed(home_o[i*N +: N]));
-      assign rounded = sum_shadow ? total[K +: X] >> B << B : total[K +: X];
+      assign moved_o[i*FactorW +: FactorW] = moved_q;
+      assign home = FactorW'($signed(home_o[i*N +: N]));
+      assign rounded = sum_shadow ? total[K +: FactorW] >> B << B : total[K +: FactorW];
     end else begin : gen_direction
       assign rest = Half;
-      assign moved_d[(i-3)*X +: X] = moved_q;
-      assign home = X'($signed(home_d[(i-3)*M +: M]));
-      assign rounded = total[K +: X];
+      assign moved_d[(i-3)*FactorW +: FactorW] = moved_q;
+      assign home = FactorW'($signed(home_d[(i-3)*M +: M]));
+      assign rounded = total[K +: FactorW];
     end
 
     assign total = first_q + second_q;
 
     always_ff @(posedge clk_i) begin
       if (valid[Made]) begin
-        first_q  <= SW'($signed(product[3*i*P +: P])) + SW'($signed(product[(3*i+1)*P +: P]));
-        second_q <= SW'($signed(product[(3*i+2)*P +: P])) + rest;
+        first_q  <= SW'($signed(product[3*i*ProductW +: ProductW]))
+                  + SW'($signed(product[(3*i+1)*ProductW +: ProductW]));
+        second_q <= SW'($signed(product[(3*i+2)*ProductW +: ProductW])) + rest;
       end
       if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
@@ -170,8 +171,8 @@ module rc_xform (
   logic [3*M-1:0] d;
 
   for (genvar k = 0; k < 3; k++) begin : gen_narrow
-    assign o[k*N +: N] = moved_o[k*X +: N];
-    assign d[k*M +: M] = moved_d[k*X +: M];
+    assign o[k*N +: N] = moved_o[k*FactorW +: N];
+    assign d[k*M +: M] = moved_d[k*FactorW +: M];
   end
 
   // ---- Home: a ray that starts from this instance, or a shadow ray that ends there.
@@ -245,13 +246,13 @@ module rc_xform (
 
   logic [3*(N+M)-1:0]   end_moved;
 
-  rc_delay_ram #(.Width(WhoseW), .Stages(L - In)) u_whose (
+  rc_delay_ram #(.Width(WhoseW), .Stages(Latency - In)) u_whose (
     .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_whose), .data_o(end_whose));
 
-  rc_delay_ram #(.Width(3 * (N + M)), .Stages(L - Moved)) u_moved (
+  rc_delay_ram #(.Width(3 * (N + M)), .Stages(Latency - Moved)) u_moved (
     .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o(end_moved));
 
-  assign change_fires_o = valid[L];
+  assign change_fires_o = valid[Latency];
   assign change_o       = {end_whose, end_moved, recip, len};
 
   logic unused;

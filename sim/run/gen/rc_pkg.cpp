@@ -107,6 +107,7 @@ std::string host_constants(const Config& config) {
         if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
     text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
     text += constant("RegCounters", counter_base);
+    text += constant("RegAddrBits", address_bits) + constant("CounterBits", counter_bits);
     std::vector<std::uint32_t> values, at, bits;
     for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
     for (const FrameWord& word : frame_words(config)) {
@@ -146,6 +147,10 @@ public:
     }
     void constant(const std::string& name, int value) {
         text_ += fmt::format("  localparam int unsigned {} = {};\n", name, value);
+    }
+    /// Adds a constant that has a width.
+    void bits(const char* name, int width, std::uint64_t value) {
+        text_ += fmt::format("  localparam logic [{}:0] {} = {}'h{:x};\n", width - 1, name, width, value);
     }
     void say(const char* comment) { text_ += fmt::format("\n  // {}\n", comment); }
 
@@ -277,6 +282,9 @@ void derived(Package& p, const Config& c) {
     p.constant("NormalBits", c.normal_bits());
     p.constant("UnitBits", unit_bits);
     p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
+    p.bits("ValueOne", unit_bits + 1, 1ull << unit_bits);
+    p.bits("ProductHalf", 2 * unit_bits + 2, 1ull << (unit_bits - 1));   // half a value's last bit, in a
+                                                                         // product of two values
     p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("ColourBits", share_bits + 1);             // 0 to 1: a channel of a surface's colour
@@ -292,6 +300,7 @@ void derived(Package& p, const Config& c) {
     p.constant("RootBits", root_bits);
     p.constant("MostFine", most_fine);
     p.constant("SampleBits", sample_bits);
+    p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
@@ -348,6 +357,7 @@ void derived(Package& p, const Config& c) {
     p.constant("HitdivStages", stages.hit_divide);
     p.constant("SphereLevels", stages.sphere_levels);
     p.constant("SphereStages", stages.sphere);
+    p.constant("SampleStages", stages.sample);
     p.constant("PixelStages", stages.pixel);
     p.constant("DirectionStages", stages.direction);
     p.constant("RecipStages", stages.recip);
@@ -410,6 +420,7 @@ void enumerations(Package& p) {
     p.enumeration<Leave>("leave_e", "Leave", 2,
                          {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}});
     p.say("What a unit did in a cycle; first a cache's deeds.");
+    p.constant("CauseBits", cause_bits);
     p.enumeration<CacheDeed>("deed_e", "Deed", cause_bits,
                              {{"Hit", CacheDeed::hit},
                               {"Miss", CacheDeed::miss},

@@ -1,6 +1,7 @@
 #pragma once
 // The registers of the chip's host interface. This one list defines the constants of rc_pkg.sv, the bus
 // writes of all programs here, and the tables of docs/chip.md. Addresses count 32-bit words.
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ constexpr std::uint32_t host_version = 1;
 constexpr std::uint32_t parameter_base = 0x20, frame_base = 0x400, counter_base = 0x1000;
 constexpr int address_bits = 13;
 constexpr int tally_bits = 40;   ///< width of a counter, which takes two words
+/// Width of a counter's number, {group, unit, cause}. The address has one more bit, which selects the word.
+constexpr int counter_bits = std::countr_zero(counter_base) - 1;
 
 /// A parameter of the configuration that the host can read, at parameter_base + its index.
 struct HostParameter {

@@ -61,13 +61,13 @@ private:
         PassIn in;
         PassOut out;
         std::vector<Waiting> stack;
-        Shade::Turn pass(const Frame& frame, const Config& config) {
+        Shade::Leave pass(const Frame& frame, const Config& config) {
             const bool pops = in.state.event == std::uint32_t(ShadeEvent::pop) && !stack.empty();
             if (pops) in.top = stack.back(), stack.pop_back();
             out = rayclock::pass(in, frame, config);
             in.state = out.state;
             if (out.push) stack.push_back(out.pushed);
-            return Shade::Turn(std::uint32_t(out.leave));
+            return Shade::Leave(std::uint32_t(out.leave));
         }
     };
     Config config_;

@@ -60,12 +60,12 @@ public:
         const OnLink leafless = leaves ? OnLink{} : ray_of(boxed);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
-                        if (!valid) return Turn::Flags{};
+                        if (!valid) return Decision::Flags{};
                         Context& c = contexts_[number];
-                        const Turn turn = c.stack.decide(c.tested, c.children);
-                        c.addr = turn.addr;
-                        c.children = {};   // another turn has no new children
-                        return turn.flags();
+                        const Decision decision = c.stack.decide(c.tested, c.children);
+                        c.addr = decision.addr;
+                        c.children = {};   // another decision has no new children
+                        return decision.flags();
                     });
         if (boxed) {
             Context& c = contexts_[boxed->ray];

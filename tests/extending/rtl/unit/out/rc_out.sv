@@ -14,7 +14,7 @@ module rc_out (
   output logic            pixel_valid_o,
   input  logic            pixel_ready_i,
   output rc_pkg::pixel_t  pixel_o,
-  output logic [2:0]      cause_o
+  output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   rc_fifo #(.Width(rc_pkg::ResultW), .Depth(2)) u_fifo (
     .clk_i, .rst_ni, .valid_i(result_valid_i), .ready_o(result_ready_o), .data_i(result_i),
