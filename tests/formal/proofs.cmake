@@ -160,8 +160,8 @@ prove(mutant:formal_host_upper_word_goes_on TOP host_cycles RTL ${host} CYCLES 1
   OLD [[if (fires && !we_q && adr_q == AddrW'(rc_pkg::RegCycles)) high_q   <=]]
   NEW [[high_q <=]])
 prove(mutant:formal_host_upper_word_one_bit_off TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
-  OLD [[high_q  <= 32'(cycles_q >> 32)]]
-  NEW [[high_q  <= 32'(cycles_q >> 33)]])
+  OLD [[high_q   <= 32'(cycles_q >> 32)]]
+  NEW [[high_q   <= 32'(cycles_q >> 33)]])
 prove(mutant:formal_host_count_does_not_carry TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
   OLD [[cycles_q <= cycles_q + 1'b1;]]
   NEW [[cycles_q <= {cycles_q[W-1:32], cycles_q[31:0] + 32'd1};]])

@@ -285,7 +285,7 @@ void derived(Package& p, const Config& c) {
     p.bits("ValueOne", unit_bits + 1, 1ull << unit_bits);
     p.bits("ProductHalf", 2 * unit_bits + 2, 1ull << (unit_bits - 1));   // half a value's last bit, in a
                                                                          // product of two values
-    p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
+    p.constant("AxisBits", unit_bits + 2);   // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("ColourBits", share_bits + 1);             // 0 to 1: a channel of a surface's colour
     p.constant("SumBits", unit_bits + 1 + sample_bits);   // a channel of the sum of a pixel's samples
