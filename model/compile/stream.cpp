@@ -17,6 +17,8 @@ constexpr double close_to_power = 0x1p-40;
 /// The range of t in which a ray lies within the lattice.
 struct Within {
     double from, to;
+    int axis = -1;   ///< of the border through which the ray enters; -1 if it begins within
+    bool is_high = false;
 };
 /// The lattice of origins ends a step beyond the scene's vertices on the lower sides, and a step less 2^-frac
 /// on the upper ones. So a ray that begins at its border meets a surface there at t > 0.
@@ -32,10 +34,10 @@ std::optional<Within> within_lattice(const StreamRay& ray, const Lattice& lattic
             continue;
         }
         const double a = (low - o) / d, b = (high - o) / d;
-        in.from = std::max(in.from, std::min(a, b));
+        if (std::min(a, b) > in.from) in = {std::min(a, b), in.to, k, d < 0};
         in.to = std::min(in.to, std::max(a, b));
     }
-    if (!(in.from <= in.to)) return std::nullopt;
+    if (!(in.from <= in.to) || !std::isfinite(in.from)) return std::nullopt;
     return in;
 }
 
@@ -60,7 +62,11 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
     made.begin = in->from;
     made.is_clipped = in->from > ray.t_min;
     RayRecord& record = made.record;
-    const Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
+    Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
+    if (in->axis >= 0) {   // exactly, also for an origin so far away that doubles are coarse
+        const std::int32_t reach = 1 << (config.origin_width() - 1);
+        begin[std::size_t(in->axis)] = in->is_high ? reach - 1 : -reach;
+    }
     // A segment that leaves the scene needs no end.
     if (ray.any_hit && in->to == ray.t_max) {
         const Vec3i end = fixed_point(ray.origin + in->to * ray.direction, lattice, 0);
@@ -71,7 +77,7 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
                 record.o[k] = end[k] * (1 << frac);
                 record.d[k] = begin[k] - record.o[k];
             }
-            if (record.d == Vec3i{}) record.d[0] = 1;   // too short to meet anything
+            if (record.d == Vec3i{}) record = ray_to_nowhere(config);   // a point meets nothing
             return made;
         }
     }

@@ -23,8 +23,7 @@ void check_rtl(const Config& c) {
 
 void check_range(const Parameter& p, int value, const std::string& where) {
     if (std::string_view(p.key).ends_with("_line") && value < line_bytes)
-        throw UserError(where + ": " + p.key +
-                        " must be at least 64 bytes, since a node of the tree takes 64, not " +
+        throw UserError(where + ": " + p.key + " must be at least 64 bytes, a line of memory, not " +
                         std::to_string(value));
     if (value < p.lo || value > p.hi)
         throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." +

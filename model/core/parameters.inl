@@ -43,7 +43,7 @@ POWER(stack_depth, rtl, 16, 1, 64, "groups", tree, "groups of siblings that a ra
 
 GROUP(shading, "Units that only some scenes need")
 FLAG(shading, rtl, always, "1: the chip computes finished colours, with shadow rays and bounces; the other units need it")
-CHOICE(source, rtl, RaySource, camera, shading, "stream: rays come from records in memory, and the chip has no camera and no shade")
+CHOICE(source, rtl, RaySource, camera, always, "stream: rays come from records in memory, and the chip has no camera and no shade")
 FLAG(spheres, rtl, always, "1: tri tests spheres")
 FLAG(planes, rtl, always, "1: tri tests infinite planes, and shade has checkers")
 FLAG(smooth, rtl, always, "1: normals are interpolated between a triangle's corners")

@@ -72,6 +72,8 @@ int run_rays(const RaysOptions& o) {
         throw UserError(fmt::format("--radius must be above 0, not {}", *o.radius));
     plan.radius = o.radius.value_or(0);
     o.json.check();
+    if (o.output == "-") throw UserError("--output names a file, not standard output");
+    if (o.output == o.json.path) throw UserError("--output and --json name the same file");
     check_writable(o.output);
     const Progress stop = stopping(terminal_progress());
     const Config config = load_config(o.config);

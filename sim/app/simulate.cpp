@@ -338,14 +338,8 @@ void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simu
 
 /// Runs the command with a stream of rays, which leaves nothing to draw.
 int run_simulate_stream(const SimulateOptions& o) {
-    const char* odd = o.size != default_size ? "--size"
-                      : o.finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
-                      : o.view.is_asked()    ? "an option of the camera or the material"
-                      : o.frames.frames > 1 || o.frames.pan != 0 ? "--frames or --pan"
-                      : o.engine != "model"                      ? "--engine"
-                      : !o.report.empty()                        ? "--report"
-                      : !o.output.empty()                        ? "--output"
-                                                                 : nullptr;
+    refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
+    const char* odd = o.engine != "model" ? "--engine" : !o.report.empty() ? "--report" : nullptr;
     if (odd)
         throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
     return simulate_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});

@@ -34,8 +34,30 @@ void stream_options(Parser& parser, StreamChoice& choice) {
 
 void check_stream_options(const StreamChoice& choice) {
     if (choice.is_asked()) return;
-    const char* option = choice.any_hit ? "--any-hit" : !choice.hits.empty() ? "--hits" : nullptr;
+    const char* option = choice.any_hit                             ? "--any-hit"
+                         : choice.hits                              ? "--hits"
+                         : choice.outside != StreamChoice{}.outside ? "--outside"
+                                                                    : nullptr;
     if (option) throw UserError(fmt::format("{} needs --rays, a stream of rays", option));
+}
+
+void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
+                            const FramesOptions& frames, const LimitsChoice& limits,
+                            const std::string& output) {
+    const FramesOptions none;
+    const char* odd = size != default_size ? "--size"
+                      : finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
+                      : view.is_asked()    ? "an option of the camera"
+                      : view.ground        ? "--ground"
+                      : view.material      ? "--material"
+                      : frames.frames != 1 || frames.pan != 0 || frames.fps || !frames.time.empty() ||
+                              frames.uploads != none.uploads || frames.rebuild != none.rebuild
+                          ? "an option of films"
+                      : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
+                      : !output.empty()                                               ? "--output"
+                                                                                      : nullptr;
+    if (odd)
+        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
 }
 
 namespace {
@@ -49,7 +71,10 @@ struct Streamed {
 
 Config config_of(const StreamCommand& c) {
     const Config base = settled(streaming(load_config({c.config.name, {}})));
-    return with_settings(base, c.config.set, base.name);
+    const Config config = with_settings(base, c.config.set, base.name);
+    if (!config.is_stream())
+        throw UserError("--rays needs source=stream, which --set source=camera takes back");
+    return config;
 }
 
 Outside outside_of(const StreamChoice& choice) {
@@ -61,7 +86,7 @@ Outside outside_of(const StreamChoice& choice) {
 std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
     const Outside outside = outside_of(c.stream);
     auto s = std::make_unique<Streamed>(
-        Streamed{told_scene(c.scene, progress), RayFile(c.stream.rays, c.stream.any_hit), {}});
+        Streamed{told_scene(c.scene, progress), RayFile(*c.stream.rays, c.stream.any_hit), {}});
     if (!s->scene.spheres.empty() || !s->scene.planes.empty())
         throw UserError(s->scene.name +
                         ": a stream of rays meets triangles only, and the scene has spheres or planes");
@@ -71,7 +96,7 @@ std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, con
 }
 
 std::string heading_of(const StreamJob& s) {
-    std::string text = fmt::format("{}: {}; {}: {} rays, {} for the closest hit and {} for any hit",
+    std::string text = fmt::format("{}: {}; {}: {} rays: {} for the closest hit and {} for any hit",
                                    s.scene.name, primitives_text(s.scene), printable(s.rays.name()),
                                    grouped(s.rays.size()), grouped(s.closest), grouped(s.any));
     if (s.clipped) text += fmt::format("; {} begin outside the lattice and are clipped", grouped(s.clipped));
@@ -100,7 +125,7 @@ nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest
 }
 
 nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& answers,
-                                const std::vector<FramesAtClock>& runs,
+                                const std::vector<FramesAtClock>& runs, bool partial,
                                 const std::optional<StreamJudgement>& judged) {
     const Config& config = s.job.config;
     const FrameResult& first = runs[0].last();
@@ -112,7 +137,7 @@ nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& 
     return {{"scene", scene_json(s.scene)},
             {"stream", stream_json(s, answers)},
             {"config", config_json_object(config)},
-            {"partial", runs.back().partial()},
+            {"partial", partial},
             {"compile", compile_json(s.job.image.report)},
             {"rays", rays_json(first.rays)},
             {"work", work_json(first)},
@@ -122,11 +147,24 @@ nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& 
             {"judge", judgement_json(judged)}};
 }
 
-void write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz,
+/// Checks the files that the command writes, before any work.
+void check_outputs(const StreamCommand& c) {
+    c.json.check();
+    if (!c.stream.hits) return;
+    if (*c.stream.hits == "-") throw UserError("--hits writes a file, not standard output");
+    if (*c.stream.hits == c.json.path) throw UserError("--hits and --json name the same file");
+    check_writable(*c.stream.hits);
+}
+
+/// Writes the hits if they are asked for. Returns false if it was interrupted; nothing is written then.
+bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz,
                 Traffic traffic) {
-    if (c.stream.hits.empty()) return;
-    write_bytes(c.stream.hits, hits_npy(s, frame.trace.hits, retirements(s.job.config, khz, frame, traffic)));
-    if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(c.stream.hits));
+    if (!c.stream.hits) return true;
+    const std::vector<std::uint64_t> cycles = retirements(s.job.config, khz, frame, traffic);
+    if (interrupted()) return false;
+    write_bytes(*c.stream.hits, hits_npy(s, frame.trace.hits, cycles));
+    if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(*c.stream.hits));
+    return true;
 }
 
 }   // namespace
@@ -134,8 +172,7 @@ void write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame&
 int simulate_stream(const StreamCommand& c) {
     const Stopwatch watch;
     const Traffic traffic = traffic_of(c.traffic);
-    c.json.check();
-    if (!c.stream.hits.empty()) check_writable(c.stream.hits);
+    check_outputs(c);
     const Progress progress = terminal_progress(), stop = stopping(progress);
     const Config config = config_of(c);
     const std::vector<int> clocks = clocks_of(c.clock, config);
@@ -150,17 +187,18 @@ int simulate_stream(const StreamCommand& c) {
         runs.push_back({khz, {frame_result(frames[0], timings[0])}});
         if (runs.back().partial()) break;
     }
-    const bool partial = runs.back().partial();
+    bool partial = runs.back().partial();
     std::optional<StreamJudgement> judged;
     if (!c.no_judge && !partial) judged = judge_stream(s, answers, c.threads, stop);
     if (!c.json.is_alone()) {
         fmt::print("{}{}{}\n{}\n{}", heading_of(s), clock_table(config, runs), clock_line(config, clocks),
                    work_table(config, runs[0]), unit_table(config, runs));
         if (judged) fmt::print("\n{}", judge_line(*judged));
-        if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
     }
-    if (!partial) write_hits(c, s, frames[0], clocks[0], traffic);
-    nlohmann::ordered_json json = run_json(s, answers, runs, judged);
+    partial = partial || !write_hits(c, s, frames[0], clocks[0], traffic);
+    if (partial && !c.json.is_alone())
+        fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
+    nlohmann::ordered_json json = run_json(s, answers, runs, partial, judged);
     Digest digest;
     std::uint64_t cycles = 0;
     for (const FramesAtClock& run : runs) digest.add(run.last().digest), cycles += run.last().cycles;
@@ -173,8 +211,7 @@ int simulate_stream(const StreamCommand& c) {
 int verify_stream(const StreamCommand& c) {
     const Stopwatch watch;
     const Traffic traffic = traffic_of(c.traffic);
-    c.json.check();
-    if (!c.stream.hits.empty()) check_writable(c.stream.hits);
+    check_outputs(c);
     const int khz = parse_clocks(c.clock)[0];
     const Progress progress = terminal_progress(), stop = stopping(progress);
     const Config config = config_of(c);
@@ -186,23 +223,23 @@ int verify_stream(const StreamCommand& c) {
     frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
     const LockstepResult result = run_lockstep(s.job, frames, traffic, progress, int(c.traffic.seed));
     const std::vector<FramesAtClock> runs{{khz, {result.model}}};
-    const bool partial = result.model.partial;
+    bool partial = result.model.partial;
     std::optional<StreamJudgement> judged;
     if (!c.no_judge && !partial) judged = judge_stream(s, result.rtl.answers, c.threads, stop);
-    const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
     if (!c.json.is_alone()) {
         fmt::print("{}{}\n{}\n{}\n{}", heading_of(s), clock_table(config, runs), work_table(config, runs[0]),
                    unit_table(config, runs), lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }
-    if (!partial) write_hits(c, s, frames[0], khz, traffic);
+    partial = partial || !write_hits(c, s, frames[0], khz, traffic);
+    const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
     if (!c.json.is_alone())
         fmt::print("  {} in {:.1f} s\n",
                    good      ? "VERIFIED"
                    : partial ? "PARTIAL: interrupted"
                              : "FAILED",
                    watch.seconds());
-    nlohmann::ordered_json json = run_json(s, result.rtl.answers, runs, judged);
+    nlohmann::ordered_json json = run_json(s, result.rtl.answers, runs, partial, judged);
     json["events_compared"] = result.events_compared;
     json["value_mismatches"] = result.value_mismatches;
     json["account_mismatches"] = result.account_mismatches;

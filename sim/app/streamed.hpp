@@ -1,6 +1,7 @@
 #pragma once
 // Commands with a stream of rays in place of a camera.
-#include <vector>
+#include <optional>
+#include <string>
 
 #include "sim/app/options/options.hpp"
 
@@ -8,13 +9,18 @@ namespace rayclock {
 
 /// The options of a stream.
 struct StreamChoice {
-    std::string rays, outside = "clip", hits;
+    std::optional<std::string> rays, hits;
+    std::string outside = "clip";
     bool any_hit = false;
-    bool is_asked() const { return !rays.empty(); }
+    bool is_asked() const { return rays.has_value(); }
 };
 void stream_options(Parser& parser, StreamChoice& choice);
 /// Throws UserError if a stream's option was given without a stream.
 void check_stream_options(const StreamChoice& choice);
+/// Throws UserError if an option was given that has a meaning for pictures only.
+void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
+                            const FramesOptions& frames, const LimitsChoice& limits,
+                            const std::string& output);
 
 /// A command's input, when it has a stream.
 struct StreamCommand {

@@ -290,13 +290,8 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 
 /// Runs the command with a stream of rays, which leaves nothing to draw.
 int run_verify_stream(const VerifyOptions& o) {
-    const char* odd = o.size != default_size ? "--size"
-                      : o.finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
-                      : o.view.is_asked()    ? "an option of the camera or the material"
-                      : o.torture            ? "--torture"
-                      : o.netlist            ? "--netlist"
-                      : !o.output.empty()    ? "--output"
-                                             : nullptr;
+    refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
+    const char* odd = o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr;
     if (odd)
         throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");

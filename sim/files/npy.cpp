@@ -65,6 +65,10 @@ public:
         skip();
         return !left_.empty() && left_[0] == c;
     }
+    bool is_empty() {
+        skip();
+        return left_.empty();
+    }
     [[noreturn]] void refuse(const std::string& what) const {
         throw UserError(fmt::format("{}: not an array that can be read: {}", name_, what));
     }
@@ -90,6 +94,8 @@ NpyHead read_npy_head(std::string_view bytes, const std::string& name) {
     };
     const auto byte = [&](std::size_t at) { return std::size_t(static_cast<unsigned char>(bytes[at])); };
     if (!bytes.starts_with(magic)) refuse("it does not begin as an .npy file does");
+    if (bytes.size() > magic.size() && (byte(magic.size()) < 1 || byte(magic.size()) > 3))
+        refuse(fmt::format("its format has version {}, and 1 to 3 are known", byte(magic.size())));
     const std::size_t lengths = bytes.size() > magic.size() && byte(magic.size()) >= 2 ? 4 : 2;
     NpyHead head;
     head.begin = magic.size() + 2 + lengths;
@@ -100,22 +106,27 @@ NpyHead read_npy_head(std::string_view bytes, const std::string& name) {
     HeadText text(bytes.substr(head.begin, length), name);
     head.begin += length;
 
-    bool fortran = false, has_shape = false, has_type = false;
+    bool fortran = false, has_shape = false, has_type = false, has_order = false;
+    const auto once = [&](bool& has) {
+        if (has) text.refuse("its head has an entry twice");
+        has = true;
+    };
     text.require("{");
     while (!text.take("}")) {
         const std::string key = text.quoted();
         text.require(":");
         if (key == "descr") {
-            has_type = true;
+            once(has_type);
             if (text.next_is('['))
                 text.skip_list();
             else
                 head.descr = text.quoted();
         } else if (key == "fortran_order") {
+            once(has_order);
             fortran = text.take("True");
             if (!fortran) text.require("False");
         } else if (key == "shape") {
-            has_shape = true;
+            once(has_shape);
             text.require("(");
             while (!text.take(")")) {
                 head.shape.push_back(text.number());
@@ -126,7 +137,8 @@ NpyHead read_npy_head(std::string_view bytes, const std::string& name) {
         }
         if (!text.take(",") && !text.next_is('}')) text.refuse("its head has no end");
     }
-    if (!has_shape || !has_type) refuse("its head lacks 'descr' or 'shape'");
+    if (!text.is_empty()) refuse("its head does not end after the dictionary");
+    if (!has_shape || !has_type || !has_order) refuse("its head lacks 'descr', 'fortran_order' or 'shape'");
     if (head.descr.find('O') != head.descr.npos) refuse("it holds Python objects, which are never loaded");
     if (fortran && head.shape.size() > 1)
         refuse("it is in Fortran order; save numpy.ascontiguousarray(a) instead");

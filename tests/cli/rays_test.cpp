@@ -51,8 +51,15 @@ TEST_CASE("a stream has no picture, and says so", "[rays]") {
         CHECK(outcome.code == 2);
         return outcome.err;
     };
-    for (const std::vector<std::string>& odd : std::vector<std::vector<std::string>>{
-             {"--size", "8x8"}, {"--depth", "2"}, {"--frames", "2"}, {"-o", folder.name("out")}}) {
+    for (const std::vector<std::string>& odd :
+         std::vector<std::vector<std::string>>{{"--size", "8x8"},
+                                               {"--depth", "2"},
+                                               {"--ground"},
+                                               {"--material", "gold"},
+                                               {"--time", "1"},
+                                               {"--min-psnr", "60"},
+                                               {"--frames", "2"},
+                                               {"-o", folder.name("out")}}) {
         std::vector<std::string> command{"simulate", "gears:1", "--rays", rays};
         command.insert(command.end(), odd.begin(), odd.end());
         CHECK(refused(command).find("takes the place of a camera") != std::string::npos);
@@ -64,6 +71,16 @@ TEST_CASE("a stream has no picture, and says so", "[rays]") {
           std::string::npos);
     CHECK(refused({"simulate", "gears:1", "--rays", rays, "--set", "smooth=1"})
               .find("smooth=1 needs source=camera") != std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--rays", rays, "--set", "source=camera"})
+              .find("needs source=stream") != std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--set", "shading=1", "--set", "source=stream"})
+              .find("has no camera") != std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--rays", ""}).find(".npy and .rays") != std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--outside", "refuse"}).find("--outside needs --rays") !=
+          std::string::npos);
+    CHECK(refused(
+              {"simulate", "gears:1", "--rays", rays, "--hits", folder.name("a"), "--json", folder.name("a")})
+              .find("the same file") != std::string::npos);
     CHECK(refused({"simulate", "spheres", "--rays", rays}).find("meets triangles only") != std::string::npos);
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
           std::string::npos);

@@ -102,6 +102,13 @@ TEST_CASE("a file of rays of another form is refused in a sentence", "[rays]") {
     CHECK(complaint(npy(head_of("'<f8'", "(1000000000, 6)"), data)).find("needs 48000000000 bytes") !=
           std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(0, 6)"), "")).find("there are no rays") != std::string::npos);
+    CHECK(complaint(npy("{'descr': '<f8', 'shape': (1, 6), }", data)).find("lacks") != std::string::npos);
+    CHECK(complaint(npy("{'descr': '<f8', 'descr': '<f8', 'fortran_order': False, 'shape': (1, 6), }", data))
+              .find("twice") != std::string::npos);
+    CHECK(complaint(npy(head_of("'<f8'", "(1, 6)") + " x", data)).find("does not end") != std::string::npos);
+    std::string later = npy(head_of("'<f8'", "(1, 6)"), data);
+    later[6] = 9;
+    CHECK(complaint(later).find("version 9") != std::string::npos);
     CHECK(complaint_of("a.rays", data + "x").find("no multiple") != std::string::npos);
     CHECK(complaint_of("a.txt", data).find(".npy and .rays") != std::string::npos);
 }
@@ -111,6 +118,7 @@ TEST_CASE("a faulty ray is refused with its number", "[rays]") {
           "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, inf, -1}) == "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 0}) == "ray 0 has the direction 0");
+    CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 1e-310}).find("too short") != std::string::npos);
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, 2, 1}) == "ray 0 has t_min 2 above t_max 1");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, not_a_number}) == "ray 0 has t_min 0 and t_max nan");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, 0, 1, 2}).starts_with("ray 0 has 2 in its ninth column"));

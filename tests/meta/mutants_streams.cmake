@@ -36,8 +36,8 @@ mutant(stream_segment_leads_away FILE model/compile/stream.cpp TEST system "hits
   OLD [[record.d[k] = begin[k] - record.o[k];]]
   NEW [[record.d[k] = record.o[k] - begin[k];]])
 mutant(stream_is_not_clipped FILE model/compile/stream.cpp TEST system "hits of a stream*"
-  OLD [[in.from = std::max(in.from, std::min(a, b));]]
-  NEW [[in.from = std::max(in.from, in.from);]])
+  OLD [[if (std::min(a, b) > in.from) in = ]]
+  NEW [[if (std::min(a, b) > in.to) in = ]])
 mutant(stream_direction_is_half_as_long FILE model/compile/stream.cpp TEST system "the stream of a picture's*"
   OLD [[config.dir_bits - 2 - std::ilogb]]
   NEW [[config.dir_bits - 3 - std::ilogb]])

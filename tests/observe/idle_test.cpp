@@ -92,16 +92,20 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
                                 {"surf_sets", {}, "shading=0"},
                                 {"surf_ways", {}, "shading=0"},
                                 {"surf_line", {}, "shading=0"},
-                                {"surf_mshrs", {}, "shading=0"}};
+                                {"surf_mshrs", {}, "shading=0"},
+                                {"stream_sets", {}, "source=camera"},
+                                {"stream_ways", {}, "source=camera"},
+                                {"stream_line", {}, "source=camera"},
+                                {"stream_mshrs", {}, "source=camera"}};
     // What every machine has; what is refused without shading; what only has to be large enough.
     const std::vector<std::string> always{
-        "coord_bits",  "dir_bits",     "t_frac_bits", "recip_bits",  "bary_bits",     "primitive_test",
-        "structure",   "levels",       "node_width",  "contexts",    "raygen_queue",  "raygen_interval",
-        "tri_queue",   "tri_interval", "pipelines",   "tile_bits",   "prim_sets",     "prim_ways",
-        "prim_line",   "prim_mshrs",   "l2_sets",     "cache_queue", "timing",        "shading",
-        "spheres",     "planes",       "smooth",      "refraction",  "supersampling", "dram",
-        "panes",       "horizon",      "addr_bits",   "prim_bits",   "pixel_bits",    "scan_out",
-        "pixel_writes"};
+        "coord_bits",   "dir_bits",     "t_frac_bits", "recip_bits",  "bary_bits",     "primitive_test",
+        "structure",    "levels",       "node_width",  "contexts",    "raygen_queue",  "raygen_interval",
+        "tri_queue",    "tri_interval", "pipelines",   "tile_bits",   "prim_sets",     "prim_ways",
+        "prim_line",    "prim_mshrs",   "l2_sets",     "cache_queue", "timing",        "shading",
+        "spheres",      "planes",       "smooth",      "refraction",  "supersampling", "dram",
+        "panes",        "horizon",      "addr_bits",   "prim_bits",   "pixel_bits",    "scan_out",
+        "pixel_writes", "source"};
     for (const Parameter& p : parameters()) {
         CAPTURE(p.key);
         const std::string key = p.key;

@@ -93,7 +93,7 @@ TEST_CASE("timing does not make another trace, every width does") {
                       key == "splits" || key == "references" || key == "levels" || key == "mesh_structure" ||
                       key == "shading" || key == "spheres" || key == "planes" || key == "smooth" ||
                       key == "refraction" || key == "panes" || key == "horizon" || key == "supersampling" ||
-                      key == "lights" || key == "bounces";   // may be too few
+                      key == "source" || key == "lights" || key == "bounces";   // may be too few
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }

@@ -197,3 +197,31 @@ TEST_CASE("a ray from outside meets what lies on the border of the scene", "[str
     for (const Closest& answer : record_frame(stream.job, stream.job.frame).trace.hits)
         CHECK(answer.found == 1);
 }
+
+TEST_CASE("a common origin far away does not coarsen the lattice", "[stream]") {
+    Scene scene = load_scene("tetra:2");
+    scene.camera = fit_camera(scene, 1);
+    const double inf = std::numeric_limits<double>::infinity();
+    const Config config = streaming_config(quick_config("default"));
+    double pitch = 0;
+    for (const double far : {1e3, 1e6, 1e12, 1e15}) {
+        INFO(far);
+        const ListedRays rays("one ray", {{{0.01, 0.02, far}, {0, 0, -1}, 0, inf, false}});
+        const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
+        CHECK((pitch == 0 || stream.job.image.lattice.coarsest() == pitch));
+        pitch = stream.job.image.lattice.coarsest();
+        const auto record = unpack<RayRecord>(stream.job.image.record(0), config);
+        CHECK(record.o[2] == (1 << (config.origin_width() - 1)) - 1);   // exactly on the border
+    }
+}
+
+TEST_CASE("a segment that rounds to a point meets nothing", "[stream]") {
+    const Config config = streaming_config(quick_config("default"));
+    Lattice lattice;
+    lattice.coord_bits = config.coord_bits;
+    for (const double t_max : {0.0, 1e-5}) {
+        const auto made = on_lattice({{1, 2, 3}, {0, 1, 0}, 0, t_max, true}, lattice, config);
+        REQUIRE(made);
+        CHECK(made->record == ray_to_nowhere(config));
+    }
+}

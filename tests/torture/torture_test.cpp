@@ -74,6 +74,7 @@ TEST_CASE("every count in a report is that of the transfers in a trace") {
             const std::string name = link_infos[i].name;
             if (name.ends_with("_req")) brought[link_infos[i].to] += moved[i];
         }
+        brought["stream"] = count(Link::slot);
         brought["sched"] = count(Link::slot), brought["raygen"] = count(Link::ray);
         brought["trav"] = config.is_list() ? frames[0].trace.visits : count(Link::node_req);
         brought["list"] = count(Link::tri_rsp);

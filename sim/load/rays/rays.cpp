@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,8 @@ void RayFile::check(std::size_t i) const {
     }
     if (!finite) refuse("has a coordinate that is NaN or infinite");
     if (largest == 0) refuse("has the direction 0");
+    if (largest < std::numeric_limits<double>::min())
+        refuse(fmt::format("has a direction of length {}, too short for a double", largest));
     if (!std::isfinite(ray.t_min) || std::isnan(ray.t_max))
         refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));
     if (ray.t_min > ray.t_max) refuse(fmt::format("has t_min {} above t_max {}", ray.t_min, ray.t_max));

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
@@ -32,11 +33,17 @@ Config streaming(Config config) {
 
 namespace {
 
-/// Returns the origin of all rays if they have the same.
-std::optional<glm::dvec3> common_origin(const Rays& rays) {
-    const glm::dvec3 first = rays[0].origin;
+/// Largest distance of a common origin from the middle of the scene, in diagonals of its bounds.
+constexpr double most_diagonals = 4;
+
+/// Returns the point that the lattice has as a point: the origin of all rays if they have the same and it is
+/// not far away, so that the lattice stays fine; otherwise the middle of the scene.
+glm::dvec3 anchor_of(const Scene& scene, const Rays& rays) {
+    const Bounds box = bounds(scene);
+    const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi, first = rays[0].origin;
+    if (!(glm::length(first - middle) <= most_diagonals * glm::length(box.hi - box.lo))) return middle;
     for (std::size_t i = 1; i < rays.size(); ++i)
-        if (rays[i].origin != first) return std::nullopt;
+        if (rays[i].origin != first) return middle;
     return first;
 }
 
@@ -44,8 +51,8 @@ std::optional<glm::dvec3> common_origin(const Rays& rays) {
 
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress) {
-    const glm::dvec3 eye = common_origin(rays).value_or(scene.camera->eye);
-    return make_stream_job(scene, rays, config, compile_scene(scene, eye, config, progress), outside);
+    return make_stream_job(scene, rays, config,
+                           compile_scene(scene, anchor_of(scene, rays), config, progress), outside);
 }
 
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, MemoryImage image,

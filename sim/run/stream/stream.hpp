@@ -18,9 +18,9 @@ struct StreamJob {
     std::size_t closest = 0, any = 0;       ///< rays by what they ask for
     std::size_t clipped = 0, missing = 0;   ///< rays that begin outside the lattice, and rays that miss it
 };
-/// Puts the rays on the scene's lattice. The lattice has a point where all rays begin, or
-/// else the scene's camera, as for a picture. Throws
-/// UserError, which names the ray, for a ray that begins outside the lattice if these are refused.
+/// Puts the rays on the scene's lattice. The lattice has a point where all rays begin, if that is not further
+/// than four diagonals of the scene from its middle, and otherwise a point there. Throws UserError, which
+/// names the ray, for a ray that begins outside the lattice if these are refused.
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
 
