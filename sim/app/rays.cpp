@@ -96,8 +96,7 @@ int run_rays(const RaysOptions& o) {
 }   // namespace
 
 Command rays_command() {
-    return command("rays",
-                   "write a stream of rays: camera, shadow, mirror, ambient occlusion, diffuse bounces",
+    return command("rays", "write a stream of rays: shadow, mirror, ambient occlusion, bounces",
                    "rayclock rays gears:4 --kind diffuse -o rays.npy", declare_rays, run_rays);
 }
 

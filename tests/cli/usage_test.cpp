@@ -67,7 +67,7 @@ TEST_CASE("the help fits a screen, in groups") {
     const Outcome help = run_program({"--help"});
     CHECK(help.code == 0);
     const std::vector<std::pair<std::string, std::vector<std::string>>> groups{
-        {"Run", {"scenes", "config", "render", "simulate"}},
+        {"Run", {"scenes", "config", "render", "simulate", "rays"}},
         {"Look", {"explain", "trace", "compare"}},
         {"Explore", {"sweep", "merge", "fit", "study"}},
         {"Build", {"rtl", "export", "chip"}},
