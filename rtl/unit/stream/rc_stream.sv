@@ -39,7 +39,12 @@ module rc_stream (
   logic [A:0]                     addr;
 
   assign number = {slot_i.y, slot_i.x};
-  assign addr   = {frame_i.rays, 1'b0} + (A+1)'(number);
+
+  if (rc_pkg::Streams == 1) begin : gen_addr   // always, but tools read this without
+    assign addr = {frame_i.rays, 1'b0} + (A+1)'(number);
+  end else begin : gen_none
+    assign addr = '0;
+  end
 
   logic [RayW-1:0]  upper, lower;    // a record takes the lowest bits of half a word
   logic [RestW-1:0] beyond_upper, beyond_lower;
