@@ -31,11 +31,13 @@ module rc_credited_pipeline #(
 
   if (Stages < 1) begin : gen_refuse
     $error("rc_credited_pipeline: Stages must be at least 1");
-  end else begin : gen_stages
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) valid_q_o <= '0;
-      else         valid_q_o <= Stages'({valid_q_o, admit_o});
-    end
+  end
+
+  localparam int unsigned Held = Stages < 1 ? 1 : Stages;   // tools read on after the refusal
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q_o <= '0;
+    else         valid_q_o <= Held'({valid_q_o, admit_o});
   end
 endmodule
 `default_nettype wire
