@@ -7,8 +7,7 @@ namespace rayclock {
 
 /// The command whose subcommands make pages of docs.
 constexpr const char* study_name = "study";
-constexpr const char* study_what =
-    "make a page of docs again: area, counts, figures, streams, ...";
+constexpr const char* study_what = "make a page of docs again: area, counts, figures, streams, ...";
 
 Command scenes_command();
 Command render_command();
