@@ -114,7 +114,7 @@ module rc_pipeline (
     .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_i(pixel),
     .hit_valid_o, .hit_ready_i, .hit_o, .cause_o(sched_cause));
 
-  // Rays: of the camera and of shade, or from memory.
+  // Rays from the camera and shade, or from memory.
   if (rc_pkg::Streams == 0) begin : gen_raygen
     rc_raygen u_raygen (
       .clk_i, .rst_ni(raygen_rst_n), .frame_i,
@@ -248,7 +248,7 @@ module rc_pipeline (
     .rests_o(tri_rests),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
 
-  if (rc_pkg::Shades == 0) begin : gen_hits   // a pixel is what its ray hit
+  if (rc_pkg::Shades == 0) begin : gen_hits   // list's hits are the pixels
     assign pixel_valid   = closest_valid;
     assign closest_ready = pixel_ready;
     assign pixel         = closest;

@@ -1,4 +1,4 @@
-// Rays of any program as records in the chip's memory.
+// Converts rays from any program to records in the chip's memory.
 #include "model/compile/stream.hpp"
 
 #include <algorithm>
@@ -11,13 +11,13 @@ namespace rayclock {
 
 namespace {
 
-/// A largest component that lies less than this share below a power of two counts as that power.
+/// A largest component within this relative distance below a power of two counts as that power.
 constexpr double close_to_power = 0x1p-40;
 
 /// The range of t in which a ray lies within the lattice.
 struct Within {
     double from, to;
-    int axis = -1;   ///< of the border through which the ray enters; -1 if it begins within
+    int axis = -1;   ///< axis across the border through which the ray enters; -1 if it begins within
     bool is_high = false;
 };
 /// The lattice of origins ends a step beyond the scene's vertices on the lower sides, and a step less 2^-frac
@@ -63,11 +63,11 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
     made.is_clipped = in->from > ray.t_min;
     RayRecord& record = made.record;
     Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
-    if (in->axis >= 0) {   // exactly, also for an origin so far away that doubles are coarse
+    if (in->axis >= 0) {   // exactly on the border, even if doubles are coarse at the given origin
         const std::int32_t reach = 1 << (config.origin_width() - 1);
         begin[std::size_t(in->axis)] = in->is_high ? reach - 1 : -reach;
     }
-    // A segment that leaves the scene needs no end.
+    // A segment that leaves the lattice needs no end.
     if (ray.any_hit && in->to == ray.t_max) {
         const Vec3i end = fixed_point(ray.origin + in->to * ray.direction, lattice, 0);
         const std::int32_t most = (1 << (config.coord_bits - 1)) - 1;
@@ -109,10 +109,9 @@ void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Confi
                         lines = (std::uint64_t(rays.size()) + 1) / 2,
                         most = std::uint64_t(1) << config.addr_bits;
     if (rays.size() >> 2 * config.pixel_bits != 0)
-        throw UserError(
-            std::to_string(rays.size()) +
-            " rays are more than the chip can number with pixel_bits=" + std::to_string(config.pixel_bits) +
-            ", " + std::to_string((std::uint64_t(1) << 2 * config.pixel_bits) - 1));
+        throw UserError(std::to_string(rays.size()) + " rays are too many: with pixel_bits=" +
+                        std::to_string(config.pixel_bits) + " the chip numbers at most " +
+                        std::to_string((std::uint64_t(1) << 2 * config.pixel_bits) - 1));
     if (first + lines > most)
         throw UserError(std::to_string(rays.size()) + " rays and the scene need " +
                         std::to_string(first + lines) + " lines of memory, and addr_bits=" +

@@ -68,7 +68,7 @@ RAYCLOCK_CHOICE(Straddlers, leaves, inner, stop)
 /// Whether the builder of boxes may cut primitives.
 RAYCLOCK_CHOICE(Splits, off, on)
 
-/// Where rays come from: the camera and shade, or records in memory (docs/streams.md).
+/// The source of rays: the camera and shade, or records in memory (docs/streams.md).
 RAYCLOCK_CHOICE(RaySource, camera, stream)
 
 /// How short the paths of the RTL are cut: model/core/stages.hpp.

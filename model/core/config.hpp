@@ -157,8 +157,8 @@ struct Config {
     int stream_miss_bits() const;
     int l2_miss_bits() const;
     int least_addr_bits() const;   ///< fewest address bits that leave a tag of one bit in every cache
-    /// Memory clients in a pipeline: nodes, primitives, and with shading surfaces or ray records. A fourth
-    /// number, with shading, is never used.
+    /// Memory clients of a pipeline: nodes, primitives, and in a chip with shading=1 surfaces or ray records.
+    /// Such a chip leaves the number of its fourth client unused.
     int clients() const { return shading ? 4 : 2; }
     int client_bits() const;   ///< number of a cache among those of all pipelines: clients() * pipeline + 0,
                                ///< 1, 2

@@ -87,7 +87,7 @@ struct ShadeFrame {
 struct Frame {
     std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `ray_count`
                                            ///< rays take
-    std::uint32_t ray_count = 0;           ///< with a stream: its rays
+    std::uint32_t ray_count = 0;           ///< with a stream: the number of its rays
     std::uint32_t rays = 0;                ///< with a stream: line of the first two rays
     std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
     std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree

@@ -198,8 +198,8 @@ struct Best {
     }
 };
 
-/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray (tri_ray_t in rc_pkg.sv) follows
-/// the context's number, as they do in Ray.
+/// list -> tri: ray, triangle and the hit to beat. The ray's fields that tri needs (tri_ray_t in rc_pkg.sv)
+/// follow the context's number, as in Ray.
 struct TriReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};

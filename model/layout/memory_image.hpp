@@ -88,8 +88,8 @@ struct MemoryImage {
     }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
     const std::uint32_t* record(std::uint32_t ray) const { return &records[std::size_t(ray) * 8]; }
-    std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }   ///< of the scene
-    /// Returns the line after the last one, behind the stream's rays if there are any.
+    std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }   ///< lines of the scene
+    /// Returns the line after the last one. A stream's rays count.
     std::uint32_t end() const {
         return records.empty() ? lines() : rays + std::uint32_t(records.size() / 16);
     }
@@ -111,7 +111,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 bool counts(const PrimData& triangle, const Config& config);
 
 /// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few
-/// lines or a chip cannot number them.
+/// lines, or the chip cannot number the rays.
 void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config);
 
 /// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or

@@ -188,7 +188,7 @@ Accounts Pipeline::accounts() const {
     const bool streams = source_ == Rays::stream;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
-        // A stream stands between sched and raygen.
+        // With a stream, the unit stream lies between sched and raygen, so two causes differ.
         const std::uint32_t sched = i & 3, raygen = i >> 2 & 3;
         add(Unit::sched, streams && sched == 3 ? 4 : sched, units_[i]);
         add(Unit::raygen, streams && raygen == 1 ? 3 : raygen, units_[i]);

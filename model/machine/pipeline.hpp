@@ -105,7 +105,7 @@ public:
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
-    /// Where raygen's rays come from: the camera alone, the camera and shade, or records in memory.
+    /// The source of raygen's rays: the camera alone, the camera and shade, or records in memory.
     enum class Rays : std::uint8_t { camera, shade, stream };
     static Rays rays_in(const Config& config) {
         return config.is_stream() ? Rays::stream : config.shading ? Rays::shade : Rays::camera;

@@ -33,7 +33,7 @@ module rc_credited_pipeline #(
     $error("rc_credited_pipeline: Stages must be at least 1");
   end
 
-  localparam int unsigned Held = Stages < 1 ? 1 : Stages;   // tools read on after the refusal
+  localparam int unsigned Held = Stages < 1 ? 1 : Stages;   // tools continue after $error
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q_o <= '0;

@@ -141,7 +141,7 @@ module rc_unit #(
   rc_shift_register #(.Width(1), .Stages(2)) u_low (
     .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
 
-  localparam logic [37:0] SizeHalf = 38'd1 << 18;   // of the last bit that s8_size_q keeps
+  localparam logic [37:0] SizeHalf = 38'd1 << 18;   // half the last bit that s8_size_q keeps
 
   logic [3*36-1:0] s7_product;
   rc_mul_held #(.AW(17), .BW(19), .Signed(1'b0), .Products(3), .Every(Every)) u_products (

@@ -91,7 +91,7 @@ module rc_host #(
   assign left_less = left_q - 32'(hits);
 
   // State machine. StPrepare computes width * height bit by bit, from the top bit of the height.
-  // The number of a stream's rays is a register.
+  // With a stream it loads ray_count instead.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       state_q  <= StPrepare;

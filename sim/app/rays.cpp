@@ -32,13 +32,14 @@ void declare_rays(Parser& parser, RaysOptions& o) {
             "--kind", o.kind,
             "camera; shadow: to every light; mirror; ao: ambient occlusion; diffuse: cosine-weighted bounces")
         .with_default();
-    parser.option("--bounce", o.bounce, "of mirror and diffuse: which bounce, 1 to 16").with_default();
-    parser.option("--samples", o.samples, "of ao and diffuse: rays of each hit, 1 to 1024").with_default();
-    parser.option("--radius", o.radius,
-                  "of ao: longest distance, in scene units; a tenth of the scene otherwise");
-    parser.option("--order", o.order, "recorded: pixel by pixel; morton: by place and direction; random")
+    parser.option("--bounce", o.bounce, "for mirror and diffuse: number of the bounce, 1 to 16")
         .with_default();
-    parser.option("--seed", o.seed, "of random directions and orders").with_default();
+    parser.option("--samples", o.samples, "for ao and diffuse: rays from each hit, 1 to 1024").with_default();
+    parser.option("--radius", o.radius,
+                  "for ao: longest distance, in scene units; else a tenth of the scene's diagonal");
+    parser.option("--order", o.order, "recorded: pixel by pixel; morton: by origin and direction; random")
+        .with_default();
+    parser.option("--seed", o.seed, "seed of random directions and of the random order").with_default();
     view_options(parser, o.view);
     size_option(parser, o.size);
     config_options(parser, o.config);
@@ -72,7 +73,7 @@ int run_rays(const RaysOptions& o) {
         throw UserError(fmt::format("--radius must be above 0, not {}", *o.radius));
     plan.radius = o.radius.value_or(0);
     o.json.check();
-    if (o.output == "-") throw UserError("--output names a file, not standard output");
+    if (o.output == "-") throw UserError("--output must name a file, not standard output");
     if (o.output == o.json.path) throw UserError("--output and --json name the same file");
     check_writable(o.output);
     const Progress stop = stopping(terminal_progress());
@@ -80,7 +81,7 @@ int run_rays(const RaysOptions& o) {
     const Scene scene = ready_scene(o.scene, plan.size, stop, o.view);
     const std::vector<StreamRay> rays = make_rays(scene, plan, config, o.threads, stop);
     if (rays.empty())
-        throw UserError(scene.name + ": no camera ray hits a triangle, so there are no such rays");
+        throw UserError(scene.name + ": the stream would be empty, because no earlier ray hits a triangle");
     write_bytes(o.output, rays_npy(rays));
     if (!o.json.is_alone())
         fmt::print("{}: {} {} rays in {} order: {}\n", scene.name, grouped(rays.size()), o.kind, o.order,

@@ -213,7 +213,7 @@ void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, c
     fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n",
                seconds, t.record_seconds, grouped(t.cycles), t.machine_seconds,
                double(t.cycles) / t.machine_seconds / 1e6);
-    if (s.partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
+    if (s.partial) fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
 }
 
 nlohmann::ordered_json json_of(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s,
@@ -336,7 +336,7 @@ void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simu
     if (progress) progress("writing the page", 1, 1);
 }
 
-/// Runs the command with a stream of rays, which leaves nothing to draw.
+/// Runs the command with a stream of rays. It draws no picture.
 int run_simulate_stream(const SimulateOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
     const char* odd = o.engine != "model" ? "--engine" : !o.report.empty() ? "--report" : nullptr;

@@ -24,7 +24,7 @@ namespace rayclock {
 void stream_options(Parser& parser, StreamChoice& choice) {
     parser.option("--rays", choice.rays,
                   "trace the rays of a file in place of a camera's: .npy (n x 6 to 9) or AnyDSL's .rays");
-    parser.flag("--any-hit", choice.any_hit, "with --rays: every ray asks for any hit, not for the closest");
+    parser.flag("--any-hit", choice.any_hit, "with --rays: every ray requests any hit, not the closest");
     parser
         .option("--outside", choice.outside,
                 "with --rays: clip or refuse rays that begin outside the lattice")
@@ -73,7 +73,7 @@ Config config_of(const StreamCommand& c) {
     const Config base = settled(streaming(load_config({c.config.name, {}})));
     const Config config = with_settings(base, c.config.set, base.name);
     if (!config.is_stream())
-        throw UserError("--rays needs source=stream, which --set source=camera takes back");
+        throw UserError("--rays needs source=stream; leave out --set source=camera");
     return config;
 }
 
@@ -151,7 +151,7 @@ nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& 
 void check_outputs(const StreamCommand& c) {
     c.json.check();
     if (!c.stream.hits) return;
-    if (*c.stream.hits == "-") throw UserError("--hits writes a file, not standard output");
+    if (*c.stream.hits == "-") throw UserError("--hits must name a file, not standard output");
     if (*c.stream.hits == c.json.path) throw UserError("--hits and --json name the same file");
     check_writable(*c.stream.hits);
 }
@@ -197,7 +197,7 @@ int simulate_stream(const StreamCommand& c) {
     }
     partial = partial || !write_hits(c, s, frames[0], clocks[0], traffic);
     if (partial && !c.json.is_alone())
-        fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
+        fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
     nlohmann::ordered_json json = run_json(s, answers, runs, partial, judged);
     Digest digest;
     std::uint64_t cycles = 0;

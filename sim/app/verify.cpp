@@ -288,7 +288,7 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"digest", digest_text(frame.digest)}};
 }
 
-/// Runs the command with a stream of rays, which leaves nothing to draw.
+/// Runs the command with a stream of rays. It draws no picture.
 int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
     const char* odd = o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr;

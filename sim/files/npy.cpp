@@ -58,7 +58,7 @@ public:
         const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), value);
         if (error != std::errc{}) refuse("its shape is not a list of whole numbers");
         left_.remove_prefix(std::size_t(end - left_.data()));
-        take("L");   // of Python 2
+        take("L");   // Python 2 writes it
         return value;
     }
     bool next_is(char c) {
@@ -78,7 +78,7 @@ private:
     const std::string& name_;
 };
 
-/// Returns the bytes of an element; 0 for a type that is no number.
+/// Returns the bytes of an element, or 0 if the type is not a number.
 std::uint64_t bytes_of_type(const std::string& descr) {
     std::uint64_t bytes = 0;
     if (descr.size() < 3) return 0;

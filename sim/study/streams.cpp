@@ -107,12 +107,12 @@ std::string page(const std::vector<Row>& rows, const Study& study, const std::st
 
 Made by `{}`. Do not edit.
 
-A chip with `source=stream` traces rays from memory ([streams.md](streams.md)). These are the streams that follow
-the camera rays of pictures of {}x{}, made by `rayclock rays`. Machine: `{}`, at {:.0f} MHz, with the memory {}.
-The clock is that of the routed chip `ulx3s`; a chip for streams was not routed. The exact judge judged {} rays,
-and {} were wrong.
+A chip with `source=stream` traces rays from memory ([streams.md](streams.md)). `rayclock rays` made these
+streams: it followed the camera rays of {}x{} pictures. The machine is `{}` at {:.0f} MHz, with the memory
+{}. The chip `ulx3s` was routed at this clock; a chip for streams was not routed. The exact judge judged
+{} rays and found {} wrong.
 
-Every ray of a stream waits for its record, 32 bytes. "bytes" counts them.
+Every ray of a stream waits for its record of 32 bytes. The column "bytes" includes these bytes.
 )",
                                    command, study.size.width, study.size.height, study.base.name,
                                    study.khz / 1e3, name_of(study.base.dram), grouped(judged), wrong);
@@ -122,8 +122,8 @@ Every ray of a stream waits for its record, 32 bytes. "bytes" counts them.
             structures.push_back(row.structure);
     const auto heading = [&](const std::string& scene) { text += fmt::format("\n### {}\n\n", scene); };
     text += fmt::format(
-        "\n## What coherence is worth\n\nThe structure is {}. A ray is one of the stream; figures are "
-        "per ray.\n",
+        "\n## The value of coherence\n\nThe structure is {}. Visits, tests, bytes and "
+        "cycles are per ray of the stream.\n",
         structures[0]);
     for (const std::string& scene : study.scenes) {
         heading(scene);

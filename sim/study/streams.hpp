@@ -15,7 +15,7 @@ namespace rayclock::streams {
 struct Study {
     Config base;
     std::vector<std::string> scenes;
-    FrameSize size;   ///< of the picture whose camera rays are followed
+    FrameSize size;   ///< size of the pictures whose camera rays are followed
     int khz = 0;
     int threads = 0;
 };

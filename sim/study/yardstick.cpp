@@ -167,7 +167,7 @@ constexpr const char* sources = R"(
 - SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes
   on an FPGA Chip*, Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its
   scenes with textures, several lights and several levels of reflection. The abstract was read. The size
-  512x384 comes from memory of press reports.
+  512x384 is recalled from press reports.
 - RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray
   Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
   shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2. A scholarly

@@ -42,7 +42,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
     }
 }
 
-TEST_CASE("a stream has no picture, and says so", "[rays]") {
+TEST_CASE("options that a stream cannot use are refused", "[rays]") {
     const Folder folder;
     const std::string rays = folder.name("rays.npy");
     REQUIRE(run_program({"rays", "gears:1", "--size", "4x3", "-o", rays}).code == 0);

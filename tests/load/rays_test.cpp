@@ -109,7 +109,7 @@ TEST_CASE("a file of rays of another form is refused in a sentence", "[rays]") {
     std::string later = npy(head_of("'<f8'", "(1, 6)"), data);
     later[6] = 9;
     CHECK(complaint(later).find("version 9") != std::string::npos);
-    CHECK(complaint_of("a.rays", data + "x").find("no multiple") != std::string::npos);
+    CHECK(complaint_of("a.rays", data + "x").find("not a multiple") != std::string::npos);
     CHECK(complaint_of("a.txt", data).find(".npy and .rays") != std::string::npos);
 }
 

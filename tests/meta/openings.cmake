@@ -1,5 +1,5 @@
 # cmake -DSOURCE= -DFOLDERS=a,b -P openings.cmake
-# Every C and C++ file in the folders opens with a comment, a header after its #pragma once: what the file holds.
+# Checks that every C and C++ file in the folders opens with a comment. In a header the comment follows #pragma once.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(faults "")
 set(count 0)

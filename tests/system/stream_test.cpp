@@ -114,7 +114,7 @@ TEST_CASE("the judge of streams passes right answers and names a wrong one", "[s
     CHECK(judged.first.starts_with("ray " + std::to_string(blocked) + ": "));
 }
 
-TEST_CASE("every structure answers a stream alike, and right", "[stream][structures]") {
+TEST_CASE("every structure gives a stream the same right answers", "[stream][structures]") {
     Scene scene = load_scene("teapot:6");
     scene.camera = fit_camera(scene, 1);
     const ListedRays rays("random rays", random_rays(scene, 2000, 7));
@@ -133,7 +133,7 @@ TEST_CASE("every structure answers a stream alike, and right", "[stream][structu
     }
 }
 
-TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
+TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
     // A square of 2 x 2 in the plane z = 1, seen from below, and a triangle that makes the scene larger.
     Scene scene;
     scene.name = "square";
@@ -178,7 +178,7 @@ TEST_CASE("hits of a stream are those of the rays as given", "[stream]") {
                     UserError);
 }
 
-TEST_CASE("a ray from outside meets what lies on the border of the scene", "[stream]") {
+TEST_CASE("a ray from outside meets a surface on the border of the scene", "[stream]") {
     Scene scene;
     scene.name = "panel";
     scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}};

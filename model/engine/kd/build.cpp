@@ -14,7 +14,7 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel_items = 4096;   // items from which both sides are built at once
+constexpr std::size_t parallel_items = 4096;   // fewest items to build both sides in parallel
 
 class Builder {
 public:

@@ -10,7 +10,7 @@ namespace rayclock::kd {
 
 namespace {
 
-constexpr std::size_t parallel_sweep = 4096;   // items from which the three axes are swept at once
+constexpr std::size_t parallel_sweep = 4096;   // fewest items to sweep the three axes in parallel
 constexpr std::size_t linear_to = 16;          // up to this number, items cost one test each
 using Coordinates = std::vector<std::int32_t>;
 

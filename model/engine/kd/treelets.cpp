@@ -11,7 +11,7 @@ namespace {
 
 constexpr double level = 17, test = 20;   // level: of a visit, per level of planes in a treelet
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
-constexpr std::size_t parallel_settle = 4096;               // items from which both sides are settled at once
+constexpr std::size_t parallel_settle = 4096;               // fewest items to settle both sides in parallel
 
 void gather(const Cell& cell, std::vector<std::uint32_t>& prims) {
     prims.insert(prims.end(), cell.prims.begin(), cell.prims.end());

@@ -50,7 +50,7 @@ private:
     std::uint32_t pipelines_;
     int tile_bits_, coord_bits_;
     std::uint32_t columns_ = 0, rows_ = 0, next_ = 0;
-    std::uint32_t last_columns_ = 0;   // of the last row
+    std::uint32_t last_columns_ = 0;   // columns of the last row
     Tile tile_;
     bool more_ = false;
 };

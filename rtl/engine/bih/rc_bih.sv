@@ -1,4 +1,4 @@
-// Finds and sorts the exits of a node of a bounding interval hierarchy that a ray meets.
+// Finds and sorts the exits that a ray meets in a node of a bounding interval hierarchy.
 //
 // Latency rc_pkg::BihLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
 //
@@ -63,7 +63,7 @@ module rc_bih (
     logic [T-1:0]        first_from, second_to;
 
     assign axis       = in_axis[2*i +: 2];
-    assign neg        = |(in.neg & (3'd1 << axis));   // axis 3 is no axis: 0
+    assign neg        = |(in.neg & (3'd1 << axis));   // 0 for axis 3, a missing pair
     assign lower_to   = in_lower_to[N*i +: N];
     assign upper_from = in_upper_from[N*i +: N];
     assign first_at   = neg ? upper_from : lower_to;

@@ -46,9 +46,9 @@ module rc_crossing #(
   // The answer, except for the times.
   typedef struct packed {
     logic turned;    // the ray meets the upper side first
-    logic on_near;   // it may be on the side that it meets first,
-    logic on_far;    // and on the other side
-    logic timed;     // it crosses the plane ahead of its origin
+    logic on_near;   // the ray may be on the side that it meets first
+    logic on_far;    // the ray may be on the other side
+    logic timed;     // the ray crosses the plane ahead of its origin
   } flags_t;
   localparam int unsigned FlagsW = 4;
 

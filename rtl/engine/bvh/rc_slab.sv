@@ -20,7 +20,7 @@ module rc_slab #(
   localparam int unsigned Stages = rc_pkg::SlabStages
 ) (
   input  logic                 clk_i,
-  input  logic [Stages:0]      valid_i,   // valid_i[i]: stage i holds a node
+  input  logic [Stages:0]      valid_i,   // valid_i[i]: stage i holds a node, or the chip is fast
   // Ray, and the node's corner and exponent
   input  logic signed [OW-1:0] s0_o_i,
   input  logic signed [N-1:0]  s0_org_i,

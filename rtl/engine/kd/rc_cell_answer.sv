@@ -6,7 +6,7 @@
 // that take longer. Model: exits_met() in model/engine/kd/treelet.hpp.
 `default_nettype none
 module rc_cell_answer #(
-  parameter  int unsigned Latency = rc_pkg::TreeletLatency,   // of the unit, without its queue
+  parameter  int unsigned Latency = rc_pkg::TreeletLatency,   // the unit's, without its queue
   parameter  int unsigned Meet    = rc_pkg::Cut + rc_pkg::PlaneStages,
   localparam int unsigned W  = rc_pkg::NodeWidth,
   localparam int unsigned Q  = rc_pkg::NodePlanes,

@@ -38,7 +38,7 @@ module rc_chord #(
   localparam int unsigned SumW     = MomentW + 1;    // the product plus the node's moment, signed
   localparam int unsigned Frac     = 3;              // eighths
   localparam int unsigned Drop     = G - 2 - Frac;
-  localparam int unsigned FarW     = G - 1;          // a component of a distance, if it may meet
+  localparam int unsigned FarW     = G - 1;          // a distance's component, if the ray may meet
   localparam int unsigned ReachW   = Q + Frac + 1;   // width of a radius with its slack
   localparam int unsigned SquareW  = 2 * FarW + 2;   // width of a squared distance
 

@@ -27,8 +27,8 @@ module rc_toward #(
   localparam int unsigned Cut   = rc_pkg::Cut;
   localparam int unsigned Waits = 3 * Cut;
 
-  // Bit length of the longest component, and the free bits above it. full_len counts as for full
-  // width.
+  // Bit length of the longest component, and the free bits above it. full_len counts a short
+  // direction (DirBits) as if it had H bits.
   logic [H-2:0]   used;
   logic [E-1:0]   len, full_len, free, free_q;
   logic [3*H-1:0] dir_q;

@@ -20,8 +20,8 @@ module rc_edges #(
   localparam int unsigned Stages = rc_pkg::EdgesStages
 ) (
   input  logic                clk_i,
-  input  logic [Stages-1:0]   valid_i,       // valid_i[i]: stage i holds a triangle
-  input  logic [Stages-1:0]   there_i,       // valid bits alone; valid_i may be set without them
+  input  logic [Stages-1:0]   valid_i,       // stage i holds a triangle, or the chip is fast
+  input  logic [Stages-1:0]   there_i,       // stage i holds a triangle
   // Ray and triangle
   input  logic                s0_leaves_i,   // from a surface: o has a fraction
   input  logic                s0_far_i,      // from beyond the lattice: o in units of 2^-Far

@@ -35,7 +35,7 @@ module rc_hitdiv #(
 );
   localparam int unsigned Cut       = rc_pkg::Cut;
   localparam int unsigned Bits      = rc_pkg::HitBits;    // quotient bits per stage
-  localparam int unsigned DivStages = Stages - 2 * Cut;   // of the division
+  localparam int unsigned DivStages = Stages - 2 * Cut;   // stages of the division
   localparam int unsigned Every     = rc_pkg::TriInterval;
   localparam int unsigned Q         = Bits * DivStages;   // quotient bits, at least T and B
 

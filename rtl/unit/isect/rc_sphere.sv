@@ -51,7 +51,7 @@ module rc_sphere #(
   localparam int unsigned VectorW     = W + 1;       // s
   localparam int unsigned NearSquareW = 2 * M;       // d.d of all rays except shadow rays
   localparam int unsigned PowerW      = 2 * W + 3;   // s.s - R2
-  // d.d, and a sign; d.s except of shadow rays; d.s
+  // SquareW: d.d and a sign. WayW: d.s of all rays except shadow rays. AlongW: d.s of all rays.
   localparam int unsigned SquareW = PowerW > NearSquareW + 1 ? PowerW : NearSquareW + 1;
   localparam int unsigned WayW    = M + W + 2 > NearSquareW + 1 ? M + W + 2 : NearSquareW + 1;
   localparam int unsigned AlongW  = WayW > N + W + 3 ? WayW : N + W + 3;
@@ -343,7 +343,7 @@ module rc_sphere #(
   logic signed [WayW-1:0]      r_along;
   logic [NearSquareW-1:0]      r_square;
   logic [RightW:0]             late_right_lost;
-  logic [WayW-1:0]             s2_near_along;    // all rays except shadow rays have so many bits
+  logic [WayW-1:0]             s2_near_along;    // wide enough for all rays except shadow rays
   logic [NearSquareW-1:0]      s2_near_square;
   logic [WayW+NearSquareW-1:0] late_ray;
 

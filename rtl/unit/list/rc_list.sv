@@ -148,7 +148,7 @@ module rc_list (
   end
 
   // ---- Distances to beat.
-  logic [T-1:0]   old_t;   // of came; in a fast chip one cycle later
+  logic [T-1:0]   old_t;   // distance to beat for came's ray; in a fast chip one cycle later
   logic [2*T-1:0] nears;   // nearest points of the leaves that may follow
   logic [1:0]     it_within, old_within;
 

@@ -16,7 +16,7 @@ module rc_direction #(
   localparam int unsigned Stages = rc_pkg::DirectionStages
 ) (
   input  logic           clk_i,
-  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a ray
+  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a ray, or the chip is fast
   input  logic [3*G-1:0] sum_i,
   output logic [3*M-1:0] dir_o
 );

@@ -43,7 +43,7 @@ module rc_raygen (
   // Stages that hold the pixel's steps, and the ray's direction.
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
-  // RaygenLatency of a chip for streams, which has no rc_raygen, is shorter; tools read this too.
+  // In a chip for streams RaygenLatency is shorter. It has no rc_raygen, but tools also parse this.
   localparam int unsigned Latency = rc_pkg::Streams != 0 ? Dir + RecipL : rc_pkg::RaygenLatency;
 
   // s0: requests. A new pixel is a camera ray through its first sample.
@@ -139,7 +139,7 @@ module rc_raygen (
   logic [3*GD-1:0] corner, right, down;
   logic [3*rc_pkg::CoordBits-1:0] eye;
 
-  if (rc_pkg::Streams == 0) begin : gen_camera_vectors   // always, but tools read this without
+  if (rc_pkg::Streams == 0) begin : gen_camera_vectors   // tools also parse a chip for streams
     assign corner = frame_i.corner;
     assign right  = frame_i.right;
     assign down   = frame_i.down;

@@ -25,10 +25,10 @@ module rc_recip #(
   localparam int unsigned Stages    = rc_pkg::RecipStages;
   localparam int unsigned Bits      = rc_pkg::QuotientBits;
   localparam int unsigned Moved     = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
-  localparam int unsigned DivStages = Stages - Moved;        // of the division
+  localparam int unsigned DivStages = Stages - Moved;        // stages of the division
 
-  // valid[i]: stage i holds a component. After a reset none does: a ring (rc_stage_delay) counts
-  // them, and the shortest reset takes fewer cycles than there are stages.
+  // valid[i]: stage i holds a component. A ring (rc_stage_delay) counts the components. So a reset
+  // clears every bit: the shortest reset takes fewer cycles than there are stages.
   logic [Stages-1:0] valid_q;
   logic [Stages:0]   valid;
 
@@ -44,7 +44,8 @@ module rc_recip #(
   rc_path_register #(.Width(M + 1)) u_mag (
     .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
 
-  // Its bit length, and the left shift that sets its top bit. len_full counts as for full width.
+  // Its bit length, and the left shift that sets its top bit. len_full counts a short direction
+  // (DirBits) as if it had M bits.
   logic [E-1:0] mag_len, mag_up, len, len_full, len_up;
   logic [M-1:0] len_mag;
   logic         mag_power, len_power;   // a power of two, or zero

@@ -30,7 +30,7 @@ module rc_sample #(
   output logic signed [SubBits-1:0] y_o    // down
 );
   if (Stages != 4 || SubBits != 8) begin : gen_refuse
-    $error("rc_sample: its stages and widths are those of model/core");
+    $error("rc_sample: SampleStages must be 4, and SubPixelBits 8");
   end
 
   // Mixes one word into the hash.

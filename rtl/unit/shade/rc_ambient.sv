@@ -42,7 +42,7 @@ module rc_ambient #(
     .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
 
   localparam int unsigned Q    = VB + 2 * CB;             // a product
-  localparam int unsigned Drop = 2 * rc_pkg::ShareBits;   // fraction bits that it loses
+  localparam int unsigned Drop = 2 * rc_pkg::ShareBits;   // fraction bits that rounding drops
   localparam logic [Q-1:0] Half = Q'(1) << (Drop - 1);
   logic [3*Q-1:0] s6_product;
 

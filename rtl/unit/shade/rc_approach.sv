@@ -36,7 +36,7 @@ module rc_approach #(
 
   localparam logic signed [PlaceW-1:0] End = PlaceW'(((65'(1) << (N - 1)) - 65'd1) << B);
 
-  localparam int unsigned TwiceW = Reach + 1;   // of twice a way
+  localparam int unsigned TwiceW = Reach + 1;   // width of twice a way
 
   // State between steps: the depth of the point, twice the way of the next step, and whether the
   // ray runs downwards. After the last step it is the way of that step, not twice the way.

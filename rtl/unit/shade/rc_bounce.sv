@@ -29,7 +29,7 @@ module rc_bounce #(
   output logic                 s13_total_o,   // total reflection
   output logic [3*M-1:0]       s15_d_o
 );
-  localparam int unsigned ProductW = 2 * VB;                            // of two values
+  localparam int unsigned ProductW = 2 * VB;                            // product of two values
   localparam int unsigned ShareW   = VB + 1;                            // up to 2
   localparam int unsigned AlongW   = RB - rc_pkg::IndexFrac + VB + 2;   // as in rc_snell, signed
   localparam int unsigned NormalW  = AlongW + AB;                       // along * normal
@@ -104,7 +104,7 @@ module rc_bounce #(
     logic signed [NormalW-1:0] s14_normal_q;
     logic signed [ViewW-1:0]   s14_view_q;
     logic signed [SumW-1:0]    s14_sum;
-    logic signed [UnitW-1:0]   s14_unit;   // a pass stays long enough for a register in a fast chip
+    logic signed [UnitW-1:0]   s14_unit;   // registered in the stage if a pass stays long enough
     logic signed [AB-1:0]      s15_unit_q;
     logic signed [M-1:0]       d;
 

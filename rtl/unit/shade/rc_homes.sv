@@ -85,7 +85,7 @@ module rc_homes #(
 
   // ---- Into the mesh's space: a direction, or a light.
   localparam int unsigned FactorW = N > M ? N : M;
-  localparam int unsigned SW      = FactorW + K + 1;   // of a sum
+  localparam int unsigned SW      = FactorW + K + 1;   // width of a sum
   localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
 
   logic [9*E-1:0]     s15_a;

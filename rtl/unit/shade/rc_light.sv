@@ -205,7 +205,7 @@ module rc_light #(
   rc_shift_register #(.Width(SB), .Stages(2)) u_shine (
     .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
-  // Half a unit of a value in products with more fraction bits: 12, 24 and 28 are dropped.
+  // Half the last kept bit of products that drop 12, 24 and 28 fraction bits.
   localparam logic [29:0] GlossHalf = 30'd1 << (rc_pkg::ShareBits - 1);
   localparam logic [42:0] MatteHalf = 43'd1 << (2 * rc_pkg::ShareBits - 1);
   localparam logic [52:0] ShareHalf = 53'd1 << 27;

@@ -38,7 +38,7 @@ module rc_pass #(
   input  rc_pkg::waiting_t     top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t place_i,
-  // To rc_contexts: at the start of a pass the material of the surface that was hit; its end
+  // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        look_valid_o,
   output logic [I-1:0]                look_ray_o,
   output rc_pkg::material_t           look_o,
@@ -107,7 +107,7 @@ module rc_pass #(
   end
 
   // ---- s0: purpose of the pass.
-  logic [Stages:0]      ends;   // the pass leaves the stage; the last: it has come
+  logic [Stages:0]      ends;   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
   logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
   logic [T-1:0]         t;
   logic [U-1:0]         u, v;

@@ -403,7 +403,7 @@ module rc_pass_end #(
   assign pixel.u     = was_i.u;
   assign pixel.v     = was_i.v;
 
-  if (rc_pkg::Shades == 1) begin : gen_colour   // always, but tools read this without
+  if (rc_pkg::Shades == 1) begin : gen_colour   // tools also parse a chip without shade
     assign pixel.back   = 1'b0;
     assign pixel.colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
   end

@@ -24,7 +24,7 @@ module rc_schlick #(
   input  logic          s0_total_i,
   output logic [ShareW-1:0] s7_share_o
 );
-  localparam int unsigned ProductW = 2 * VB;   // of two values
+  localparam int unsigned ProductW = 2 * VB;   // product of two values
 
   // s3: (1 - cosine)^5, rounded after each of three products.
   logic [VB-1:0] s0_q, s1_q, s2_q, s1_q2, s2_q4, s3_q5;

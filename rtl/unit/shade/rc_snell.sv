@@ -11,7 +11,7 @@ module rc_snell #(
   localparam int unsigned IF     = rc_pkg::IndexFrac,
   localparam int unsigned Every  = rc_pkg::ShadeInterval,
   localparam int unsigned LongW  = RB + VB,           // ratio * cosine
-  localparam int unsigned AlongW = LongW - IF + 2     // that with 16 fraction bits, signed
+  localparam int unsigned AlongW = LongW - IF + 2     // the same with 16 fraction bits, signed
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,
@@ -25,8 +25,8 @@ module rc_snell #(
   output logic               s13_total_o
 );
   localparam int unsigned SquareW = 2 * UB + 1;             // square of a value, 0 to 1
-  localparam int unsigned BentW   = 2 * RB + SquareW;       // ratio^2 times that
-  localparam int unsigned InsideW = BentW - 2 * IF + 2;     // 1 minus that, signed
+  localparam int unsigned BentW   = 2 * RB + SquareW;       // ratio^2 * square
+  localparam int unsigned InsideW = BentW - 2 * IF + 2;     // 1 - ratio^2 * square, signed
   localparam int unsigned RootW   = UB + 2;                 // a root
   localparam logic [SquareW-1:0] One  = SquareW'(1) << (2 * UB);
   localparam logic [LongW-1:0]   Half = LongW'(1) << (IF - 1);

@@ -31,7 +31,7 @@ module rc_stream (
 );
   localparam int unsigned I     = rc_pkg::RayBits;
   localparam int unsigned A     = rc_pkg::AddrBits;
-  localparam int unsigned RayW  = rc_pkg::RecordW - I;      // of a record in memory
+  localparam int unsigned RayW  = rc_pkg::RecordW - I;      // width of a record in memory
   localparam int unsigned RestW = rc_pkg::LineBits / 2 - RayW;
 
   // The half line of the record. The host ensures that the memory holds all rays.
@@ -40,7 +40,7 @@ module rc_stream (
 
   assign number = {slot_i.y, slot_i.x};
 
-  if (rc_pkg::Streams == 1) begin : gen_addr   // always, but tools read this without
+  if (rc_pkg::Streams == 1) begin : gen_addr   // tools also parse a chip without streams
     assign addr = {frame_i.rays, 1'b0} + (A+1)'(number);
   end else begin : gen_none
     assign addr = '0;
@@ -51,7 +51,7 @@ module rc_stream (
 
   assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;
 
-  logic         next_fires;   // unused: raygen reads no memory by the next answer
+  logic         next_fires;   // unused: raygen reads no memory at the next answer's id
   logic [I-1:0] next_ray;
 
   rc_cache #(

@@ -16,7 +16,7 @@ module rc_rank #(
   localparam int unsigned Stages = rc_pkg::RankStages
 ) (
   input  logic                 clk_i,
-  input  logic [Stages-1:0]    valid_i,    // valid_i[i]: stage i holds a node
+  input  logic [Stages-1:0]    valid_i,    // valid_i[i]: stage i holds a node, or the chip is fast
   // Children
   input  logic [W-1:0]         s0_hit_i,
   input  logic [W*T-1:0]       s0_near_i,

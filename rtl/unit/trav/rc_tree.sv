@@ -50,7 +50,7 @@ module rc_tree (
   // What its units did: rc_pkg::trav_cause_e, decide_cause_e
   output logic [rc_pkg::CauseBits-1:0] trav_cause_o,
   output logic [rc_pkg::CauseBits-1:0] decide_cause_o,
-  output logic [rc_pkg::CauseBits-1:0] mesh_cause_o,    // of the second unit
+  output logic [rc_pkg::CauseBits-1:0] mesh_cause_o,    // from the unit that decides meshes' nodes
   // With two levels: a transformed ray, to list; rc_pkg::xform_cause_e
   output logic              change_fires_o,
   output rc_pkg::change_t   change_o,

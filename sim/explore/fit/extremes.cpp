@@ -22,7 +22,7 @@ Vec cross(const Vec& a, const Vec& b) {
 void add(Interval& range, Wide value) { range = hull(range, point(value)); }
 void add(Interval& range, const Interval& more) { range = hull(range, more); }
 
-/// Returns the range of d . a over all directions, and that of its products in `term`.
+/// Returns the range of d . a over all directions.
 Interval dot(const Extremes::Axes& d, const Vec& a) {
     return d[0] * point(a[0]) + d[1] * point(a[1]) + d[2] * point(a[2]);
 }

@@ -52,7 +52,7 @@ Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& co
 
 struct Ranges {
     std::vector<Signal> signals;
-    /// True if every signal that must fit does, and every sum whose terms wrap.
+    /// True if every signal that must fit does. The terms of a sum may wrap if the sum fits.
     bool proven() const;
 };
 Ranges prove_ranges(const MemoryImage& image, const Frame& frame, const Config& config);

@@ -85,7 +85,8 @@ private:
         end(std::move(t));
     }
 
-    /// Streams of every kind of ray. Their numbers lie around whole groups, and around a power of two of x.
+    /// Streams of every kind of ray. Their lengths lie near whole groups and near 2^pixel_bits,
+    /// where y changes.
     void add_streams() {
         for (const std::size_t count : {1, 4, 5, 127, 128, 130}) {
             const std::vector<PrimData> prims = soup(config_, dice_, 30);
@@ -228,7 +229,7 @@ private:
         on_it.eye = turned(Vec3i{step / 2, step / 3, 0}, turn);
         add(t, on_it);
         add(t, diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
-        for (Frame& frame : t.frames)   // lights in the plane of the mesh, on neither side of it
+        for (Frame& frame : t.frames)   // lights exactly in the plane of the mesh
             for (std::size_t i = 0; i < frame.shade.lights; i += 2)
                 frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
         end(std::move(t));
@@ -293,7 +294,7 @@ private:
         end(std::move(t));
     }
 
-    /// Frames that end while a tile is unfinished: the next frame must not get the rest of it.
+    /// Frames that end while a tile is unfinished: the next frame must not draw the remaining pixels.
     void add_tiles() {
         const std::vector<PrimData> prims = soup(config_, dice_, 4);
         TortureCase t = begin("tiles", image_of(prims, config_, dice_, "tiles"));

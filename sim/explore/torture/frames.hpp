@@ -11,8 +11,8 @@ struct Size {
 };
 
 /// Looks at one of the primitives, with any angle, from any point, from a primitive's corner or from a corner
-/// of the lattice. `shorter` makes directions 2^shorter times shorter than allowed, more than raygen can
-/// shift them up, so t saturates.
+/// of the lattice. `shorter` makes directions 2^shorter times shorter than allowed. raygen cannot shift them
+/// up that far, so t saturates.
 Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, int shorter, Dice& dice);
 
 /// Looks along -z from above the mesh's middle, so that pixel (x, y) hits corner (x, y) of it exactly.

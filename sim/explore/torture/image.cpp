@@ -29,7 +29,7 @@ PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
     PrimData s;
     s.kind = std::uint32_t(PrimKind::sphere);
     s.a = centre;
-    s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // whether its inside is seen
+    s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // last: the inside is visible
     return s;
 }
 

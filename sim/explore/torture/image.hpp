@@ -42,11 +42,11 @@ std::vector<PrimData> panes(const Config& config, int count);
 enum class Look { any, clear, bright, shiny };
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look);
 
-/// Returns the whole memory image; with two levels that of placed_image().
+/// Returns the whole memory image. With two levels placed_image() makes it.
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      Look look = Look::any);
-/// Changes every node of the tree of treelets or slants at line 0. It gets a box of a few steps near the
-/// middle, and planes of any direction that cut the box. Rays then miss the scene, but model and RTL must
+/// Changes every node of the tree of treelets or slants at line 0. Each node gets a box of a few steps near
+/// the middle, and planes of any direction that cut the box. Rays then miss the scene, but model and RTL must
 /// still agree.
 void cut_anew(MemoryImage& image, const Config& config, Dice& dice);
 

@@ -59,7 +59,8 @@ InstanceMap map_of(const Rows& rows, double scale, const Config& config) {
     return map;
 }
 
-/// Moves the mesh, often as far as possible: no point of the scene's lattice may leave that of the mesh.
+/// Moves the mesh, often as far as possible. Every point of the scene's lattice must stay within the mesh's
+/// lattice.
 void push_away(InstanceMap& map, Dice& dice, const Config& config) {
     const std::int64_t one = std::int64_t(1) << config.map_frac(), most = most_of(config.coord_bits);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -114,8 +115,8 @@ public:
     }
 
 private:
-    /// Makes one mesh with the identity map, which has all spheres and planes. Of the other triangles some
-    /// are turned by quarters, others by any angle.
+    /// Deals the primitives to three meshes. The first has the identity map, and all spheres and planes. The
+    /// second is turned by quarters, the third by any angle.
     void deal(const std::vector<PrimData>& prims) {
         std::array<std::vector<PrimData>, 3> dealt;
         for (const PrimData& prim : prims)

@@ -108,8 +108,8 @@ constexpr Chip chips[] = {{"shading", shading_chip}, {"wide", wide_chip},     {"
                           {"homes", homes_chip},     {"slants", slants_chip}, {"listed", listed_chip},
                           {"rays", rays_chip}};
 
-/// Returns the last engine that no chip but `shading` walks, or bvh. If two engines are left, one needs a
-/// chip of its own; a test finds it.
+/// Returns the last engine that the chips other than `shading` do not walk, or bvh if they walk all. If two
+/// engines are left, one needs a chip of its own; a test finds it.
 Structure engine_left() {
     Structure left = Structure::bvh;
     for_each_engine([&]<class E>(E) {

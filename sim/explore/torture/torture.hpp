@@ -26,7 +26,8 @@ struct TortureCase {
 /// - `sheared`: boxes, the other triangle test, one set in each cache;
 /// - `homes`: two levels that shade, treelets above boxes, every interval at its longest but one;
 /// - `slants`: two levels, planes in any direction above globes, fast timing, no interval;
-/// - `listed`: no tree, every unit that shades, fast timing with the longest interval.
+/// - `listed`: no tree, every unit that shades, fast timing with the longest interval;
+/// - `rays`: rays from memory, two pipelines, groups of four rays, bursts of two lines, fast timing.
 const std::vector<std::string>& torture_chips();
 Config torture_chip(const std::string& name);
 std::vector<TortureCase> torture_cases(const std::string& chip);

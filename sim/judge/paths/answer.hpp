@@ -9,8 +9,8 @@ class PlacedWorld;
 
 /// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u
 /// and v of triangles and planes, rounded as payloads.hpp states; whether a shadow ray is blocked; whether a
-/// sphere is hit. The t of a sphere may exceed the true one by the bound in model/unit/isect/any.hpp. A
-/// primitive that is closer by less than this bound may win.
+/// sphere is hit. The t of a sphere may exceed the true one by the bound in model/unit/isect/any.hpp. So the
+/// sphere may lose to a primitive that is farther by less than this bound.
 const char* judge_answer(const oracle::Solids& solids, const Config& config, const Ray& ray,
                          const Closest& answer);
 

@@ -21,7 +21,7 @@ std::int64_t signed_value(std::uint32_t field, int bits) {
     return std::int64_t(field) >= half ? std::int64_t(field) - 2 * half : field;
 }
 
-/// True if each component equals that of v / |v|, within the error of unit_vector().
+/// True if `unit` equals v / |v|. Each component may differ by the error of unit_vector().
 bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     const glm::dvec3 exact = unit_of(v);
     for (int k = 0; k < 3; ++k)
@@ -59,7 +59,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_.surface = rules_.placed
                          ? rules_.placed->surface(answer_.prim)
                          : expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
-    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // the colours judge how it finds its squares
+    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // its squares are judged with the colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
     if (place_.surface.smooth) {

@@ -163,7 +163,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     if (config_.shading)
         if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
-    // It has unit length in the scene, at the first instance's place.
+    // Each normal has unit length in the scene, at the first instance's place.
     const std::array<long double, 9> back = inverse_of(of.before == glm::dmat4(1) ? first : glm::dmat4(1));
     for (glm::dvec3& normal : made.scene.normals) {
         long double square = 0;

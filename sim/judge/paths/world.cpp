@@ -105,7 +105,7 @@ double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& la
 
 /// Checks the stated planes between eye and light. The light is not clear if one of them is not a pane, a
 /// plane contains the eye, or an opaque sphere encloses the light. If rounding decides on which side of a
-/// plane the eye or the light lies, both answers pass. `light`: within the reach of the registers.
+/// plane the eye or the light lies, both answers pass. `light` must lie within the registers' range.
 bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
                           std::uint32_t cell) {
     if (!asked.scene.camera) return !is_shut == stated && cell == 0;

@@ -26,7 +26,7 @@ RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(
     if (kind == "rays") {
         if (bytes_.size() % (least_columns * 4) != 0)
             throw UserError(
-                fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are no multiple of that",
+                fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are not a multiple of that",
                             printable(path), bytes_.size()));
         count_ = bytes_.size() / (least_columns * 4);
     } else {

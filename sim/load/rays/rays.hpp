@@ -32,15 +32,14 @@ private:
     std::vector<StreamRay> rays_;
 };
 
-/// The rays of a file, which stay as they are stored and are converted one at a time. docs/streams.md
-/// describes the formats:
+/// The rays of a file. It keeps the file's bytes, and converts one ray at a time. docs/streams.md describes
+/// the formats:
 /// - .npy: float32 or float64, n rows of origin and direction (6 numbers), then t_max (7), t_min and t_max
-/// (8), and 1
-///   for any hit (9);
-/// - .rays of AnyDSL's traversal: 6 float32 for each ray, and nothing else.
+///   (8), and 1 for any hit (9);
+/// - .rays of AnyDSL's traversal: 6 float32 for each ray.
 class RayFile : public Rays {
 public:
-    /// Reads a file and checks every ray. `any_hit`: every ray asks for any hit. Throws UserError that names
+    /// Reads a file and checks every ray. `any_hit`: every ray requests any hit. Throws UserError that names
     /// the file and the first faulty ray: a number that is NaN, an origin or t_min that is infinite, a
     /// direction that is zero or infinite, t_min above t_max, or a ninth number other than 0 and 1.
     explicit RayFile(const std::string& path, bool any_hit = false);

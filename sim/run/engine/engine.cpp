@@ -85,7 +85,7 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
              const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
     if (config.is_stream())
-        throw UserError("source=stream has no camera: simulate and verify take it with --rays");
+        throw UserError("source=stream has no camera: use simulate or verify with --rays");
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
     if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed, job.image);

@@ -54,7 +54,7 @@ struct NameVisitor {
     }
 };
 
-/// Throws unless each name is that of a field, in a chip with all units or in one with the sheared test.
+/// Throws if a name is not a field of the payload, in a chip with all units or in one with the sheared test.
 template <class Payload> void check_names(const std::vector<std::string_view>& names) {
     NameVisitor known;
     Config all;

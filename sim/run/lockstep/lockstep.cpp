@@ -27,7 +27,7 @@ std::string later_text(const char* who, std::uint64_t cycles, bool same) {
                 : fmt::format("{} makes another transfer there, {}", who, when);
 }
 
-/// Compares all but the context, which is not part of a pixel.
+/// True if the answers are equal except for the context, which is not part of a pixel.
 bool same_answer(const Closest& a, const Closest& b) {
     return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
            a.back == b.back;

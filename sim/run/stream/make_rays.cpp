@@ -31,7 +31,7 @@ glm::dvec3 cosine_weighted(const glm::dvec3& normal, Rng& dice) {
     return glm::dot(d, d) > 0 ? glm::normalize(d) : normal;
 }
 
-/// A point of a surface, off it, and the normal on that side.
+/// A point just off a surface, and the surface's normal on that side.
 struct Spot {
     bool there = false;
     glm::dvec3 point{0}, normal{0};

@@ -1,5 +1,5 @@
 #pragma once
-// Streams of rays from the reference tracer: what a renderer would send after the camera's rays.
+// Makes streams of rays with the reference tracer: camera rays, and the rays that a renderer sends next.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace rayclock {
 
 enum class RayStreamKind {
-    camera,    ///< of the chip: as raygen sends them, so a picture and its stream have the same hits
+    camera,    ///< the rays that the chip's raygen sends, so a picture and its stream have the same hits
     shadow,    ///< from a camera ray's hit to each light: any hit before t = 1
     mirror,    ///< mirrored at the hits of camera rays, or of mirrored rays
     ao,        ///< ambient occlusion: cosine-weighted, any hit within a radius
@@ -23,18 +23,18 @@ enum class RayOrder { recorded, morton, random };
 struct RayStreamPlan {
     RayStreamKind kind = RayStreamKind::camera;
     FrameSize size;
-    int bounce = 1;      ///< of mirror and diffuse: the first has 1
-    int samples = 1;     ///< rays of each hit, of ao and diffuse
-    double radius = 0;   ///< of ao, in scene units; 0: a tenth of the diagonal of the scene's bounds
+    int bounce = 1;      ///< for mirror and diffuse: number of the bounce, from 1
+    int samples = 1;     ///< for ao and diffuse: rays from each hit
+    double radius = 0;   ///< for ao, in scene units; 0: a tenth of the diagonal of the scene's bounds
     std::uint64_t seed = 1;
     RayOrder order = RayOrder::recorded;
 };
 
-/// Makes the rays of a stream, pixel by pixel. A ray from a surface begins off it, on the side from which it
-/// was seen: by 2^-16 of the diagonal of the scene's bounds. Diffuse directions are cosine-weighted (Shirley,
-/// Morley 2003: a point of the unit sphere around the tip of the normal). The rays depend on the seed alone,
-/// not on the number of threads. `config` gives the directions of camera rays. Throws UserError for a scene
-/// without lights if shadow rays are asked for.
+/// Makes the rays of a stream, pixel by pixel. A ray from a surface begins on the side from which the surface
+/// was seen, at a distance of 2^-16 of the diagonal of the scene's bounds. Diffuse directions are
+/// cosine-weighted (Shirley, Morley 2003: a point of the unit sphere around the tip of the normal). The rays
+/// do not depend on the number of threads. `config` gives the directions of camera rays. Throws UserError if
+/// shadow rays are requested and the scene has no light.
 std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, const Config& config,
                                  int threads = 0, const Progress& progress = {});
 

@@ -36,8 +36,8 @@ namespace {
 /// Largest distance of a common origin from the middle of the scene, in diagonals of its bounds.
 constexpr double most_diagonals = 4;
 
-/// Returns the point that the lattice has as a point: the origin of all rays if they have the same and it is
-/// not far away, so that the lattice stays fine; otherwise the middle of the scene.
+/// Returns the point that must be a lattice point: the common origin of all rays, if they have one and it is
+/// near enough to keep the lattice fine; otherwise the middle of the scene.
 glm::dvec3 anchor_of(const Scene& scene, const Rays& rays) {
     const Bounds box = bounds(scene);
     const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi, first = rays[0].origin;

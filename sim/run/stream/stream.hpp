@@ -6,8 +6,8 @@
 
 namespace rayclock {
 
-/// What happens to a ray that begins outside the lattice, which holds the scene: it may lose the part before
-/// the lattice, where nothing is, or be refused.
+/// The treatment of a ray that begins outside the lattice: clip its part outside, or refuse the ray. No
+/// surface lies outside the lattice.
 enum class Outside { clip, refuse };
 
 /// A scene, compiled for a chip whose rays come from memory, with the rays behind it.
@@ -15,12 +15,12 @@ struct StreamJob {
     const Scene& scene;
     const Rays& rays;
     Job job;
-    std::size_t closest = 0, any = 0;       ///< rays by what they ask for
+    std::size_t closest = 0, any = 0;       ///< rays by request: the closest hit, any hit
     std::size_t clipped = 0, missing = 0;   ///< rays that begin outside the lattice, and rays that miss it
 };
-/// Puts the rays on the scene's lattice. The lattice has a point where all rays begin, if that is not further
-/// than four diagonals of the scene from its middle, and otherwise a point there. Throws UserError, which
-/// names the ray, for a ray that begins outside the lattice if these are refused.
+/// Puts the rays on the scene's lattice. If all rays begin at one point, at most four diagonals of the scene
+/// from its middle, this point is a lattice point. Otherwise the middle is one. Throws UserError, which names
+/// the ray, if `outside` is refuse and a ray begins outside the lattice.
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
 
@@ -34,10 +34,10 @@ Config streaming(Config config);
 /// The answer to a ray. t, u and v are NaN unless it asks for the closest hit and has one.
 struct StreamHit {
     bool hit = false, back = false;
-    std::uint32_t primitive = no_primitive;   ///< no_primitive if none is hit, or any hit is asked for
-    double t, u, v;                           ///< t: of the ray as given
+    std::uint32_t primitive = no_primitive;   ///< no_primitive without a hit, or if the ray requests any hit
+    double t, u, v;                           ///< t on the given ray
 };
-/// Returns the answer to a ray in scene units. A closest hit beyond t_max is none.
+/// Returns the answer to a ray in scene units. A closest hit beyond t_max counts as a miss.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
 
 /// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), t, u, v (f8),

@@ -100,8 +100,8 @@ void bounces(Page& page) {
     page.say(
         "\nRays of each purpose, and the energy that each depth added: the mean over all pixels and channels "
         "of the absolute difference of linear colours, in per cent of full scale and of the mean of the last "
-        "picture. Distant points of the floor exceed the machine's number range. It sends no rays from them, "
-        "counts all lights, and shows the background in the mirror.\n");
+        "picture. Distant points of the floor exceed the machine's number range. From them the machine sends "
+        "no rays, counts all lights, and shows the background in the mirror.\n");
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k <= most; ++k)
         for (const Series& s : all)

@@ -250,8 +250,9 @@ std::string answer(const Figures& f) {
             else
                 gains.push_back(fmt::format("{:.1f} times on {}", gain(f, m, p), memories()[m].name));
         }
-        text += fmt::format("With {} pipeline{} the gain is at least {} of that on {}. Elsewhere it is {}. ",
-                            p, p == 1 ? "" : "s", percent(nearly), name_list(hold), name_list(gains));
+        text += fmt::format(
+            "With {} pipeline{} the gain on {} is at least {} of this factor. Elsewhere it is {}. ", p,
+            p == 1 ? "" : "s", name_list(hold), percent(nearly), name_list(gains));
     }
     text += passed_text(f);
     return text + fmt::format(

@@ -185,8 +185,8 @@ std::string surroundings_text(const Comparison& all) {
     };
     const auto dram = [&](std::size_t i) { return std::string_view(around[i].dram); };
     return fmt::format(R"(
-**Caches and memories.** The cache size changes which structure is fastest on {}. The memory
-changes it on {}: a slow memory favours the structure with the smallest image.)",
+**Caches and memories.** The fastest structure depends on the cache size for {}, and on the memory for
+{}. A slow memory favours the structure with the smallest image.)",
                        differing([&](std::size_t i, std::size_t k) { return dram(i) == dram(k); }),
                        differing([&](std::size_t i, std::size_t k) {
                            return dram(i) != dram(k) && around[i].sets == around[k].sets;

@@ -1,4 +1,4 @@
-// Writes the links of a capture as an FST file, and a view of it for GTKWave.
+// Writes the links of a capture as an FST file, with a save file for GTKWave.
 #include "sim/view/divergence/waveform.hpp"
 
 #include <algorithm>

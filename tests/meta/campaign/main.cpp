@@ -9,7 +9,7 @@
 //     Runs the tests of the build folder on faults that the torture set did not notice. PAGE lists equivalent
 //     faults with reasons.
 // rc_campaign report FOLDER PAGE PERCENT
-//     Counts.
+//     Prints the shares of noticed faults. Returns 1 if they are below PERCENT. PAGE lists equivalent faults.
 //
 // FOLDER keeps all results. A command that is started again continues where it stopped.
 #include <fmt/format.h>

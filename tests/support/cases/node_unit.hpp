@@ -1,6 +1,6 @@
 #pragma once
-// Checks that hold for every unit that decides nodes. `draw_case(draw, config)` draws a request `req`
-// together with what its judge needs; judge(case, answer, config) is found by its argument.
+// Checks that hold for every unit that decides nodes. `draw_case(draw, config)` draws a request `req` and the
+// inputs of its judge. Argument-dependent lookup finds judge(case, answer, config).
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

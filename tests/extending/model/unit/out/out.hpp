@@ -7,8 +7,8 @@
 
 namespace rayclock {
 
-/// Holds a finished pixel for a cycle, and until sched accepts it. Two places let a result come in every
-/// cycle. Mirror of rtl/unit/out/rc_out.sv.
+/// Holds a finished pixel for at least one cycle, until sched accepts it. Two places let a result come in
+/// every cycle. Mirror of rtl/unit/out/rc_out.sv.
 class Out {
 public:
     bool ready() const { return !rays_.full(); }

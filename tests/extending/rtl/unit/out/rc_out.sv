@@ -1,6 +1,6 @@
-// Holds a finished pixel for one cycle, and until sched accepts it.
+// Holds a finished pixel for at least one cycle, until sched accepts it.
 //
-// Two places accept a result in every cycle. ready and valid come from registers, so no
+// Two places let a result come in every cycle. ready and valid come from registers, so no
 // combinational path leads from list to the sink. Model: model/unit/out/out.hpp.
 `default_nettype none
 module rc_out (
