@@ -54,6 +54,10 @@ int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
 int Config::surf_miss_bits() const { return has_shade() ? miss_bits(surf_mshrs, surf_line) : 1; }
 int Config::stream_miss_bits() const { return is_stream() ? miss_bits(stream_mshrs, stream_line) : 1; }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
+int Config::longest_line() const {
+    return std::max({node_line, prim_line, has_shade() ? surf_line : 0, is_stream() ? stream_line : 0,
+                     l2_sets > 0 ? l2_line : 0});
+}
 int Config::least_addr_bits() const {
     const auto beside_tag = [](int sets, int line) {
         return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2;

@@ -156,6 +156,7 @@ struct Config {
     int surf_miss_bits() const;
     int stream_miss_bits() const;
     int l2_miss_bits() const;
+    int longest_line() const;      ///< bytes of the longest line of the chip's caches
     int least_addr_bits() const;   ///< fewest address bits that leave a tag of one bit in every cache
     /// Memory clients of a pipeline: nodes, primitives, and in a chip with shading=1 surfaces or ray records.
     /// Such a chip leaves the number of its fourth client unused.

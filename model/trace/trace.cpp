@@ -24,9 +24,9 @@ struct Recording::Work {
         : frame(frame_),
           trace(trace_),
           progress(progress_),
-          columns(frame.ray_count > 0 ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
+          columns(config.is_stream() ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
                                       : (frame.width + block - 1) / block),
-          rows(frame.ray_count > 0 ? 1 : (frame.height + block - 1) / block),
+          rows(config.is_stream() ? 1 : (frame.height + block - 1) / block),
           image(image_),
           job(image, frame, config),
           record(record_block()),
@@ -50,7 +50,7 @@ struct Recording::Work {
         if (job.config().has_shade()) shaded.emplace(image, frame, job.config(), *decoder);
         try {
             for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++)
-                frame.ray_count > 0 ? record_stream(chunk, scratch, totals, streamed)
+                job.config().is_stream() ? record_stream(chunk, scratch, totals, streamed)
                                     : record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
@@ -64,10 +64,10 @@ struct Recording::Work {
         trace.turns += totals.turns;
         if (shaded)
             trace.counts += shaded->counts();
-        else if (frame.ray_count == 0)
-            trace.counts.primary = trace.rays.size();
-        else
+        else if (job.config().is_stream())
             trace.counts += streamed;
+        else
+            trace.counts.primary = trace.rays.size();
     }
 
     void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals,

@@ -12,18 +12,17 @@ public:
     explicit Dispatch(const Config& config)
         : pipelines_(std::uint32_t(config.pipelines)),
           tile_bits_(config.tile_bits),
-          coord_bits_(config.tile_coord_bits()) {}
+          columns_of_rays_(config.is_stream() ? 1u << config.tile_coord_bits() : 0) {}
 
     void start(const Frame& frame) {
-        columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
-        rows_ = (frame.height + (1u << tile_bits_) - 1) >> tile_bits_;
-        if (frame.ray_count > 0) {
-            const std::uint32_t groups = (frame.ray_count + (1u << 2 * tile_bits_) - 1) >> 2 * tile_bits_;
-            columns_ = 1u << coord_bits_;
-            rows_ = (groups + columns_ - 1) >> coord_bits_;
-            last_columns_ = groups - (rows_ - 1) * columns_;
+        if (columns_of_rays_ > 0) {
+            const std::uint32_t last = (frame.ray_count - 1) >> 2 * tile_bits_;   // the last group
+            columns_ = columns_of_rays_;
+            rows_ = last / columns_ + 1;
+            last_columns_ = last % columns_ + 1;
         } else {
-            last_columns_ = columns_;
+            columns_ = last_columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
+            rows_ = (frame.height + (1u << tile_bits_) - 1) >> tile_bits_;
         }
         tile_ = {};
         more_ = true;
@@ -48,7 +47,8 @@ public:
 
 private:
     std::uint32_t pipelines_;
-    int tile_bits_, coord_bits_;
+    int tile_bits_;
+    std::uint32_t columns_of_rays_;   // of a chip for streams, else 0
     std::uint32_t columns_ = 0, rows_ = 0, next_ = 0;
     std::uint32_t last_columns_ = 0;   // columns of the last row
     Tile tile_;

@@ -14,6 +14,7 @@ public:
     explicit Sched(const Config& config)
         : tile_bits_(config.tile_bits),
           pixel_bits_(config.pixel_bits),
+          streams_(config.is_stream()),
           last_((1u << 2 * config.tile_bits) - 1),
           tiles_(2),
           free_(config.contexts),
@@ -70,7 +71,7 @@ private:
     void look() {
         inside_ = outside_ = false;
         if (tiles_.empty()) return;
-        if (count_ > 0) {
+        if (streams_) {
             const Tile& tile = tiles_.front();
             const std::uint32_t group = tile.y << (pixel_bits_ - tile_bits_) | tile.x,
                                 ray = group << 2 * tile_bits_ | at_;
@@ -87,6 +88,7 @@ private:
     }
 
     int tile_bits_, pixel_bits_;
+    bool streams_;
     std::uint32_t last_, width_ = 0, height_ = 0, count_ = 0;
     std::uint32_t at_ = 0;   // pixel within the tile
     std::uint32_t x_ = 0, y_ = 0;

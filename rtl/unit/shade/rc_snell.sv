@@ -30,6 +30,7 @@ module rc_snell #(
   localparam int unsigned RootW   = UB + 2;                 // a root
   localparam logic [SquareW-1:0] One  = SquareW'(1) << (2 * UB);
   localparam logic [LongW-1:0]   Half = LongW'(1) << (IF - 1);
+  localparam logic [RB-1:0]      Unbent = RB'(1) << IF;     // the ratio 1 of a reflection
 
   // s3: 2^32 times the squared cosine inside, rounded up. If negative, the reflection is total.
   logic [SquareW-1:0] s1_cosine2_q, s1_sine2;
@@ -112,7 +113,7 @@ module rc_snell #(
     .data_o({s12_refract, s12_total}));
   rc_stage_delay #(.Width(RB), .Stages(13)) u_ratio (
     .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]),
-    .data_i(s0_refract_i ? s0_ratio_i : RB'(1) << IF), .data_o(s13_ratio_o));
+    .data_i(s0_refract_i ? s0_ratio_i : Unbent), .data_o(s13_ratio_o));
 
   logic unused;
   assign unused = ^{inexact, valid_i, s0_cosine2[2*VB-1:SquareW], s1_rounded[IF-1:0],

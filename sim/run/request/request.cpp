@@ -53,6 +53,12 @@ Config widened(Config config, const std::vector<std::string>& set) {
     return config;
 }
 
+/// A chip for streams draws no picture.
+void refuse_stream(const Config& config) {
+    if (config.is_stream())
+        throw UserError("source=stream has no camera: use simulate or verify with --rays");
+}
+
 /// Adds a camera for a picture of this size, and applies the view options.
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
@@ -102,6 +108,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     const bool may_wait = finish.is_asked() && !by_hand;
     r.config = load_config({config.name, may_wait ? decltype(config.set){} : config.set});
     if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
+    refuse_stream(r.config);
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     check_levels(r.scene, r.config, r.finished, false);   // before any more work
@@ -117,6 +124,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         fitted.panes = set.panes, fitted.horizon = set.horizon;
         r.config = with_settings(fitted, config.set, fitted.name);
     }
+    refuse_stream(r.config);
     check_levels(r.scene, r.config, r.finished, view.ground);
     std::vector<std::string> idle = idle_settings(r.config, config.set);
     for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);

@@ -188,10 +188,7 @@ std::optional<Memory::Answer> RtlMachine::request() {
     if (!(shared_fire_ & bit(Link::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
     // Long lines end at the next multiple of their length.
-    const std::uint32_t line =
-        std::uint32_t(std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.stream_line,
-                                config_.l2_line}) /
-                      line_bytes);
+    const auto line = std::uint32_t(config_.longest_line() / line_bytes);
     if (req.addr / line > (image_->end() - 1) / line)
         complain(0, Link::mem_req,
                  fmt::format("line {}, and the memory image has {}", req.addr, image_->end()));

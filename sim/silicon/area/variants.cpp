@@ -17,7 +17,9 @@ namespace {
 constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", "supersampling"};
 
 bool always(const Config&) { return true; }
-bool shades(const Config& c) { return c.shading; }
+bool shades(const Config& c) { return c.has_shade(); }
+bool draws(const Config& c) { return !c.is_stream(); }
+bool streams(const Config& c) { return c.is_stream(); }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
@@ -57,7 +59,9 @@ std::vector<Variant> variants_of(const Config& base) {
 const std::vector<UnitRow>& unit_rows() {
     static const std::vector<UnitRow> rows = [] {
         std::vector<UnitRow> all{{"sched", true, always},
-                                 {"raygen", true, always},
+                                 {"raygen", true, draws},
+                                 {"stream", true, streams},
+                                 {"raygen_stream", true, streams},
                                  {"trav", true, has_nodes},
                                  {"node_cache", true, has_nodes}};
         for_each_engine([&]<class E>(E) {
