@@ -41,15 +41,37 @@ std::optional<Within> within_lattice(const StreamRay& ray, const Lattice& lattic
     return in;
 }
 
-/// Returns a point in lattice steps, with `frac` fraction bits, rounded to nearest.
-Vec3i fixed_point(const glm::dvec3& point, const Lattice& lattice, int frac) {
+/// Returns a coordinate in lattice steps, with `frac` fraction bits, rounded to nearest.
+double on_axis(const glm::dvec3& point, int axis, const Lattice& lattice, int frac) {
+    return std::round(std::ldexp((point[axis] - lattice.centre[axis]) / lattice.pitch[axis], frac));
+}
+
+/// Returns a point within the lattice in lattice steps, with `frac` fraction bits.
+Vec3i origin_of(const glm::dvec3& point, const Lattice& lattice, int frac) {
     const double reach = std::ldexp(1.0, lattice.coord_bits - 1 + frac);
     Vec3i p{};
     for (int k = 0; k < 3; ++k)
-        p[std::size_t(k)] = std::int32_t(
-            std::clamp(std::round(std::ldexp((point[k] - lattice.centre[k]) / lattice.pitch[k], frac)),
-                       -reach, reach - 1));
+        p[std::size_t(k)] = std::int32_t(std::clamp(on_axis(point, k, lattice, frac), -reach, reach - 1));
     return p;
+}
+
+/// The lattice point nearest to the end of a segment, if vertices reach as far.
+struct SegmentEnd {
+    Vec3i point{};
+    bool is_beyond = false;    ///< beyond all vertices, so the segment needs no end
+    bool is_outside = false;   ///< the whole segment lies beyond all vertices
+};
+SegmentEnd end_of(const StreamRay& ray, const Lattice& lattice) {
+    const double most = std::ldexp(1.0, lattice.coord_bits - 1) - 1;
+    SegmentEnd end;
+    for (int k = 0; k < 3; ++k) {
+        const double x = on_axis(ray.origin + ray.t_max * ray.direction, k, lattice, 0);
+        const bool beyond = std::abs(x) > most;
+        end.is_beyond = end.is_beyond || beyond;
+        end.is_outside = end.is_outside || (beyond && !(x * ray.direction[k] > 0));
+        end.point[std::size_t(k)] = beyond ? 0 : std::int32_t(x);
+    }
+    return end;
 }
 
 }   // namespace
@@ -62,19 +84,22 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
     made.begin = in->from;
     made.is_clipped = in->from > ray.t_min;
     RayRecord& record = made.record;
-    Vec3i begin = fixed_point(ray.origin + in->from * ray.direction, lattice, frac);
+    Vec3i begin = origin_of(ray.origin + in->from * ray.direction, lattice, frac);
     if (in->axis >= 0) {   // exactly on the border, even if doubles are coarse at the given origin
         const std::int32_t reach = 1 << (config.origin_width() - 1);
         begin[std::size_t(in->axis)] = in->is_high ? reach - 1 : -reach;
     }
     // A segment that leaves the lattice needs no end.
-    if (ray.any_hit && in->to == ray.t_max) {
-        const Vec3i end = fixed_point(ray.origin + in->to * ray.direction, lattice, 0);
-        const std::int32_t most = (1 << (config.coord_bits - 1)) - 1;
-        if (std::all_of(end.begin(), end.end(), [&](std::int32_t x) { return std::abs(x) <= most; })) {
+    if (ray.any_hit && in->to == ray.t_max && std::isfinite(ray.t_max)) {
+        const SegmentEnd end = end_of(ray, lattice);
+        if (end.is_outside) {
+            record = ray_to_nowhere(config);
+            return made;
+        }
+        if (!end.is_beyond) {
             record.kind = std::uint32_t(RayKind::shadow);
             for (std::size_t k = 0; k < 3; ++k) {
-                record.o[k] = end[k] * (1 << frac);
+                record.o[k] = end.point[k] * (1 << frac);
                 record.d[k] = begin[k] - record.o[k];
             }
             if (record.d == Vec3i{}) record = ray_to_nowhere(config);   // a point meets nothing

@@ -9,7 +9,10 @@ namespace rayclock {
 
 /// A ray in scene units: the points origin + t * direction with t_min <= t <= t_max.
 struct StreamRay {
-    glm::dvec3 origin{0}, direction{0};   ///< the direction may have any length except 0
+    /// Each coordinate of the origin is at most most_size. The direction's largest component lies in
+    /// least_size ... most_size.
+    glm::dvec3 origin{0}, direction{0};
+    static constexpr double least_size = 0x1p-500, most_size = 0x1p500;
     double t_min = 0, t_max = std::numeric_limits<double>::infinity();
     bool any_hit = false;   ///< requests any hit, not the closest
 };
@@ -21,7 +24,8 @@ struct StreamRay {
 ///
 /// A request for any hit up to a t_max within the lattice becomes a ray in the opposite direction. It begins
 /// at the lattice point nearest to the segment's end. Like a shadow ray (docs/origins.md), it leads exactly
-/// to the rounded origin.
+/// to the rounded origin. Vertices do not reach the border of the lattice: a segment that ends beyond them
+/// needs no end, and meets nothing if it lies beyond them.
 struct LatticeRay {
     RayRecord record;
     double begin = 0, scale = 1;

@@ -89,6 +89,9 @@ void check_parameters(const Config& c, const std::string& where) {
                                         {"horizon", c.horizon}})
         if (is_there && c.is_stream())
             refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");
+    for (const auto& [key, is_there] : {std::pair{"scan_out", c.scan_out}, {"pixel_writes", c.pixel_writes}})
+        if (is_there && c.is_stream())
+            refuse(std::string(key) + "=1 needs source=camera: a stream of rays draws no picture");
     if (c.is_stream() && c.has_instances())
         refuse("levels=2 needs source=camera: records of rays do not say from which instance a ray starts");
     if (c.is_stream() && c.spheres)

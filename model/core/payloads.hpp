@@ -284,6 +284,11 @@ struct Closest {
         v_("v", v, c.uv_bits());
     }
 };
+/// True if the answers are equal except for context and place, which are not part of a pixel.
+inline bool same_answer(const Closest& a, const Closest& b) {
+    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
+           a.back == b.back;
+}
 
 /// shade -> sched: a finished pixel, with the hit of its first camera ray and its colour.
 struct Pixel {

@@ -25,6 +25,7 @@ template <PlacedScene (*make)(int)> Scene one_flat_form(int size, Primitives) {
 }
 
 PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
+PrimitiveCounts wknd_counts(int, Primitives) { return {.spheres = wknd_spheres}; }
 PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
 
 /// With cones and cylinders cut as in Haines' package.
@@ -36,7 +37,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 19> built_in_scenes{{
+constexpr std::array<Builtin, 20> built_in_scenes{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -55,6 +56,8 @@ constexpr std::array<Builtin, 19> built_in_scenes{{
      one_form<make_cornell>},
     {"spheres", 1, 1, "glass, mirror and matt spheres on a checkered plane", spheres_counts,
      one_form<make_spheres>},
+    {"wknd", 1, 1, "cover of Ray Tracing in One Weekend: spheres from radius 0.2 to 1000", wknd_counts,
+     one_form<make_wknd>},
     {"plane", 1, 1, "checkered plane as far as the horizon: what samples miss", plane_counts,
      one_form<make_plane>},
     {"mirrors", 1, 1, "Cornell box, closed, whose four walls are mirrors: rays without end",

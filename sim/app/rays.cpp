@@ -1,4 +1,7 @@
 // rayclock rays: writes a stream of rays that a renderer would send.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"

@@ -339,9 +339,10 @@ void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simu
 /// Runs the command with a stream of rays. It draws no picture.
 int run_simulate_stream(const SimulateOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    const char* odd = o.engine != "model" ? "--engine" : !o.report.empty() ? "--report" : nullptr;
-    if (odd)
-        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    refuse_with_rays(o.engine != "model" ? "--engine"
+                     : !o.report.empty() ? "--report"
+                     : o.no_reference    ? "--no-reference"
+                                         : nullptr);
     return simulate_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
 }
 

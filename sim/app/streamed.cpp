@@ -1,6 +1,9 @@
 // simulate and verify with a stream of rays in place of a camera.
 #include "sim/app/streamed.hpp"
 
+#include <memory>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
@@ -12,6 +15,8 @@
 #include "sim/app/clock.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
+#include "sim/run/request/idle.hpp"
+#include "sim/run/request/request.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 #include "sim/run/stream/stream.hpp"
 #include "sim/view/report/accounts.hpp"
@@ -41,6 +46,11 @@ void check_stream_options(const StreamChoice& choice) {
     if (option) throw UserError(fmt::format("{} needs --rays, a stream of rays", option));
 }
 
+void refuse_with_rays(const char* odd) {
+    if (odd)
+        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+}
+
 void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
                             const FramesOptions& frames, const LimitsChoice& limits,
                             const std::string& output) {
@@ -56,8 +66,7 @@ void refuse_picture_options(const std::string& size, const Finish& finish, const
                       : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
                       : !output.empty()                                               ? "--output"
                                                                                       : nullptr;
-    if (odd)
-        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    refuse_with_rays(odd);
 }
 
 namespace {
@@ -70,10 +79,11 @@ struct Streamed {
 };
 
 Config config_of(const StreamCommand& c) {
-    const Config base = settled(streaming(load_config({c.config.name, {}})));
-    const Config config = with_settings(base, c.config.set, base.name);
-    if (!config.is_stream())
-        throw UserError("--rays needs source=stream; leave out --set source=camera");
+    const Config named = load_config({c.config.name, {}});
+    const Config config =
+        with_settings(settled(streaming(widened(named, c.config.set))), c.config.set, named.name);
+    if (!config.is_stream()) throw UserError("--rays needs source=stream; leave out --set source=camera");
+    tell_idle(idle_settings(config, c.config.set));
     return config;
 }
 
@@ -85,12 +95,12 @@ Outside outside_of(const StreamChoice& choice) {
 
 std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
     const Outside outside = outside_of(c.stream);
-    auto s = std::make_unique<Streamed>(
-        Streamed{told_scene(c.scene, progress), RayFile(*c.stream.rays, c.stream.any_hit), {}});
+    RayFile rays(*c.stream.rays, c.stream.any_hit);
+    auto s =
+        std::make_unique<Streamed>(Streamed{ready_scene(c.scene, {1, 1}, progress), std::move(rays), {}});
     if (!s->scene.spheres.empty() || !s->scene.planes.empty())
         throw UserError(s->scene.name +
                         ": a stream of rays meets triangles only, and the scene has spheres or planes");
-    if (!s->scene.camera) s->scene.camera = fit_camera(s->scene, 1);
     s->stream = std::make_unique<StreamJob>(make_stream_job(s->scene, s->rays, config, outside, progress));
     return s;
 }
@@ -157,12 +167,13 @@ void check_outputs(const StreamCommand& c) {
 }
 
 /// Writes the hits if they are asked for. Returns false if it was interrupted; nothing is written then.
-bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame, int khz,
-                Traffic traffic) {
+bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame,
+                const FramesAtClock& run, Traffic traffic, const Progress& progress) {
     if (!c.stream.hits) return true;
-    const std::vector<std::uint64_t> cycles = retirements(s.job.config, khz, frame, traffic);
+    const std::vector<std::uint64_t> retired =
+        retirements(s.job.config, run.khz, frame, traffic, run.last().cycles, progress);
     if (interrupted()) return false;
-    write_bytes(*c.stream.hits, hits_npy(s, frame.trace.hits, cycles));
+    write_bytes(*c.stream.hits, hits_npy(s, frame.trace.hits, retired));
     if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(*c.stream.hits));
     return true;
 }
@@ -195,7 +206,7 @@ int simulate_stream(const StreamCommand& c) {
                    work_table(config, runs[0]), unit_table(config, runs));
         if (judged) fmt::print("\n{}", judge_line(*judged));
     }
-    partial = partial || !write_hits(c, s, frames[0], clocks[0], traffic);
+    partial = partial || !write_hits(c, s, frames[0], runs[0], traffic, progress);
     if (partial && !c.json.is_alone())
         fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
     nlohmann::ordered_json json = run_json(s, answers, runs, partial, judged);
@@ -231,7 +242,7 @@ int verify_stream(const StreamCommand& c) {
                    unit_table(config, runs), lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }
-    partial = partial || !write_hits(c, s, frames[0], khz, traffic);
+    partial = partial || !write_hits(c, s, frames[0], runs[0], traffic, progress);
     const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
     if (!c.json.is_alone())
         fmt::print("  {} in {:.1f} s\n",

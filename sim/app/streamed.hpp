@@ -17,6 +17,8 @@ struct StreamChoice {
 void stream_options(Parser& parser, StreamChoice& choice);
 /// Throws UserError if a stream's option was given without a stream.
 void check_stream_options(const StreamChoice& choice);
+/// Throws UserError if `odd` names an option. The option has no meaning with a stream.
+void refuse_with_rays(const char* odd);
 /// Throws UserError if an option was given that has a meaning for pictures only.
 void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
                             const FramesOptions& frames, const LimitsChoice& limits,

@@ -291,9 +291,7 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 /// Runs the command with a stream of rays. It draws no picture.
 int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    const char* odd = o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr;
-    if (odd)
-        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    refuse_with_rays(o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
 }

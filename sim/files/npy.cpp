@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 
+[[noreturn]] void refuse_array(const std::string& name, const std::string& what) {
+    throw UserError(fmt::format("{}: not an array that can be read: {}", name, what));
+}
+
 /// The text of a head, read from left to right: a Python dictionary of literals, as numpy.lib.format writes
 /// it.
 class HeadText {
@@ -69,9 +73,7 @@ public:
         skip();
         return left_.empty();
     }
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw UserError(fmt::format("{}: not an array that can be read: {}", name_, what));
-    }
+    [[noreturn]] void refuse(const std::string& what) const { refuse_array(name_, what); }
 
 private:
     std::string_view left_;
@@ -89,9 +91,7 @@ std::uint64_t bytes_of_type(const std::string& descr) {
 }   // namespace
 
 NpyHead read_npy_head(std::string_view bytes, const std::string& name) {
-    const auto refuse = [&](const std::string& what) {
-        throw UserError(fmt::format("{}: not an array that can be read: {}", name, what));
-    };
+    const auto refuse = [&](const std::string& what) { refuse_array(name, what); };
     const auto byte = [&](std::size_t at) { return std::size_t(static_cast<unsigned char>(bytes[at])); };
     if (!bytes.starts_with(magic)) refuse("it does not begin as an .npy file does");
     if (bytes.size() > magic.size() && (byte(magic.size()) < 1 || byte(magic.size()) > 3))

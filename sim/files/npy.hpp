@@ -1,6 +1,7 @@
 #pragma once
 // NumPy's array files, format versions 1.0 to 3.0 (numpy.lib.format). Arrays are read in C order,
 // little-endian.
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

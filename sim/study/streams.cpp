@@ -8,7 +8,7 @@
 #include "model/core/settled.hpp"
 #include "model/engine/check.hpp"
 #include "sim/files/table.hpp"
-#include "sim/load/load.hpp"
+#include "sim/run/request/request.hpp"
 #include "sim/run/stream/make_rays.hpp"
 #include "sim/run/stream/stream.hpp"
 #include "sim/study/structures/measure.hpp"
@@ -69,8 +69,7 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
     const std::size_t all = study.scenes.size() * std::size(kinds);
     std::size_t done = 0;
     for (const std::string& name : study.scenes) {
-        Scene scene = load_scene(name);
-        if (!scene.camera) scene.camera = fit_camera(scene, double(study.size.width) / study.size.height);
+        const Scene scene = ready_scene(name, study.size, progress);
         std::vector<Machinery> machines;
         for (const structures::NamedStructure& structure : structures) {
             const Config config = settled(streaming(structure.config));
@@ -80,12 +79,14 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
         }
         for (const Kind& kind : kinds) {
             if (progress) progress("streams", done++, all);
+            RayStreamPlan plan;
+            plan.kind = kind.kind, plan.bounce = kind.bounce, plan.size = study.size;
+            const std::vector<StreamRay> made = make_rays(scene, plan, study.base, study.threads);
+            if (made.empty()) continue;
             for (const auto& [order_name, order] : orders) {
-                RayStreamPlan plan;
-                plan.kind = kind.kind, plan.bounce = kind.bounce, plan.size = study.size, plan.order = order;
-                std::vector<StreamRay> made = make_rays(scene, plan, study.base, study.threads);
-                if (made.empty()) continue;
-                const ListedRays rays(kind.name, std::move(made));
+                std::vector<StreamRay> ordered = made;
+                order_rays(ordered, order);
+                const ListedRays rays(kind.name, std::move(ordered));
                 for (const Machinery& machine : machines) {
                     if (order != RayOrder::recorded && &machine != &machines[0]) continue;
                     Row row = trace(scene, rays, machine, study);

@@ -36,7 +36,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
         CHECK(traced["judge"]["rays"] == made["rays"]);
         const std::string bytes = bytes_of(hits);
         CHECK(bytes.find("('primitive', '<u4')") != std::string::npos);
-        CHECK((bytes.size() - 192) / 38 == made["rays"].get<std::size_t>());
+        CHECK(bytes.size() == 192 + 38 * made["rays"].get<std::size_t>());
         CHECK(report({"simulate", "gears:1", "--rays", rays, "--clock", "66"})["clocks"][0]["cycles"] ==
               traced["clocks"][0]["cycles"]);
     }
@@ -59,6 +59,7 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
                                                {"--time", "1"},
                                                {"--min-psnr", "60"},
                                                {"--frames", "2"},
+                                               {"--no-reference"},
                                                {"-o", folder.name("out")}}) {
         std::vector<std::string> command{"simulate", "gears:1", "--rays", rays};
         command.insert(command.end(), odd.begin(), odd.end());
@@ -75,12 +76,18 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
               .find("needs source=stream") != std::string::npos);
     CHECK(refused({"simulate", "gears:1", "--set", "shading=1", "--set", "source=stream"})
               .find("has no camera") != std::string::npos);
-    CHECK(refused({"simulate", "gears:1", "--rays", ""}).find(".npy and .rays") != std::string::npos);
+    CHECK(refused({"simulate", "gears:1", "--rays", ""}).find("--rays names no file") != std::string::npos);
     CHECK(refused({"simulate", "gears:1", "--outside", "refuse"}).find("--outside needs --rays") !=
           std::string::npos);
     CHECK(refused(
               {"simulate", "gears:1", "--rays", rays, "--hits", folder.name("a"), "--json", folder.name("a")})
               .find("the same file") != std::string::npos);
+    CHECK(refused({"sweep", "gears:1", "--axis", "source=camera,stream"}).find("has no camera") !=
+          std::string::npos);
+    const Outcome idle = run_program({"simulate", "gears:1", "--rays", rays, "--set", "surf_sets=8"});
+    CHECK(idle.code == 0);
+    CHECK(idle.err.find("surf_sets has no effect without shading=1 and source=camera") != std::string::npos);
+    CHECK(run_program({"simulate", "gears:1", "--rays", rays, "--set", "coord_bits=20"}).code == 0);
     CHECK(refused({"simulate", "spheres", "--rays", rays}).find("meets triangles only") != std::string::npos);
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
           std::string::npos);

@@ -118,7 +118,13 @@ TEST_CASE("a faulty ray is refused with its number", "[rays]") {
           "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, inf, -1}) == "ray 0 has a coordinate that is NaN or infinite");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 0}) == "ray 0 has the direction 0");
-    CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 1e-310}).find("too short") != std::string::npos);
+    const std::string limits = "has a direction whose largest component is";
+    CHECK(complaint_of_numbers({0, 1, 2, 0, 0, 0x1p-501}).find(limits) != std::string::npos);
+    CHECK(complaint_of_numbers({0, 1, 2, 1, 0, -0x1p501}).find(limits) != std::string::npos);
+    CHECK(complaint_of_numbers({0, 1, -0x1p501, 0, 0, 1}).find("has an origin with a coordinate of") !=
+          std::string::npos);
+    for (const double size : {0x1p-500, 0x1p500})
+        CHECK(complaint_of_numbers({0, 0x1p500, -0x1p500, 0x1p-1074, 0, size}).empty());
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, 2, 1}) == "ray 0 has t_min 2 above t_max 1");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, not_a_number}) == "ray 0 has t_min 0 and t_max nan");
     CHECK(complaint_of_numbers({0, 1, 2, 0, 0, -1, 0, 1, 2}).starts_with("ray 0 has 2 in its ninth column"));

@@ -47,6 +47,24 @@ mutant(stream_scale_is_doubled FILE model/compile/stream.cpp TEST system "hits o
 mutant(stream_hit_beyond_its_end FILE sim/run/stream/stream.cpp TEST system "hits of a stream*"
   OLD [[if (t > given.t_max)]]
   NEW [[if (t > 2 * given.t_max)]])
+mutant(stream_endless_segment_has_an_end FILE model/compile/stream.cpp TEST system "a request for any hit without*"
+  OLD [[in->to == ray.t_max && std::isfinite(ray.t_max)]]
+  NEW [[in->to == ray.t_max]])
+mutant(stream_segment_beyond_vertices_is_endless FILE model/compile/stream.cpp TEST system "a segment that ends*"
+  OLD [[(beyond && !(x * ray.direction[k] > 0))]]
+  NEW [[(beyond && x * ray.direction[k] < 0)]])
+mutant(rays_mirrored_in_the_wrong_axis FILE sim/run/stream/make_rays.cpp TEST system "mirrored rays*"
+  OLD [[d - 2 * glm::dot(d, spot.normal) * spot.normal]]
+  NEW [[2 * glm::dot(d, spot.normal) * spot.normal - d]])
+mutant(rays_uniform_over_the_hemisphere FILE sim/run/stream/make_rays.cpp TEST system "rays of ambient*"
+  OLD [[const glm::dvec3 d = normal + glm::dvec3(r * std::cos(angle), r * std::sin(angle), z);]]
+  NEW [[glm::dvec3 d(r * std::cos(angle), r * std::sin(angle), z); if (glm::dot(d, normal) < 0) d = -d;]])
+mutant(rays_of_a_seed_are_those_of_the_next FILE sim/run/stream/make_rays.cpp TEST system "a stream depends*"
+  OLD [[Rng(Rng(plan_.seed).next() ^ pixel).next()]]
+  NEW [[plan_.seed + pixel]])
+mutant(rays_lost_in_random_order FILE sim/run/stream/make_rays.cpp TEST system "Morton and random*"
+  OLD [[std::swap(rays[i - 1], rays[dice.next() % i]);]]
+  NEW [[rays[i - 1] = rays[dice.next() % i];]])
 mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge of streams*"
   OLD [[if (!fault) continue;]]
   NEW [[if (fault == nullptr || judged.rays > 0) continue;]])

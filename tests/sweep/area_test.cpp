@@ -1,7 +1,15 @@
 // Yosys's output for a hierarchy, converted to counts of a unit and of the cells below it.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/run/request/config_file.hpp"
 #include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/variants.hpp"
 #include "model/base/error.hpp"
 
 using namespace rayclock;
@@ -99,4 +107,24 @@ TEST_CASE("machines with and without units, from any configuration that can shad
     Config sheared = named_config("default");
     set_parameter(sheared, "primitive_test", "sheared", "test");
     CHECK_THROWS_AS(variants_of(sheared), UserError);
+}
+
+TEST_CASE("a chip has the units of its source of rays") {
+    const auto units_of = [](const Config& config) {
+        std::set<std::string> names;
+        for (const UnitRow& row : unit_rows())
+            if (row.is_there(config)) names.insert(row.name);
+        return names;
+    };
+    const Config drawing = shading_alone(named_config("default"));
+    Config streaming = drawing;
+    streaming.source = RaySource::stream;
+    const std::set<std::string> drawn = units_of(drawing), streamed = units_of(streaming);
+    std::vector<std::string> lost, gained;
+    std::set_difference(drawn.begin(), drawn.end(), streamed.begin(), streamed.end(),
+                        std::back_inserter(lost));
+    std::set_difference(streamed.begin(), streamed.end(), drawn.begin(), drawn.end(),
+                        std::back_inserter(gained));
+    CHECK(lost == std::vector<std::string>{"raygen", "shade", "surf_cache"});
+    CHECK(gained == std::vector<std::string>{"raygen_stream", "stream"});
 }

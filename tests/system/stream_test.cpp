@@ -1,8 +1,15 @@
 // Streams of rays: model and RTL in lockstep.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
 #include "model/base/error.hpp"
+#include "model/engine/check.hpp"
 #include "sim/load/load.hpp"
+#include "sim/run/request/config_file.hpp"
 #include "sim/run/stream/make_rays.hpp"
 #include "sim/run/stream/stream.hpp"
 #include "tests/support/check/streams.hpp"
@@ -12,11 +19,6 @@ using namespace rayclock;
 using namespace rayclock::test;
 
 namespace {
-
-bool same(const Closest& a, const Closest& b) {
-    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
-           a.back == b.back;
-}
 
 /// The parameters of a chip for streams.
 Config streaming_config(const Config& config, Values more = {}) {
@@ -40,13 +42,16 @@ Config narrow_stream() {
                                                     {"timing", int(Timing::fast)}});
 }
 
-Job stream_job(const std::string& name, std::size_t count, const Config& config, std::uint64_t seed = 1) {
-    const Scene scene = load_scene(name);
-    const glm::dvec3 eye = fit_camera(scene, 1).eye;
-    const MemoryImage image = compile_scene(scene, eye, config);
-    return make_stream_job(scene, eye, records_of(random_rays(scene, count, seed), image.lattice, config),
-                           config);
-}
+/// A stream of random rays that owns its scene.
+struct RandomStream {
+    RandomStream(const std::string& name, std::size_t count, const Config& config, std::uint64_t seed = 1)
+        : scene(load_scene(name)),
+          rays("random rays", random_rays(scene, count, seed)),
+          stream(make_stream_job(scene, rays, config, Outside::clip)) {}
+    Scene scene;
+    ListedRays rays;
+    StreamJob stream;
+};
 
 }   // namespace
 
@@ -54,7 +59,7 @@ TEST_CASE("model and RTL trace a stream alike, in every cycle", "[stream]") {
     const Config config = GENERATE(0, 1) == 0 ? streaming_config(quick_config("default")) : narrow_stream();
     for (const std::size_t count : {1, 2, 255, 256, 257, 1001}) {
         INFO(count);
-        const LockstepResult result = check_lockstep(stream_job("gears:2", count, config));
+        const LockstepResult result = check_lockstep(RandomStream("gears:2", count, config).stream.job);
         CHECK(result.model.answers.size() == count);
         CHECK(result.model.rays.all() == count);
         CHECK(result.rtl.rays.all() == count);
@@ -64,7 +69,8 @@ TEST_CASE("model and RTL trace a stream alike, in every cycle", "[stream]") {
 TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") {
     const Config config = GENERATE(0, 1) == 0 ? streaming_config(quick_config("default")) : narrow_stream();
     const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
-    check_lockstep(stream_job("teapot:6", 500, config, traffic.seed), traffic, int(traffic.seed));
+    check_lockstep(RandomStream("teapot:6", 500, config, traffic.seed).stream.job, traffic,
+                   int(traffic.seed));
 }
 
 TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
@@ -84,7 +90,7 @@ TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stre
     std::size_t found = 0, differ = 0;
     for (std::size_t i = 0; i < traced.trace.hits.size(); ++i) {
         found += frame.trace.hits[i].found;
-        differ += !same(frame.trace.hits[i], traced.trace.hits[i]);
+        differ += !same_answer(frame.trace.hits[i], traced.trace.hits[i]);
     }
     CHECK(differ == 0);
     CHECK(found > 500);
@@ -98,10 +104,13 @@ TEST_CASE("the judge of streams passes right answers and names a wrong one", "[s
     const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
     std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
     CHECK(judge_stream(stream, answers).wrong == 0);
-    std::size_t hit = 0;
-    while (!answers[hit].found || rays[hit].any_hit) ++hit;
-    std::size_t blocked = 0;
-    while (!answers[blocked].found || !rays[blocked].any_hit) ++blocked;
+    const auto first_found = [&](bool any_hit) {
+        std::size_t i = 0;
+        while (i < answers.size() && !(answers[i].found && rays[i].any_hit == any_hit)) ++i;
+        REQUIRE(i < answers.size());
+        return i;
+    };
+    const std::size_t hit = first_found(false), blocked = first_found(true);
     const Closest right = answers[hit];
     answers[hit].t += 1;
     StreamJudgement judged = judge_stream(stream, answers);
@@ -128,7 +137,7 @@ TEST_CASE("every structure gives a stream the same right answers", "[stream][str
         CHECK(judge_stream(stream, answers).wrong == 0);
         if (first.empty()) first = answers;
         std::size_t differ = 0;
-        for (std::size_t i = 0; i < answers.size(); ++i) differ += !same(first[i], answers[i]);
+        for (std::size_t i = 0; i < answers.size(); ++i) differ += !same_answer(first[i], answers[i]);
         CHECK(differ == 0);
     }
 }
@@ -162,20 +171,51 @@ TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
         make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::clip);
     CHECK(stream.clipped == 1);
     CHECK(stream.missing == 1);
-    const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
+    std::vector<RecordedFrame> frames;
+    frames.push_back(record_frame(stream.job, stream.job.frame));
+    const std::vector<Closest>& answers = frames[0].trace.hits;
     CHECK(judge_stream(stream, answers).wrong == 0);
+
+    const Config& config = stream.job.config;
+    const std::uint64_t cycles = replay(config, default_khz, frames)[0].cycles;
+    const std::vector<std::uint64_t> retired = retirements(config, default_khz, frames[0], {}, cycles);
+    CHECK(std::set(retired.begin(), retired.end()).size() == given.size());   // one answer in a cycle
+    CHECK(*std::min_element(retired.begin(), retired.end()) > 0);
+    CHECK(*std::max_element(retired.begin(), retired.end()) == cycles - 1);
+    const std::string bytes = hits_npy(stream, answers, retired);
+    constexpr std::size_t head = 192, bytes_of_hit = 38;
+    REQUIRE(bytes.size() == head + bytes_of_hit * given.size());
+    const auto field = [&]<class T>(std::size_t i, std::size_t at, T) {
+        T value;
+        std::memcpy(&value, &bytes[head + i * bytes_of_hit + at], sizeof value);
+        return value;
+    };
+    const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+
     for (std::size_t i = 0; i < given.size(); ++i) {
         INFO(i);
         const StreamHit hit = hit_of(stream, i, answers[i]);
+        CHECK(field(i, 0, std::uint8_t()) == hit.hit);
+        CHECK(field(i, 1, std::uint8_t()) == hit.back);
+        CHECK(field(i, 2, std::uint32_t()) == hit.primitive);
+        CHECK(is_same(field(i, 6, double()), hit.t));
+        CHECK(is_same(field(i, 14, double()), hit.u));
+        CHECK(is_same(field(i, 22, double()), hit.v));
+        CHECK(field(i, 30, std::uint64_t()) == retired[i]);
         CHECK(hit.hit == expected[i]);
-        if (!hit.hit || given[i].any_hit) continue;
+        if (!hit.hit || given[i].any_hit) {
+            CHECK(hit.primitive == no_primitive);
+            CHECK(std::isnan(hit.t + hit.u + hit.v));
+            continue;
+        }
         CHECK(hit.t == Approx(i == 9 ? 901 : 8).epsilon(1e-4));
         CHECK(hit.primitive == 0);
         CHECK(hit.u == Approx(0.125).epsilon(1e-3));   // weights of the second and third corner
         CHECK(hit.v == Approx(0.625).epsilon(1e-3));
     }
-    CHECK_THROWS_AS(make_stream_job(scene, rays, streaming_config(quick_config("default")), Outside::refuse),
-                    UserError);
+    CHECK_THROWS_WITH(make_stream_job(scene, rays, config, Outside::refuse),
+                      "rays by hand: ray 9 begins outside the lattice that holds the scene; --outside clip "
+                      "leaves out the part before it");
 }
 
 TEST_CASE("a ray from outside meets a surface on the border of the scene", "[stream]") {
@@ -224,4 +264,91 @@ TEST_CASE("a segment that rounds to a point meets nothing", "[stream]") {
         REQUIRE(made);
         CHECK(made->record == ray_to_nowhere(config));
     }
+}
+
+TEST_CASE("a request for any hit without an end has no end, however short its direction is", "[stream]") {
+    const Config config = streaming_config(quick_config("default"));
+    Lattice lattice;
+    lattice.coord_bits = config.coord_bits;
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const double size : {StreamRay::least_size, 0x1p-400, 1.0, 0x1p400, StreamRay::most_size}) {
+        INFO(size);
+        for (const double other : {0.0, 0x1p-1074, size * 0x1p-60, -size}) {
+            const glm::dvec3 direction{other, size, 0};
+            const auto endless = on_lattice({{1, 2, 3}, direction, 0, inf, true}, lattice, config);
+            REQUIRE(endless);
+            CHECK(RayKind(endless->record.kind) == RayKind::away);
+            const double ten = 10 / size;
+            const auto ended = on_lattice({{1, 2, 3}, direction, 0, ten, true}, lattice, config);
+            REQUIRE(ended);
+            CHECK(RayKind(ended->record.kind) == RayKind::shadow);
+            CHECK(ended->record.o[1] == 12 << config.origin_frac());
+        }
+    }
+    for (const double far : {StreamRay::most_size, -StreamRay::most_size}) {
+        const auto made = on_lattice({{0, far, 0}, {0, -far, 0}, 0, inf, false}, lattice, config);
+        REQUIRE(made);
+        CHECK(made->is_clipped);
+    }
+}
+
+TEST_CASE("a segment that ends beyond all vertices needs no end, or meets nothing", "[stream]") {
+    const Config config = streaming_config(quick_config("default"));
+    Lattice lattice;
+    lattice.coord_bits = config.coord_bits;
+    const double reach = std::ldexp(1.0, config.coord_bits - 1);
+    const auto kind_of = [&](double from, double to, int axis, double other) {
+        StreamRay ray{{0, 0, 0}, {0, 0, 0}, 0, 1, true};
+        ray.origin[axis] = from, ray.direction[axis] = to - from;
+        ray.direction[(axis + 1) % 3] = other;
+        const auto made = on_lattice(ray, lattice, config);
+        REQUIRE(made);
+        if (made->record == ray_to_nowhere(config)) return "nothing";
+        return RayKind(made->record.kind) == RayKind::shadow ? "segment" : "endless";
+    };
+    for (const int axis : {0, 1, 2})
+        for (const double side : {1.0, -1.0}) {
+            INFO(axis << ", " << side);
+            const auto kind = [&](double from, double to, double other = 0) {
+                return kind_of(side * (reach - from), side * (reach - to), axis, other);
+            };
+            CHECK(std::string(kind(9, 0.25)) == "endless");         // outward, and rounded to the border
+            CHECK(std::string(kind(9, 1.25)) == "segment");         // outward, to the outermost vertex
+            CHECK(std::string(kind(0.25, 0.4)) == "nothing");       // inward, beyond all vertices
+            CHECK(std::string(kind(0.4, 1.75)) == "segment");       // inward, past the outermost vertex
+            CHECK(std::string(kind(0.25, 0.25, 5)) == "nothing");   // along the border
+        }
+}
+
+TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]") {
+    Config config = streaming_config(quick_config("default"), {{"pixel_bits", 7}});
+    MemoryImage image;
+    image.words.resize(16);
+    const std::vector<RayRecord> rays(1 << 14, ray_to_nowhere(config));
+    CHECK_THROWS_WITH(place_rays(image, rays, config),
+                      "16384 rays are too many: with pixel_bits=7 the chip numbers at most 16383");
+    CHECK(image.records.empty());
+    place_rays(image, std::span(rays).first(16383), config);
+    CHECK(image.end() == image.rays + 8192);
+
+    config.addr_bits = 10;   // 1024 lines: the scene's first burst, and 1020 lines of rays
+    CHECK_THROWS_WITH(place_rays(image, std::span(rays).first(2041), config),
+                      "2041 rays and the scene need 1025 lines of memory, and addr_bits=10 allows 1024");
+    place_rays(image, std::span(rays).first(2040), config);
+    CHECK(image.end() == 1024);
+}
+
+TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
+    const Config config = streaming_config(quick_config("default"));
+    for (const std::string item : {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "spheres=1",
+                                    "planes=1", "levels=2", "scan_out=1", "pixel_writes=1"}) {
+        INFO(item);
+        CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
+                          Catch::Matchers::Contains(item + " needs source=camera"));
+    }
+    CHECK_THROWS_WITH(with_settings(config, {"shading=0"}, "here"),
+                      Catch::Matchers::Contains("source=stream needs shading=1"));
+    Config all = config;
+    all.scan_out = all.pixel_writes = all.smooth = all.spheres = true;
+    CHECK_NOTHROW(check_config(streaming(all), "here"));
 }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "model/core/settled.hpp"
 #include "model/machine/machine.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
+#include "sim/run/stream/stream.hpp"
+#include "tests/support/check/streams.hpp"
 #include "tests/support/machine/machines.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -26,8 +29,17 @@ void require_same(const Machine& a, const Machine& b) {
     REQUIRE(a.shared_fire() == b.shared_fire());
 }
 
-/// Returns a job for a chip with or without shading.
+/// Returns a job of 300 random rays for a chip for streams.
+Job stream_job_of(const Values& values) {
+    const Scene scene = make_builtin("tetra:3", Primitives::triangles);
+    const ListedRays rays("random rays", random_rays(scene, 300, 1));
+    const Config config = shaped(format("default"), values);
+    return make_stream_job(scene, rays, settled(streaming(config)), Outside::clip).job;
+}
+
+/// Returns a job for a chip with or without shading; the scene "stream" is a stream of rays.
 Job job_of(const char* scene, const Values& values, bool shading) {
+    if (std::string(scene) == "stream") return stream_job_of(values);
     if (!shading) return small_job(scene, {20, 12}, shaped(format("small"), values));
     const Whitted settings{3};
     Scene made = make_builtin(scene, Primitives::native);
@@ -45,7 +57,8 @@ std::uint64_t sum(const CauseCounts& counts) {
 TEST_CASE("the order in which units see the clock edge does not matter, nor whether a cycle is observed",
           "[machine]") {
     const Values values = GENERATE(Values{}, Values{{"pipelines", 2}, {"l2_sets", 4}, {"dram", 2}});
-    const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"balls:1", true}}));
+    const auto [scene, shading] =
+        GENERATE(table<const char*, bool>({{"tetra:3", false}, {"balls:1", true}, {"stream", false}}));
     const Job job = job_of(scene, values, shading);
     const RecordedFrame frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {

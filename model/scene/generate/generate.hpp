@@ -62,6 +62,9 @@ Scene make_mirrors(int size);
 constexpr std::uint64_t spheres_spheres = 5;
 Scene make_spheres(int size);
 
+constexpr std::uint64_t wknd_spheres = 487;
+Scene make_wknd(int size);
+
 Scene make_plane(int size);
 
 std::uint64_t square_triangles(int size);

@@ -141,7 +141,7 @@ private:
                               end = begin + std::size_t(size_.width);
             for (std::size_t i = begin; i < end; ++i) {
                 const Closest right = truth_->answer(truth_->pixel(asked_.frame, x(i), row));
-                wrong[i] = !same_answer(right, answered_.answers[i]);
+                wrong[i] = !same_hit(right, answered_.answers[i]);
                 if (wrong[i] && exact)
                     judgement_.pixels[i] = PixelCause::bug;
                 else

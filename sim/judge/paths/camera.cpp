@@ -30,7 +30,7 @@ Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& s
     });
 }
 
-bool same_answer(const Closest& a, const Closest& b) {
+bool same_hit(const Closest& a, const Closest& b) {
     return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v;
 }
 

@@ -11,7 +11,7 @@ namespace rayclock {
 Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y,
                       int sample);
 
-/// True if the answers are equal except for the context and the side.
-bool same_answer(const Closest& a, const Closest& b);
+/// True if the answers are equal except for the side, which only a shading chip finds.
+bool same_hit(const Closest& a, const Closest& b);
 
 }   // namespace rayclock

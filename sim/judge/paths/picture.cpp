@@ -35,7 +35,7 @@ void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at,
     judge.start(x, y);
     const Pixel& pixel = bench.recorder.follow(x, y, bench.scratch, judge);
     judge.finish(given.colours[at]);
-    if (!same_answer(pixel.first, given.answers[at]))
+    if (!same_hit(pixel.first, given.answers[at]))
         judge.fail("the machine's first hit is not the one that its rays give");
     if (bench.recorder.signature() != given.signatures[at])
         judge.fail("the pixel's rays are not those of the frame");

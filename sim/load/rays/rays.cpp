@@ -1,9 +1,9 @@
 // Rays from a file.
 #include "sim/load/rays/rays.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -19,6 +19,7 @@ constexpr std::size_t least_columns = 6, most_columns = 9;
 }
 
 RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(any_hit) {
+    if (path.empty()) throw UserError("--rays names no file");
     const std::string kind = extension(path);
     if (kind != "npy" && kind != "rays")
         throw UserError(printable(path) + ": rays come from .npy and .rays files");
@@ -81,15 +82,19 @@ void RayFile::check(std::size_t i) const {
     };
     const StreamRay ray = (*this)[i];
     bool finite = true;
-    double largest = 0;
+    double largest = 0, farthest = 0;
     for (int k = 0; k < 3; ++k) {
         finite = finite && std::isfinite(ray.origin[k]) && std::isfinite(ray.direction[k]);
         largest = std::max(largest, std::abs(ray.direction[k]));
+        farthest = std::max(farthest, std::abs(ray.origin[k]));
     }
     if (!finite) refuse("has a coordinate that is NaN or infinite");
     if (largest == 0) refuse("has the direction 0");
-    if (largest < std::numeric_limits<double>::min())
-        refuse(fmt::format("has a direction of length {}, too short for a double", largest));
+    if (largest < StreamRay::least_size || largest > StreamRay::most_size)
+        refuse(fmt::format("has a direction whose largest component is {}; it must lie in 2^-500 ... 2^500",
+                           largest));
+    if (farthest > StreamRay::most_size)
+        refuse(fmt::format("has an origin with a coordinate of {}; 2^500 is the largest", farthest));
     if (!std::isfinite(ray.t_min) || std::isnan(ray.t_max))
         refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));
     if (ray.t_min > ray.t_max) refuse(fmt::format("has t_min {} above t_max {}", ray.t_min, ray.t_max));

@@ -40,8 +40,8 @@ private:
 class RayFile : public Rays {
 public:
     /// Reads a file and checks every ray. `any_hit`: every ray requests any hit. Throws UserError that names
-    /// the file and the first faulty ray: a number that is NaN, an origin or t_min that is infinite, a
-    /// direction that is zero or infinite, t_min above t_max, or a ninth number other than 0 and 1.
+    /// the file and the first faulty ray: a number that is NaN, an infinite t_min, an origin or a direction
+    /// beyond the limits of StreamRay, t_min above t_max, or a ninth number other than 0 and 1.
     explicit RayFile(const std::string& path, bool any_hit = false);
 
     std::size_t size() const override { return count_; }

@@ -94,15 +94,6 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
     return job;
 }
 
-Job make_stream_job(const Scene& scene, const glm::dvec3& eye, std::span<const RayRecord> rays,
-                    const Config& config, const Progress& progress) {
-    Job job{config, {}, compile_scene(scene, eye, config, progress), {}};
-    place_rays(job.image, rays, config);
-    check_capacity(job.image, config);
-    job.frame = make_stream_frame(job.image, rays.size(), config);
-    return job;
-}
-
 Frame job_frame(const Job& job, const Camera& camera) {
     Frame frame = make_frame(camera, job.size, job.image, job.config);
     frame.shade = job.frame.shade;

@@ -44,10 +44,6 @@ void check_capacity(const MemoryImage& image, const Config& config);
 /// Compiles a scene. Throws UserError if the size is wrong or the image does not fit.
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress = {}, const Whitted& settings = {});
-/// Compiles a scene, and puts a stream of rays behind it, for a chip whose rays come from memory. Such a job
-/// gives no picture, and no hits in scene units. Its frame has one answer for each ray.
-Job make_stream_job(const Scene& scene, const glm::dvec3& eye, std::span<const RayRecord> rays,
-                    const Config& config, const Progress& progress = {});
 /// Returns the job's frame, seen by another camera.
 Frame job_frame(const Job& job, const Camera& camera);
 

@@ -27,12 +27,6 @@ std::string later_text(const char* who, std::uint64_t cycles, bool same) {
                 : fmt::format("{} makes another transfer there, {}", who, when);
 }
 
-/// True if the answers are equal except for the context, which is not part of a pixel.
-bool same_answer(const Closest& a, const Closest& b) {
-    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
-           a.back == b.back;
-}
-
 std::optional<CounterDifference> first_difference(const Accounts& model, const Accounts& rtl) {
     std::optional<CounterDifference> first;
     for (std::size_t u = 0; u < unit_count; ++u)

@@ -13,8 +13,12 @@ std::vector<std::string> idle_settings(const Config& config, const std::vector<s
     for (const std::string& item : set) {
         const Parameter& p = parameter(std::string_view(item).substr(0, item.find('=')));
         if (p.effect->holds(config)) continue;
-        sentences.push_back(std::string(p.key) + " has no effect with " + p.effect->decider + "=" +
-                            value_text(config, parameter(p.effect->decider)));
+        const std::string_view words = p.effect->words;
+        const bool has_two = words.find(" and ") != words.npos;   // parameters that decide
+        sentences.push_back(std::string(p.key) + " has no effect " +
+                            (has_two ? "without " + std::string(words)
+                                     : std::string("with ") + p.effect->decider + "=" +
+                                           value_text(config, parameter(p.effect->decider))));
     }
     return sentences;
 }

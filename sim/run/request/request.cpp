@@ -44,14 +44,21 @@ void tell(const std::vector<std::string>& notes) {
         std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
 }
 
-/// Returns the configuration with the settings, which need not be legal together: units are then fitted to
-/// their widths.
+}   // namespace
+
 Config widened(Config config, const std::vector<std::string>& set) {
     for (const std::string& item : set)
         if (const std::size_t equals = item.find('='); equals != std::string::npos)
             set_value(config, item.substr(0, equals), item.substr(equals + 1), "--set");
     return config;
 }
+
+void tell_idle(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences)
+        std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
+}
+
+namespace {
 
 /// A chip for streams draws no picture.
 void refuse_stream(const Config& config) {
@@ -128,7 +135,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     check_levels(r.scene, r.config, r.finished, view.ground);
     std::vector<std::string> idle = idle_settings(r.config, config.set);
     for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
-    for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
+    tell_idle(idle);
     return r;
 }
 

@@ -30,6 +30,13 @@ struct Request {
     Whitted settings;
 };
 
+/// Returns the configuration with the settings, which need not be legal together: units are then fitted to
+/// their widths.
+Config widened(Config config, const std::vector<std::string>& set);
+
+/// Prints notes of idle_settings() on standard error.
+void tell_idle(const std::vector<std::string>& sentences);
+
 /// Loads scene and configuration. For a finished picture, a configuration without shading gets the units that
 /// the scene needs, and its settings override them. `seed` is that of jittered samples. Throws UserError.
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,

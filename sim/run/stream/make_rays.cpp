@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -62,7 +62,7 @@ public:
 
     /// Returns the rays of a pixel.
     std::vector<StreamRay> rays(std::size_t pixel) const {
-        Rng dice(plan_.seed * 0x9e3779b97f4a7c15u + pixel);
+        Rng dice(Rng(Rng(plan_.seed).next() ^ pixel).next());
         std::vector<StreamRay> all;
         if (plan_.kind == RayStreamKind::camera) {
             all.push_back({eye_, directions_[pixel]});
@@ -147,6 +147,7 @@ void sort_by_place(std::vector<StreamRay>& rays) {
     for (std::size_t i = 0; i < rays.size(); ++i) order.emplace_back(code(rays[i]), i);
     std::sort(order.begin(), order.end());
     std::vector<StreamRay> sorted;
+    sorted.reserve(rays.size());
     for (const auto& [key, i] : order) sorted.push_back(rays[i]);
     rays = std::move(sorted);
 }
@@ -163,6 +164,14 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
                                  int threads, const Progress& progress) {
     if (plan.kind == RayStreamKind::shadow && scene.lights.empty())
         throw UserError(scene.name + ": there is no light, so there are no shadow rays");
+    const std::size_t of_a_hit = plan.kind == RayStreamKind::shadow ? scene.lights.size()
+                                 : plan.kind == RayStreamKind::ao || plan.kind == RayStreamKind::diffuse
+                                     ? std::size_t(plan.samples)
+                                     : 1;
+    const std::size_t all = std::size_t(plan.size.width) * std::size_t(plan.size.height) * of_a_hit;
+    if (all > most_rays)
+        throw UserError("up to " + std::to_string(all) + " rays would be made, and a stream has at most " +
+                        std::to_string(most_rays));
     const Maker maker(scene, plan, config);
     const auto width = std::size_t(plan.size.width);
     std::vector<std::vector<StreamRay>> of_pixel(width * std::size_t(plan.size.height));
@@ -174,10 +183,17 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
             }
     });
     std::vector<StreamRay> rays;
-    for (const auto& some : of_pixel) rays.insert(rays.end(), some.begin(), some.end());
-    if (plan.order == RayOrder::morton) sort_by_place(rays);
-    if (plan.order == RayOrder::random) shuffle(rays, plan.seed);
+    for (auto& some : of_pixel) {
+        rays.insert(rays.end(), some.begin(), some.end());
+        some = {};
+    }
+    order_rays(rays, plan.order, plan.seed);
     return rays;
+}
+
+void order_rays(std::vector<StreamRay>& rays, RayOrder order, std::uint64_t seed) {
+    if (order == RayOrder::morton) sort_by_place(rays);
+    if (order == RayOrder::random) shuffle(rays, seed);
 }
 
 std::string rays_npy(const std::vector<StreamRay>& rays) {
@@ -186,6 +202,7 @@ std::string rays_npy(const std::vector<StreamRay>& rays) {
     });
     const std::size_t columns = plain ? 6 : 9;
     std::string bytes = npy_head("'<f8'", {rays.size(), columns});
+    bytes.reserve(bytes.size() + rays.size() * columns * sizeof(double));
     for (const StreamRay& r : rays) {
         const std::array<double, 9> row{r.origin.x,    r.origin.y,    r.origin.z,
                                         r.direction.x, r.direction.y, r.direction.z,

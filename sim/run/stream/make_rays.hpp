@@ -20,6 +20,9 @@ enum class RayStreamKind {
 };
 enum class RayOrder { recorded, morton, random };
 
+/// The most rays that a chip can number (pixel_bits=14).
+constexpr std::size_t most_rays = (std::size_t(1) << 28) - 1;
+
 struct RayStreamPlan {
     RayStreamKind kind = RayStreamKind::camera;
     FrameSize size;
@@ -34,9 +37,12 @@ struct RayStreamPlan {
 /// was seen, at a distance of 2^-16 of the diagonal of the scene's bounds. Diffuse directions are
 /// cosine-weighted (Shirley, Morley 2003: a point of the unit sphere around the tip of the normal). The rays
 /// do not depend on the number of threads. `config` gives the directions of camera rays. Throws UserError if
-/// shadow rays are requested and the scene has no light.
+/// shadow rays are requested and the scene has no light, or if there might be more than most_rays.
 std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, const Config& config,
                                  int threads = 0, const Progress& progress = {});
+
+/// Orders rays: morton by origin and direction, random by the seed. recorded changes nothing.
+void order_rays(std::vector<StreamRay>& rays, RayOrder order, std::uint64_t seed = 1);
 
 /// Returns rays as an .npy file of float64: n x 6, or n x 9 if some have a t_max or ask for any hit.
 std::string rays_npy(const std::vector<StreamRay>& rays);

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <mutex>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -16,6 +16,7 @@
 #include "model/machine/machine.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
+#include "sim/files/process/interrupt.hpp"
 #include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/world.hpp"
 #include "sim/judge/reference/tiles.hpp"
@@ -26,7 +27,7 @@ Config streaming(Config config) {
     config.shading = true;
     config.source = RaySource::stream;
     config.spheres = config.planes = config.smooth = config.refraction = config.supersampling =
-        config.horizon = false;
+        config.horizon = config.scan_out = config.pixel_writes = false;
     config.panes = 0;
     return config;
 }
@@ -80,15 +81,16 @@ StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& co
 }
 
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    StreamHit hit{answer.found != 0, answer.back != 0, no_primitive, none, none, none};
+    StreamHit hit;
+    hit.hit = answer.found != 0, hit.back = answer.back != 0;
     const StreamRay given = stream.rays[ray];
     const Config& config = stream.job.config;
     if (!hit.hit || given.any_hit) return hit;
     const auto made = on_lattice(given, stream.job.image.lattice, config);
+    if (!made) return hit;
     const double t =
         made->begin + std::ldexp(made->scale * answer.t, -(config.dir_bits - 1 + config.t_frac_bits));
-    if (t > given.t_max) return {false, false, no_primitive, none, none, none};
+    if (t > given.t_max) return {};
     hit.primitive = answer.prim;
     hit.t = t;
     hit.u = std::ldexp(double(answer.u), -config.bary_bits);
@@ -102,6 +104,8 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
         "[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('t', '<f8'), ('u', '<f8'), "
         "('v', '<f8'), ('cycle', '<u8')]",
         {answers.size()});
+    constexpr std::size_t bytes_of_hit = 38;
+    bytes.reserve(bytes.size() + answers.size() * bytes_of_hit);
     const auto add = [&](const auto& value) {
         char raw[sizeof value];
         std::memcpy(raw, &value, sizeof value);
@@ -116,18 +120,21 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
 }
 
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic) {
-    std::vector<std::uint64_t> cycles(frame.trace.rays.size());
+                                       Traffic traffic, std::uint64_t cycles, const Progress& progress) {
+    constexpr std::uint64_t between_reports = 1 << 16;
+    std::vector<std::uint64_t> retired(frame.trace.rays.size());
     Machine machine(config, khz, traffic);
     machine.start(frame.frame, frame.trace);
     const std::uint64_t first = machine.cycle();
-    while (!machine.done() && !interrupted()) {
-        const std::uint64_t now = machine.cycle() - first;
+    for (std::uint64_t now = 0; !machine.done() && !interrupted(); now = machine.cycle() - first) {
+        if (now > cycles) throw std::logic_error("a second replay takes more cycles than the first one");
+        if (progress && now % between_reports == 0) progress("hits", std::size_t(now), std::size_t(cycles));
         machine.step([&](const Move& move) {
-            if (move.link == Link::hit) cycles[std::size_t(move.y) * frame.trace.width + move.x] = now;
+            if (move.link == Link::hit) retired[std::size_t(move.y) * frame.trace.width + move.x] = now;
         });
     }
-    return cycles;
+    if (progress) progress("hits", std::size_t(cycles), std::size_t(cycles));
+    return retired;
 }
 
 StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads,

@@ -1,5 +1,7 @@
 #pragma once
 // A stream of rays in place of a camera: its job, its answers in scene units, and their judge.
+#include <limits>
+
 #include "model/compile/stream.hpp"
 #include "sim/load/rays/rays.hpp"
 #include "sim/run/engine/engine.hpp"
@@ -35,7 +37,7 @@ Config streaming(Config config);
 struct StreamHit {
     bool hit = false, back = false;
     std::uint32_t primitive = no_primitive;   ///< no_primitive without a hit, or if the ray requests any hit
-    double t, u, v;                           ///< t on the given ray
+    double t = std::numeric_limits<double>::quiet_NaN(), u = t, v = t;   ///< t on the given ray
 };
 /// Returns the answer to a ray in scene units. A closest hit beyond t_max counts as a miss.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
@@ -46,9 +48,9 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
                      const std::vector<std::uint64_t>& cycles);
 
 /// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
-/// cycle on.
+/// cycle on. `cycles`: those of the stream's replay; for progress.
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic);
+                                       Traffic traffic, std::uint64_t cycles, const Progress& progress = {});
 
 /// The exact judge's verdict on every answer.
 struct StreamJudgement {

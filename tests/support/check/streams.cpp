@@ -31,14 +31,4 @@ std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::u
     return rays;
 }
 
-std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice,
-                                  const Config& config) {
-    std::vector<RayRecord> records;
-    for (const StreamRay& ray : rays) {
-        const auto made = on_lattice(ray, lattice, config);
-        records.push_back(made ? made->record : ray_to_nowhere(config));
-    }
-    return records;
-}
-
 }   // namespace rayclock::test

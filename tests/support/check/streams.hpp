@@ -10,8 +10,4 @@ namespace rayclock::test {
 /// have directions along an axis.
 std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::uint64_t seed);
 
-/// Returns the records of the rays on the scene's lattice for this configuration.
-std::vector<RayRecord> records_of(const std::vector<StreamRay>& rays, const Lattice& lattice,
-                                  const Config& config);
-
 }   // namespace rayclock::test
