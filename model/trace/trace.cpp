@@ -25,7 +25,7 @@ struct Recording::Work {
           trace(trace_),
           progress(progress_),
           columns(config.is_stream() ? std::uint32_t((frame.pixels() + stream_chunk - 1) / stream_chunk)
-                                      : (frame.width + block - 1) / block),
+                                     : (frame.width + block - 1) / block),
           rows(config.is_stream() ? 1 : (frame.height + block - 1) / block),
           image(image_),
           job(image, frame, config),
@@ -51,7 +51,7 @@ struct Recording::Work {
         try {
             for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++)
                 job.config().is_stream() ? record_stream(chunk, scratch, totals, streamed)
-                                    : record_chunk(chunk, scratch, totals, shaded);
+                                         : record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
             error = std::current_exception();

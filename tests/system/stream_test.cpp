@@ -341,7 +341,7 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
 TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
     const Config config = streaming_config(quick_config("default"));
     for (const std::string item : {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "spheres=1",
-                                    "planes=1", "levels=2", "scan_out=1", "pixel_writes=1"}) {
+                                   "planes=1", "levels=2", "scan_out=1", "pixel_writes=1"}) {
         INFO(item);
         CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
                           Catch::Matchers::Contains(item + " needs source=camera"));

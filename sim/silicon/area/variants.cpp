@@ -58,12 +58,9 @@ std::vector<Variant> variants_of(const Config& base) {
 
 const std::vector<UnitRow>& unit_rows() {
     static const std::vector<UnitRow> rows = [] {
-        std::vector<UnitRow> all{{"sched", true, always},
-                                 {"raygen", true, draws},
-                                 {"stream", true, streams},
-                                 {"raygen_stream", true, streams},
-                                 {"trav", true, has_nodes},
-                                 {"node_cache", true, has_nodes}};
+        std::vector<UnitRow> all{{"sched", true, always},   {"raygen", true, draws},
+                                 {"stream", true, streams}, {"raygen_stream", true, streams},
+                                 {"trav", true, has_nodes}, {"node_cache", true, has_nodes}};
         for_each_engine([&]<class E>(E) {
             all.push_back(
                 {unit_name(E::structure), true, [](const Config& c) { return c.is_walked(E::structure); }});
