@@ -37,7 +37,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 20> built_in_scenes{{
+constexpr std::array<Builtin, 21> built_in_scenes{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -62,6 +62,8 @@ constexpr std::array<Builtin, 20> built_in_scenes{{
      one_form<make_plane>},
     {"mirrors", 1, 1, "Cornell box, closed, whose four walls are mirrors: rays without end",
      all_triangles<mirrors_triangles>, one_form<make_mirrors>},
+    {"cube", 1, 1, "cube of 12 triangles, seen as in Vortex's test rt_raycast", all_triangles<cube_triangles>,
+     one_form<make_cube>},
     {"square", 1, 1, "white square on black, slightly turned: how edges look",
      all_triangles<square_triangles>, one_form<make_square>},
     {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,

@@ -143,12 +143,44 @@ std::string finished_table(int threads, const Progress& progress) {
     return table.markdown();
 }
 
-constexpr const char* intro = R"(# Yardstick: comparison with SaarCOR and RPU
+struct VortexRow {
+    const char* config;
+    std::vector<std::string> set;
+    const char* includes;
+};
+
+/// Returns the table of the cube that Vortex draws. It has the same mesh, camera and size.
+std::string vortex_table(int threads, const Progress& progress) {
+    const VortexRow rows[] = {{"default", {}, "camera rays; colours are computed outside the chip"},
+                              {"ulx3s", {}, "camera rays; colours are computed outside the chip"},
+                              {"default", {"shading=1"}, "camera rays, a shadow ray for each hit, colours"}};
+    const FrameSize size{32, 24};
+    Table table({"machine", "cycles", "cycles/pixel", "includes"}, Table::words_only);
+    for (const VortexRow& row : rows) {
+        Finish finish;
+        if (!row.set.empty()) finish.depth = 0;
+        const Request request = request_of("cube", {row.config, row.set}, finish, 1, size, progress);
+        const Job job =
+            make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
+        const FrameResult run = run_of(job, 100'000, threads, progress);
+        table.add({fmt::format("`{}`{}", row.config, row.set.empty() ? "" : ", `" + row.set[0] + "`"),
+                   grouped(run.cycles), fmt::format("{:.1f}", double(run.cycles) / double(run.pixels)),
+                   row.includes});
+    }
+    constexpr std::uint64_t pixels = 32 * 24;
+    for (const auto& [warps, cycles] : {std::pair{16, 51'652u}, {4, 156'410u}})
+        table.add({fmt::format("Vortex, {} threads", warps), grouped(cycles),
+                   fmt::format("{:.1f}", double(cycles) / pixels),
+                   "start of the program, camera rays and colours in software, no shadow rays"});
+    return table.markdown();
+}
+
+constexpr const char* intro = R"(# Yardstick: comparison with SaarCOR, RPU and Vortex
 
 Made by `rayclock study yardstick -o docs/yardstick.md`. All figures of this machine are simulated.
 
-**The scenes differ.** The published scenes cannot be shipped. Each of ours is a procedural scene with about
-the same number of triangles, seen by its own camera. The published figures include the effects that the
+**The scenes differ**, except in the section on Vortex. The scenes of SaarCOR and RPU cannot be shipped. Each of
+ours is a procedural scene with about the same number of triangles, seen by its own camera. The published figures include the effects that the
 papers name (shadows, textures, several lights). Ours are of **primary rays with shading outside the chip**,
 except in the table of finished pictures. So this page shows the range of such a machine, not which machine
 is faster.
@@ -175,6 +207,8 @@ constexpr const char* sources = R"(
 - D-RPU prototype: Woop, Marmitt, Slusallek, *B-KD Trees for Hardware Accelerated Ray Tracing of Dynamic
   Scenes*, Graphics Hardware 2006: up to 35 frames per second at 66 MHz on one FPGA, dynamic scenes
   included. The abstract was read.
+- Vortex: `ci/baselines/perf/raytracing.json` and `tests/raytracing/rt_raycast` of the repository
+  vortexgpgpu/vortex, read in 2026.
 )";
 
 }   // namespace
@@ -205,6 +239,14 @@ std::string yardstick_page(const RoutedBoard& board, int threads, const Progress
         "refraction by the scene's materials, four bounces (Haines' depth 5), one sample a pixel, 512x384. "
         "Spheres are native; other round objects are triangles. `rpu` walks a kd-tree here too.\n\n";
     page += finished_table(threads, progress);
+    page +=
+        "\n## The same scene: Vortex's cube\n\nThe test `rt_raycast` of Vortex draws a cube of 12 triangles "
+        "in "
+        "32x24 pixels. The built-in scene `cube` has this mesh and this camera. Our cycles begin with empty "
+        "caches at the start of the frame, at 100 MHz, and end with the last pixel. Writing the scene into "
+        "memory is not included on either side. Vortex is a general processor with a unit for rays, so these "
+        "figures compare systems, not units.\n\n";
+    page += vortex_table(threads, progress);
     page += fmt::format(
         "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes in both, camera rays, 512x384; "
         "means of {} frames after the first, {:g} in a second of the scene's time. For every frame the host "

@@ -1,5 +1,5 @@
 #pragma once
-// The page that compares this machine with SaarCOR and RPU.
+// The page that compares this machine with SaarCOR, RPU and Vortex.
 #include <string>
 
 #include "model/base/progress.hpp"

@@ -67,6 +67,9 @@ Scene make_wknd(int size);
 
 Scene make_plane(int size);
 
+std::uint64_t cube_triangles(int size);
+Scene make_cube(int size);
+
 std::uint64_t square_triangles(int size);
 Scene make_square(int size);
 
