@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -16,6 +17,7 @@
 #include "model/machine/machine.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
+#include "sim/files/process/interrupt.hpp"
 #include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/world.hpp"
 #include "sim/judge/reference/tiles.hpp"
@@ -116,18 +118,21 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
 }
 
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic) {
-    std::vector<std::uint64_t> cycles(frame.trace.rays.size());
+                                       Traffic traffic, std::uint64_t cycles, const Progress& progress) {
+    constexpr std::uint64_t between_reports = 1 << 16;
+    std::vector<std::uint64_t> retired(frame.trace.rays.size());
     Machine machine(config, khz, traffic);
     machine.start(frame.frame, frame.trace);
     const std::uint64_t first = machine.cycle();
-    while (!machine.done() && !interrupted()) {
-        const std::uint64_t now = machine.cycle() - first;
+    for (std::uint64_t now = 0; !machine.done() && !interrupted(); now = machine.cycle() - first) {
+        if (now > cycles) throw std::logic_error("a second replay takes more cycles than the first one");
+        if (progress && now % between_reports == 0) progress("hits", std::size_t(now), std::size_t(cycles));
         machine.step([&](const Move& move) {
-            if (move.link == Link::hit) cycles[std::size_t(move.y) * frame.trace.width + move.x] = now;
+            if (move.link == Link::hit) retired[std::size_t(move.y) * frame.trace.width + move.x] = now;
         });
     }
-    return cycles;
+    if (progress) progress("hits", std::size_t(cycles), std::size_t(cycles));
+    return retired;
 }
 
 StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads,

@@ -46,9 +46,9 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
                      const std::vector<std::uint64_t>& cycles);
 
 /// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
-/// cycle on.
+/// cycle on. `cycles`: those of the stream's replay; for progress.
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic);
+                                       Traffic traffic, std::uint64_t cycles, const Progress& progress = {});
 
 /// The exact judge's verdict on every answer.
 struct StreamJudgement {
