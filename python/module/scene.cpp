@@ -105,7 +105,7 @@ py::array indices_of(const Scene& scene) {
     std::uint32_t* at = rows.mutable_data();
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : t.vertex) *at++ = v;
-    return std::move(rows);
+    return rows;
 }
 
 }   // namespace

@@ -167,7 +167,7 @@ py::array packed(const std::string& name, bool is_response, const py::array& row
     py::array_t<std::uint32_t> words({rows.shape(0), py::ssize_t(of.bits(config.value) + 31) / 32});
     of.pack(static_cast<const char*>(rows.data()), words.mutable_data(), std::size_t(rows.shape(0)),
             config.value);
-    return std::move(words);
+    return words;
 }
 
 py::array unpacked(const std::string& name, bool is_response,
