@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include "model/scene/scene.hpp"
+#include "sim/run/film/film.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/request/request.hpp"
 
@@ -32,9 +33,20 @@ struct PyScene {
     SceneSource source(const Progress& progress) const;
 };
 
+/// The arguments that a picture takes.
+struct FrameOptions {
+    FrameSize size;
+    Finish finish;
+    ViewChoice view;
+    FramesOptions frames;
+    std::string engine = "model";
+    bool is_compared = true;
+};
+
 void bind_config(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_simulate(py::module_& module);
+void bind_explore(py::module_& module);
 void bind_rays(py::module_& module);
 void bind_units(py::module_& module);
 

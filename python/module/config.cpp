@@ -26,7 +26,10 @@ std::string text_of(const std::string& key, const py::handle& value) {
 
 void set(PyConfig& config, const std::string& key, const py::handle& value) {
     const std::string text = text_of(key, value);
-    set_value(config.value, key, text, "Config");
+    Config changed = config.value;
+    set_value(changed, key, text, "Config");
+    check_range(parameter(key), parameter(key).get(changed), "Config");
+    config.value = std::move(changed);
     config.choice.set.push_back(key + "=" + text);
 }
 
@@ -55,8 +58,8 @@ py::object get(const PyConfig& config, const Parameter& p) {
 std::string doc_of(const Parameter& p, const Config& usual) {
     std::string text = fmt::format("{}: {}.\n\nValues: {}; {} in 'default'.", p.group, p.meaning,
                                    range_text(p), value_text(usual, p));
-    if (*p.effect->words) text += fmt::format(" Has an effect {}.", p.effect->words);
-    if (p.timing_only) text += " Changes when things happen, never what a ray does.";
+    if (*p.effect->words) text += fmt::format(" Needs {}.", p.effect->words);
+    if (p.timing_only) text += " It decides when things happen, never what a ray does.";
     return text;
 }
 

@@ -45,6 +45,7 @@ PYBIND11_MODULE(_rayclock, module) {
     rayclock::python::bind_config(module);
     rayclock::python::bind_scene(module);
     rayclock::python::bind_simulate(module);
+    rayclock::python::bind_explore(module);
     rayclock::python::bind_rays(module);
     rayclock::python::bind_units(module);
 }

@@ -44,16 +44,6 @@ py::array hits_array(PyFrame& frame) {
 
 Traffic traffic_of(std::uint64_t seed, int jitter, int stall) { return {jitter, stall, seed}; }
 
-/// The arguments that simulate() takes for pictures only.
-struct FrameOptions {
-    FrameSize size;
-    Finish finish;
-    ViewChoice view;
-    FramesOptions frames;
-    std::string engine = "model";
-    bool is_compared = true;
-};
-
 PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptions& o,
                   const std::string& clock, std::uint64_t seed, int jitter, int stall, bool is_judged,
                   int threads) {

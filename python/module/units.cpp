@@ -1,4 +1,6 @@
 // rayclock.unit: the pure functions of the units, on arrays of payloads.
+#include <algorithm>
+
 #include <pybind11/stl.h>
 
 #include "model/base/stopwatch.hpp"
@@ -9,59 +11,69 @@
 #include "python/module/bindings.hpp"
 #include "python/module/payload_rows.hpp"
 #include "python/module/work.hpp"
+#include "sim/files/process/threads.hpp"
 
 namespace rayclock::python {
 
 namespace {
 
-/// Rows between two looks at Ctrl-C.
-constexpr std::size_t between_looks = 4096;
+/// Rows that a thread answers in sequence.
+constexpr std::size_t block = 4096;
 
-/// Answers `count` rows of requests.
+/// Answers `count` rows of requests on several threads.
 template <class Request, class Response, Response answer(const Request&, const Config&)>
-void answer_rows(const char* requests, char* responses, std::size_t count, const Config& config,
+void answer_rows(const char* requests, char* responses, std::size_t count, const Config& config, int threads,
                  const Progress& stop) {
-    const std::size_t in = row_bytes(row_fields<Request>(config)),
-                      out = row_bytes(row_fields<Response>(config));
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i % between_looks == 0) stop("unit", i, count);
+    const Rows<Request> in(config);
+    const Rows<Response> out(config);
+    jobs::for_each((count + block - 1) / block, threads, [&](std::size_t b) {
+        stop("unit", b * block, count);
         Request request;
-        read_row(request, requests + i * in, i, config);
-        write_row(answer(request, config), responses + i * out, config);
-    }
+        for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
+            in.read(request, requests + i * in.bytes(), i);
+            out.write(answer(request, config), responses + i * out.bytes());
+        }
+    });
 }
 
-/// Answers the same rows, unpacked before: the time of the plain loop in C++, in seconds.
+/// Returns the time of a plain loop in C++ over the same requests, unpacked before, into a new vector:
+/// seconds.
 template <class Request, class Response, Response answer(const Request&, const Config&)>
 double seconds_of_loop(const char* rows, std::size_t count, const Config& config) {
-    const std::size_t in = row_bytes(row_fields<Request>(config));
+    const Rows<Request> in(config);
     std::vector<Request> requests(count);
-    for (std::size_t i = 0; i < count; ++i) read_row(requests[i], rows + i * in, i, config);
-    std::vector<Response> responses(count);
+    for (std::size_t i = 0; i < count; ++i) in.read(requests[i], rows + i * in.bytes(), i);
     const Stopwatch watch;
+    std::vector<Response> responses(count);
     for (std::size_t i = 0; i < count; ++i) responses[i] = answer(requests[i], config);
     return watch.seconds();
 }
 
+template <class Payload> std::size_t port_words(const Config& config) {
+    return std::size_t(bits_of<Payload>(config) + 31) / 32;
+}
 /// Packs rows into words as the RTL's ports hold them, or the reverse.
 template <class Payload>
-void pack_rows(const char* rows, std::uint32_t* words, std::size_t count, const Config& config) {
-    const std::size_t in = row_bytes(row_fields<Payload>(config)),
-                      out = std::size_t(bits_of<Payload>(config) + 31) / 32;
+void pack_rows(const char* from, std::uint32_t* words, std::size_t count, const Config& config) {
+    const Rows<Payload> rows(config);
+    const std::size_t width = port_words<Payload>(config);
     Words packed;
+    Payload payload;
     for (std::size_t i = 0; i < count; ++i) {
-        Payload payload;
-        read_row(payload, rows + i * in, i, config);
+        rows.read(payload, from + i * rows.bytes(), i);
         pack(payload, config, packed);
-        std::copy(packed.begin(), packed.end(), words + i * out);
+        std::copy(packed.begin(), packed.end(), words + i * width);
     }
 }
 template <class Payload>
-void unpack_rows(const std::uint32_t* words, char* rows, std::size_t count, const Config& config) {
-    const std::size_t in = std::size_t(bits_of<Payload>(config) + 31) / 32,
-                      out = row_bytes(row_fields<Payload>(config));
+void unpack_rows(const std::uint32_t* words, char* to, std::size_t count, const Config& config) {
+    const Rows<Payload> rows(config);
+    const std::size_t width = port_words<Payload>(config);
     for (std::size_t i = 0; i < count; ++i)
-        write_row(unpack<Payload>(words + i * in, config), rows + i * out, config);
+        rows.write(unpack<Payload>(words + i * width, config), to + i * rows.bytes());
+}
+template <class Payload> std::vector<RowField> row_fields(const Config& config) {
+    return Rows<Payload>(config).fields();
 }
 
 /// A payload of a unit, without its type.
@@ -79,7 +91,7 @@ struct UnitRow {
     bool (*is_there)(const Config&);   ///< the machine has the unit
     const char* needs;                 ///< what a machine with the unit has
     Side request, response;
-    void (*answer)(const char*, char*, std::size_t, const Config&, const Progress&);
+    void (*answer)(const char*, char*, std::size_t, const Config&, int, const Progress&);
     double (*seconds_of_loop)(const char*, std::size_t, const Config&);
 };
 template <class Request, class Response, Response answer(const Request&, const Config&)>
@@ -124,10 +136,10 @@ const Side& side(const UnitRow& unit, bool is_response) { return is_response ? u
 py::dtype dtype_of(const std::vector<RowField>& fields) {
     py::list rows;
     for (const RowField& f : fields) {
-        if (f.count > 0)
-            rows.append(py::make_tuple(f.name, f.format, py::make_tuple(f.count)));
+        if (f.count > 0 || f.is_pair())
+            rows.append(py::make_tuple(f.name, f.format(), py::make_tuple(f.is_pair() ? 2 : f.count)));
         else
-            rows.append(py::make_tuple(f.name, f.format));
+            rows.append(py::make_tuple(f.name, f.format()));
     }
     return py::dtype::from_args(rows);
 }
@@ -142,7 +154,7 @@ void check_rows(const py::array& rows, const py::dtype& wanted) {
         throw UserError("the array is not a row of the unit's requests in C order");
 }
 
-py::array answered(const std::string& name, const py::array& requests, const PyConfig& config) {
+py::array answered(const std::string& name, const py::array& requests, const PyConfig& config, int threads) {
     const UnitRow& unit = unit_of(name, config.value);
     check_rows(requests, dtype_of(unit.request.fields(config.value)));
     py::array responses(dtype_of(unit.response.fields(config.value)),
@@ -150,7 +162,7 @@ py::array answered(const std::string& name, const py::array& requests, const PyC
     const char* const in = static_cast<const char*>(requests.data());
     char* const out = static_cast<char*>(responses.mutable_data());
     const std::size_t count = std::size_t(requests.shape(0));
-    run([&](const Progress& stop) { unit.answer(in, out, count, config.value, stop); });
+    run([&](const Progress& stop) { unit.answer(in, out, count, config.value, threads, stop); });
     return responses;
 }
 

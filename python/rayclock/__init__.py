@@ -9,11 +9,12 @@ simulate() draws a picture or traces an array of rays, and returns a report with
 """
 from . import unit
 from ._rayclock import Config, Error, __version__, config_names, scene_names
-from ._reports import SimulateReport, StreamReport
+from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
 from ._scene import Camera, Light, Material, Note, Scene, load_scene
-from ._simulate import hit_dtype, make_rays, simulate
+from ._simulate import explain, hit_dtype, make_rays, simulate, sweep
 
 __all__ = [
-    "Camera", "Config", "Error", "Light", "Material", "Note", "Scene", "SimulateReport", "StreamReport", "__version__",
-    "config_names", "hit_dtype", "load_scene", "make_rays", "scene_names", "simulate", "unit",
+    "Camera", "Config", "Error", "ExplainReport", "Light", "Material", "Note", "Scene", "SimulateReport",
+    "StreamReport", "SweepReport", "__version__", "config_names", "explain", "hit_dtype", "load_scene", "make_rays",
+    "scene_names", "simulate", "sweep", "unit",
 ]

@@ -21,16 +21,18 @@ def _array() -> Any:
     return dataclasses.field(repr=False, compare=False, metadata={"key": False})
 
 
-class _Report:
-    clocks: List[Json]
-
+class _Keys:
     def to_dict(self) -> Json:
-        """Returns the report as `rayclock simulate --json` writes it."""
+        """Returns the report as the program writes it with --json."""
         return {key: getattr(self, key) for key in _keys(type(self))}
 
     def to_json(self, **options: Any) -> str:
         """Returns the report as text. `options` are those of json.dumps()."""
         return json.dumps(self.to_dict(), **options)
+
+
+class _Report(_Keys):
+    clocks: List[Json]
 
     def to_pandas(self) -> "pandas.DataFrame":
         """Returns a table with a row for each clock. Needs pandas."""
@@ -97,3 +99,48 @@ class StreamReport(_Report):
     digest: str
     hits: np.ndarray = _array()
     """A row for each ray, with the fields of --hits: hit, back, primitive, t, u, v, cycle."""
+
+
+@dataclasses.dataclass(frozen=True)
+class SweepReport(_Keys):
+    """What sweep() found: a figure for each point of a grid."""
+
+    scene: Json
+    config: Json
+    frame: Json
+    sweep: Json
+    shard: Json
+    partial: bool
+    front: Json
+    knee: Optional[Json]
+    limits: Json
+    points: List[Json]
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """Returns a table with a row for each point: columns values.*, clock.*, error.* and others. Needs pandas."""
+        import pandas
+
+        return pandas.json_normalize(self.points)
+
+
+@dataclasses.dataclass(frozen=True)
+class ExplainReport(_Keys):
+    """What explain() found about a pixel."""
+
+    scene: Json
+    config: Json
+    frame: Json
+    mhz: float
+    cycles: int
+    pixel: List[int]
+    pipeline: int
+    context: int
+    cost: Json
+    rays: List[Json]
+    colour: Optional[Json]
+    limits: Optional[Json]
+    text: str = dataclasses.field(default="", repr=False, metadata={"key": False})
+    """The story that the program prints with --steps."""
+
+    def __str__(self) -> str:
+        return self.text

@@ -1,14 +1,14 @@
-"""simulate() and make_rays()."""
+"""simulate(), make_rays(), sweep() and explain()."""
 from __future__ import annotations
 
 import json
-from typing import Any, Iterable, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Iterable, Mapping, Optional, Tuple, Union, overload
 
 import numpy as np
 
 from . import _arrays, _rayclock
 from ._rayclock import Config, Error
-from ._reports import SimulateReport, StreamReport
+from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
 from ._scene import Scene, Vector, scene_data, tell, vector
 
 Size = Union[str, Tuple[int, int]]
@@ -86,6 +86,30 @@ def _view(eye: Optional[Vector], at: Optional[Vector], fov: Optional[float], orb
     return view
 
 
+def _options(*, engine: str = "model", reference: bool = True, size: Any = None, depth: Any = None, aa: Any = None,
+             threshold: Any = None, contrast: Any = None, jittered: bool = False, fresnel: bool = False, eye: Any = None,
+             at: Any = None, fov: Any = None, orbit: Any = None, ground: bool = False, material: Any = None,
+             frames: int = 1, pan: float = 0, fps: Any = None, time: str = "", uploads: str = "between",
+             rebuild: Any = None) -> Any:
+    """Checks the arguments that a picture takes."""
+    if engine not in ("model", "rtl"):
+        raise Error(f"engine: {engine!r:.80} is not model or rtl")
+    most = 2**31 - 1
+    finish = _rayclock.Finish()
+    finish.depth = None if depth is None else whole("depth", depth, -most, most)
+    finish.aa = None if aa is None else whole("aa", aa, -most, most)
+    finish.threshold, finish.contrast = _number("threshold", threshold), _number("contrast", contrast)
+    finish.jittered, finish.fresnel = bool(jittered), bool(fresnel)
+    film = _rayclock.Frames()
+    film.frames, film.pan, film.fps = whole("frames", frames, -most, most), _number("pan", pan), _number("fps", fps)
+    film.time, film.uploads = str(time), str(uploads)
+    if rebuild is not None:
+        film.rebuild = _number("rebuild", rebuild)
+    view = _view(eye, at, fov, orbit, ground, material)
+    return _rayclock.FrameOptions(*size_of((512, 384) if size is None else size), finish, view, film, engine,
+                                  bool(reference))
+
+
 @overload
 def simulate(scene: Union[str, Scene], config: Union[str, Config] = ..., *, rays: None = ..., size: Optional[Size] = ...,
              clock: Clock = ..., depth: Optional[int] = ..., aa: Optional[int] = ..., threshold: Optional[float] = ...,
@@ -138,21 +162,10 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
         return StreamReport(**json.loads(made.json), hits=_arrays.read_npy(made.take_hits()))
     if any_hit or outside != "clip":
         raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
-    if engine not in ("model", "rtl"):
-        raise Error(f"engine: {engine!r:.80} is not model or rtl")
-    finish = _rayclock.Finish()
-    most = 2**31 - 1
-    finish.depth = None if depth is None else whole("depth", depth, -most, most)
-    finish.aa = None if aa is None else whole("aa", aa, -most, most)
-    finish.threshold, finish.contrast = _number("threshold", threshold), _number("contrast", contrast)
-    finish.jittered, finish.fresnel = bool(jittered), bool(fresnel)
-    film = _rayclock.Frames()
-    film.frames, film.pan, film.fps = whole("frames", frames, -most, most), _number("pan", pan), _number("fps", fps)
-    film.time, film.uploads = str(time), str(uploads)
-    if rebuild is not None:
-        film.rebuild = _number("rebuild", rebuild)
-    view = _view(eye, at, fov, orbit, ground, material)
-    options = _rayclock.FrameOptions(*size_of(size or (512, 384)), finish, view, film, engine, bool(reference))
+    options = _options(engine=engine, reference=reference, size=size, depth=depth, aa=aa, threshold=threshold,
+                       contrast=contrast, jittered=jittered, fresnel=fresnel, eye=eye, at=at, fov=fov, orbit=orbit,
+                       ground=ground, material=material, frames=frames, pan=pan, fps=fps, time=time, uploads=uploads,
+                       rebuild=rebuild)
     made = _rayclock.simulate(data, machine, options, *common)
     tell(made.notes)
     hits = made.take_hits()
@@ -175,3 +188,64 @@ def make_rays(scene: Union[str, Scene], *, kind: str = "camera", size: Size = (2
         scene_data(scene), config_of(config), width, height, str(kind), str(order), whole("bounce", bounce, -most, most),
         whole("samples", samples, -most, most), _number("radius", radius), whole("seed", seed, 1, 1 << 30),
         _view(eye, at, fov, orbit, False, None), whole("threads", threads, 0, 1024)))
+
+
+def _axis(key: str, values: Any) -> str:
+    if isinstance(values, str):
+        return f"{key}={values}"
+    try:
+        words = [v if isinstance(v, str) else repr(v.item() if hasattr(v, "item") else v) for v in values]
+    except TypeError:
+        raise Error(f"axis {key}: {values!r:.80} is not a list of values") from None
+    words = [{"True": "1", "False": "0"}.get(w, w) for w in words]
+    return f"{key}={','.join(words)}"
+
+
+def sweep(scene: Union[str, Scene], axes: Mapping[str, Any], config: Union[str, Config] = "default", *,
+          clock: Clock = 66, cost: str = "auto", netlist: bool = False, fresh: bool = False, seed: int = 1,
+          threads: int = 0, **picture: Any) -> SweepReport:
+    """Runs one scene on many configurations and clocks: what `rayclock sweep` does.
+
+    axes: the values of each parameter, or of "clock": {"pipelines": [1, 2, 4], "dram": ["ddr3", "sdr"]}. A text
+    has the form of --axis: {"node_sets": "16,32", "a/b": "1/8,2/4"}. `clock` is that of points without an axis
+    for it. netlist=True counts multipliers and flip-flops with Yosys, as the program does by default. `picture`
+    takes the arguments of simulate() for a picture: size, depth, aa, eye, frames and so on.
+
+    Finished figures are kept in the program's cache, and fresh=True ignores it. Raises Error.
+    """
+    options = _picture(picture)
+    told, notes = _rayclock.sweep(
+        scene_data(scene), config_of(config), options, clocks_of(clock), whole("seed", seed, 1, 1 << 30),
+        [_axis(str(key), values) for key, values in axes.items()], str(cost), bool(netlist), bool(fresh),
+        whole("threads", threads, 0, 1024))
+    tell(notes)
+    return SweepReport(**json.loads(told))
+
+
+def explain(scene: Union[str, Scene], pixel: Tuple[int, int], config: Union[str, Config] = "default", *,
+            clock: Clock = 66, judge: bool = True, seed: int = 1, jitter: int = 0, stall: int = 0, threads: int = 0,
+            **picture: Any) -> ExplainReport:
+    """Follows one pixel ray by ray and cycle by cycle, and says why it differs: what `rayclock explain` does.
+
+    pixel: column and row, from the top left corner. `picture` takes the arguments of simulate() for a picture,
+    with reference=False among them. Raises Error.
+    """
+    options = _picture(picture)
+    try:
+        x, y = pixel
+    except (TypeError, ValueError):
+        raise Error(f"pixel: {pixel!r:.80} is not (column, row)") from None
+    most = 2**31 - 1
+    told, text, notes = _rayclock.explain(
+        scene_data(scene), config_of(config), options, whole("column", x, -most, most), whole("row", y, -most, most),
+        clocks_of(clock), whole("seed", seed, 1, 1 << 30), whole("jitter", jitter, 0, 100000),
+        whole("stall", stall, 0, 99), bool(judge), whole("threads", threads, 0, 1024))
+    tell(notes)
+    return ExplainReport(**json.loads(told), text=text)
+
+
+def _picture(given: Mapping[str, Any]) -> Any:
+    try:
+        return _options(**given)
+    except TypeError as error:
+        raise TypeError(str(error).replace("_options()", "this function")) from None

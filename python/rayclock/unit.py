@@ -18,7 +18,7 @@ import numpy as np
 
 from . import _arrays, _rayclock
 from ._rayclock import Config, Error
-from ._simulate import config_of
+from ._simulate import config_of, whole
 
 _Config = Union[str, Config]
 _most_rows = 2**31 - 1
@@ -72,6 +72,8 @@ def requests(name: str, config: _Config = "default", **fields: Any) -> np.ndarra
         if array.dtype.kind not in "iub":
             raise Error(f"{name}: {key} must be whole numbers, not {array.dtype}")
         inner = dtype[key].shape
+        if not array.ndim:   # one number for all
+            array = np.broadcast_to(array, inner)
         outer = array.shape[:array.ndim - len(inner)]
         if array.shape[len(outer):] != inner or len(outer) > 1:
             shown = " x ".join(["n", *map(str, inner)])
@@ -109,7 +111,7 @@ def _rows(name: str, given: Any, config: Config, is_response: bool) -> np.ndarra
                 if given.dtype[field].newbyteorder("<") != dtype[field]:
                     raise Error(f"{name}: the field {field} must be {dtype[field]}, not {given.dtype[field]}")
         given = given.astype(dtype)
-    return np.ascontiguousarray(given)
+    return np.require(given, None, ["C", "A"])
 
 
 def _from_plain(name: str, given: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
@@ -132,19 +134,20 @@ def _from_plain(name: str, given: np.ndarray, dtype: np.dtype, what: str) -> np.
     return rows
 
 
-def answer(name: str, given: Any = None, config: _Config = "default", **fields: Any) -> np.ndarray:
+def answer(name: str, given: Any = None, config: _Config = "default", *, threads: int = 0,
+           **fields: Any) -> np.ndarray:
     """Returns the answers of a unit to a batch of requests.
 
     `given` is a structured array of requests, or a plain array of integers with a column for each number. In
     place of it, fields may be given by name. Raises Error if the configuration lacks the unit, or if a number
-    is wider than its field in the chip.
+    is wider than its field in the chip. `threads` is the number of threads; 0 means one for each core.
     """
     machine = config_of(config)
     if given is None:
         given = requests(name, machine, **fields)
     elif fields:
         raise Error(f"{name}: give an array of requests or fields, not both")
-    return _rayclock.unit_answer(name, _rows(name, given, machine, False), machine)
+    return _rayclock.unit_answer(name, _rows(name, given, machine, False), machine, whole("threads", threads, 0, 1024))
 
 
 def pack(name: str, rows: np.ndarray, config: _Config = "default", *, response: bool = False) -> np.ndarray:
@@ -178,8 +181,8 @@ def from_port_values(name: str, values: Any, config: _Config = "default", *, res
 
 
 def _make(name: str) -> Any:
-    def call(given: Any = None, config: _Config = "default", **fields: Any) -> np.ndarray:
-        return answer(name, given, config, **fields)
+    def call(given: Any = None, config: _Config = "default", *, threads: int = 0, **fields: Any) -> np.ndarray:
+        return answer(name, given, config, threads=threads, **fields)
 
     call.__name__ = call.__qualname__ = name
     call.__doc__ = f"Returns the answers of the unit {name}: answer({name!r}, given, config, **fields)."
