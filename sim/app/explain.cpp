@@ -5,7 +5,7 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/explained.hpp"
+#include "sim/app/explain_run.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/view/explain/page.hpp"
 #include "sim/files/output.hpp"
@@ -53,22 +53,6 @@ void declare_explain(Parser& parser, ExplainOptions& o) {
     json_option(parser, o.json);
 }
 
-nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, const Explanation& e,
-                               const nlohmann::ordered_json& limits) {
-    return {{"scene", scene_json(request.scene)},
-            {"config", config_json_object(request.config)},
-            {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"mhz", e.khz / 1e3},
-            {"cycles", e.costs.cycles},
-            {"pixel", {e.story.x, e.story.y}},
-            {"pipeline", e.story.pipeline},
-            {"context", e.story.context},
-            {"cost", pixel_cost_json(e.costs, e)},
-            {"rays", rays_json(e)},
-            {"colour", colour_json(e.colour)},
-            {"limits", limits}};
-}
-
 int run_explain(const ExplainOptions& o) {
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
@@ -82,39 +66,23 @@ int run_explain(const ExplainOptions& o) {
     const Progress progress = terminal_progress();
     Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
               o.frames, o.view.is_asked(), size, stopping(progress));
-    std::vector<RecordedFrame> traces;
-    while (traces.size() < film.frames()) {
-        film.next();
-        traces.push_back(film.record(o.threads, stopping(progress)));
-    }
-    const Request& request = film.request();
-    const Job& job = film.job();
-    const int khz = one_clock_of(o.clock, request.config);
-
-    PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
-    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);
-    if (costs.partial) throw Interrupted("interrupted: nothing is written");
-    observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
-    Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
-    std::vector<FrameError> error;   // errors of the explained frame
-    if (!o.no_reference) {
-        const Trace& trace = traces.back().trace;
-        const Compared compared = compare(
-            request, job, {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
-            !o.no_judge, o.threads, progress, pixel);
-        e.colour = colour_finding(compared, pixel);
-        error = {compared.error};
-    }
-    const std::string far = far_frames(limits, error);
-    if (!o.json.is_alone())
-        write_output((far.empty() ? "" : far + "\n") + heading(request.scene, size, job) + "\n" +
-                     explanation_text(e, o.steps));
-    const nlohmann::ordered_json json = json_of(request, size, e, limits_json(limits, error));
-    if (!o.report.empty())
-        write_bytes(o.report, explanation_page(
-                                  json, heading(request.scene, size, job) + "\n" + explanation_text(e, true),
-                                  e, {{"command", command_line()}}));
-    o.json.write(json);
+    const ExplainHow how{traffic, o.clock, !o.no_reference, !o.no_judge, o.threads};
+    explain_pixel(
+        film, pixel, how, progress, [&](const Explanation& e, const std::vector<FrameError>& error) {
+            const std::string far = far_frames(limits, error);
+            if (!o.json.is_alone())
+                write_output((far.empty() ? "" : far + "\n") +
+                             heading(film.request().scene, size, film.job()) + "\n" +
+                             explanation_text(e, o.steps));
+            const nlohmann::ordered_json json =
+                explanation_json(film.request(), size, e, limits_json(limits, error));
+            if (!o.report.empty())
+                write_bytes(o.report, explanation_page(json,
+                                                       heading(film.request().scene, size, film.job()) +
+                                                           "\n" + explanation_text(e, true),
+                                                       e, {{"command", command_line()}}));
+            o.json.write(json);
+        });
     return 0;
 }
 

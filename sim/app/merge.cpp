@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "sim/app/options/commands.hpp"
+#include "sim/app/sweep_run.hpp"
 #include "sim/app/swept.hpp"
 
 namespace rayclock {

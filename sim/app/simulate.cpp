@@ -17,6 +17,7 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
+#include "sim/app/simulated.hpp"
 #include "sim/app/streamed.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
@@ -70,134 +71,6 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     json_option(parser, o.json);
 }
 
-/// Replays the same trace once per clock, in parallel.
-std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>& clocks,
-                                         const std::vector<RecordedFrame>& traces, Traffic traffic,
-                                         int threads, const Progress& progress) {
-    std::vector<FramesAtClock> runs(clocks.size());
-    std::mutex mutex;
-    std::vector<std::uint64_t> done(clocks.size());
-    const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
-    jobs::for_each(clocks.size(), threads, [&](std::size_t i) {
-        const Progress tell =
-            !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
-                const std::lock_guard lock(mutex);
-                done[i] = std::max(done[i], n);
-                std::uint64_t sum = 0;
-                for (const std::uint64_t d : done) sum += d;
-                progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
-            };
-        runs[i].khz = clocks[i];
-        const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
-        for (std::size_t f = 0; f < timings.size(); ++f)
-            runs[i].frames.push_back(frame_result(traces[f], timings[f]));
-    });
-    return runs;
-}
-
-std::vector<FramesAtClock> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
-                                          const std::vector<RecordedFrame>& traces, Traffic traffic, int seed,
-                                          const Progress& progress) {
-    std::vector<FramesAtClock> runs;
-    for (const int khz : clocks) {
-        runs.push_back({khz, run_rtl(job, khz, traces, traffic, progress, seed)});
-        if (runs.back().partial()) break;
-    }
-    return runs;
-}
-
-/// The input of a simulation: the frames of a film, and the clocks.
-struct SimulatePlan {
-    Film& film;
-    FrameSize size;
-    std::vector<int> clocks;
-    const Request& request() const {
-        return film.request();
-    }   ///< the last frame's request once all frames
-        ///< are recorded
-    const Job& job() const { return film.job(); }
-};
-
-/// The results of a simulation.
-struct Simulated {
-    bool is_model = true;
-    std::vector<RecordedFrame> traces;
-    std::vector<FramesAtClock> runs;    ///< [clock]
-    FilmStrip strip;                    ///< of the frames, if they were recorded one by one
-    std::optional<Compared> compared;   ///< the last frame compared with the reference
-    bool partial = false;
-
-    std::optional<FrameError> error() const {
-        return compared ? std::optional(compared->error) : std::nullopt;
-    }
-    /// Returns the errors of all compared frames.
-    std::vector<FrameError> errors() const {
-        return compared ? all_errors(strip, compared->error) : std::vector<FrameError>{};
-    }
-    const std::optional<Judgement>& judgement() const {
-        static const std::optional<Judgement> none;
-        return compared ? compared->judgement : none;
-    }
-    const std::vector<Closest>& answers() const {
-        return is_model ? traces.back().trace.hits : runs.back().last().answers;
-    }
-    const Colours& colours() const {
-        return is_model ? traces.back().trace.colours : runs.back().last().colours;
-    }
-};
-
-Simulated run_engine(const SimulateOptions& o, const SimulatePlan& work, Traffic traffic,
-                     const Progress& progress) {
-    Simulated s;
-    Film& film = work.film;
-    s.is_model = o.engine == "model";
-    // A single frame at a single clock replays while it is recorded.
-    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {
-        film.next();
-        const std::vector<FrameTiming> timings =
-            record_and_replay(work.job(), work.clocks[0], s.traces, traffic, o.threads, progress);
-        s.runs.push_back({work.clocks[0], {frame_result(s.traces[0], timings[0])}});
-    } else {
-        s.strip = record_film(film, {o.threads, o.output, !o.no_reference}, stopping(progress), s.traces);
-        s.runs = s.is_model ? replay_clocks(work.job(), work.clocks, s.traces, traffic, o.threads, progress)
-                            : run_rtl_clocks(work.job(), work.clocks, s.traces, traffic, int(o.traffic.seed),
-                                             progress);
-    }
-    s.partial = s.runs.size() < work.clocks.size() ||
-                std::any_of(s.runs.begin(), s.runs.end(), [](const FramesAtClock& r) { return r.partial(); });
-    return s;
-}
-
-/// Compares the last frame with the reference and judges it.
-void compare_frames(Simulated& s, const SimulateOptions& o, const SimulatePlan& work,
-                    const Progress& progress) {
-    s.compared = rayclock::compare(work.request(), work.job(),
-                                   {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(),
-                                    s.traces.back().trace.signatures},
-                                   !o.no_judge, o.threads, progress);
-}
-
-/// Sums over all frames and clocks.
-struct Totals {
-    std::uint64_t cycles = 0;
-    double machine_seconds = 0, record_seconds = 0, engine_seconds = 0;   ///< seconds on the host
-    Digest digest;
-};
-Totals totals_of(const Simulated& s) {
-    Totals t;
-    for (const FramesAtClock& run : s.runs)
-        for (const FrameResult& frame : run.frames) {
-            t.cycles += frame.cycles;
-            t.machine_seconds += frame.seconds;
-            t.digest.add(frame.digest);
-        }
-    for (const RecordedFrame& trace : s.traces) t.record_seconds += trace.trace.seconds;
-    // A single replay runs in parallel with the recording, so its time includes both.
-    t.engine_seconds =
-        t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
-    return t;
-}
-
 void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, const Totals& t,
            double seconds) {
     const Config& config = work.request().config;
@@ -216,44 +89,6 @@ void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, c
     if (s.partial) fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
 }
 
-nlohmann::ordered_json json_of(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s,
-                               const Limits& limits, const Totals& t) {
-    const Config& config = work.request().config;
-    const FrameResult& frame = s.runs[0].last();
-    nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
-    for (const FramesAtClock& run : s.runs) {
-        clocks.push_back(clock_json(config, run));
-        mark_clock(clocks.back(), config, run.khz);
-    }
-    return {{"scene", scene_json(work.request().scene)},
-            {"config", config_json_object(config)},
-            {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
-            {"camera", camera_json(work.film.camera())},
-            {"frames", work.film.frames()},
-            {"pan", o.frames.pan},
-            {"film", film_json(config, s.runs, s.strip, s.traces)},
-            {"engine", o.engine},
-            {"partial", s.partial},
-            {"compile", compile_json(work.job().image.report)},
-            {"rays", rays_json(frame.rays)},
-            {"work", work_json(frame)},
-            {"work_by_kind", nullptr},
-            {"clocks", clocks},
-            {"units", units_json(config, frame)},
-            {"memory", memory_json(config, s.runs[0].khz, frame)},
-            {"error", error_json(s.error(), s.judgement())},
-            {"limits", limits_json(limits, s.errors())},
-            {"judge", judge_json(s.judgement())},
-            {"host",
-             {{"seconds", t.engine_seconds},
-              {"record_seconds", s.is_model ? t.record_seconds : 0},
-              {"judge_seconds", s.judgement() ? s.judgement()->seconds : 0},
-              {"cycles_per_second", double(t.cycles) / t.engine_seconds},
-              {"rays_per_second",
-               rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
-            {"digest", digest_text(t.digest.value())}};
-}
-
 /// Repeats the last frame at the first clock under observation.
 FrameCosts watch_frame(const SimulatePlan& work, const Simulated& s, Traffic traffic, EventSink* sink,
                        const Progress& progress) {
@@ -265,14 +100,6 @@ FrameCosts watch_frame(const SimulatePlan& work, const Simulated& s, Traffic tra
     if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
         throw std::runtime_error("the watched frame is not the frame that was simulated");
     return costs;
-}
-
-/// Returns the last frame's picture, from the comparison if there is one.
-Picture last_frame_picture(const SimulatePlan& work, const Simulated& s) {
-    if (s.compared) return s.compared->picture;
-    return work.request().finished
-               ? picture_from_colours(work.size, s.colours())
-               : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
 /// Writes the pictures of the comparison. Returns the names of the files.
@@ -372,13 +199,15 @@ int run_simulate(const SimulateOptions& o) {
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const SimulatePlan work{film, size, clocks};
-    Simulated simulated = run_engine(o, work, traffic, progress);
-    if (!o.no_reference && !simulated.partial) compare_frames(simulated, o, work, stop);
+    const SimulateHow how{o.engine == "model", traffic,   o.traffic.seed, !o.no_reference,
+                          !o.no_judge,         o.threads, o.frames.pan,   o.output};
+    Simulated simulated = run_simulation(how, work, progress);
+    if (how.is_compared && !simulated.partial) compare_frames(simulated, how, work, stop);
     const double seconds = watch.seconds();
 
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, limits, totals, seconds);
-    nlohmann::ordered_json json = json_of(o, work, simulated, limits, totals);
+    nlohmann::ordered_json json = simulation_json(how, work, simulated, limits, totals);
     if (!o.report.empty() && !simulated.partial) {
         const FrameCosts costs = watch_frame(work, simulated, traffic, nullptr, progress);
         json["work_by_kind"] = work_by_kind_json(costs);

@@ -13,6 +13,7 @@
 #include "model/engine/check.hpp"
 #include "model/trace/hits.hpp"
 #include "sim/app/clock.hpp"
+#include "sim/app/stream_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/run/request/idle.hpp"
@@ -78,29 +79,11 @@ struct Streamed {
     std::unique_ptr<StreamJob> stream;   // refers to both
 };
 
-Config config_of(const StreamCommand& c) {
-    const Config named = load_config({c.config.name, {}});
-    const Config config =
-        with_settings(settled(streaming(widened(named, c.config.set))), c.config.set, named.name);
-    if (!config.is_stream()) throw UserError("--rays needs source=stream; leave out --set source=camera");
-    tell_idle(idle_settings(config, c.config.set));
-    return config;
-}
-
-Outside outside_of(const StreamChoice& choice) {
-    if (choice.outside == "clip") return Outside::clip;
-    if (choice.outside == "refuse") return Outside::refuse;
-    throw UserError("--outside: " + shown(choice.outside) + " is not clip or refuse");
-}
-
 std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
-    const Outside outside = outside_of(c.stream);
+    const Outside outside = parse_outside(c.stream.outside);
     RayFile rays(*c.stream.rays, c.stream.any_hit);
-    auto s =
-        std::make_unique<Streamed>(Streamed{ready_scene(c.scene, {1, 1}, progress), std::move(rays), {}});
-    if (!s->scene.spheres.empty() || !s->scene.planes.empty())
-        throw UserError(s->scene.name +
-                        ": a stream of rays meets triangles only, and the scene has spheres or planes");
+    auto s = std::make_unique<Streamed>(Streamed{told_scene(c.scene, progress), std::move(rays), {}});
+    prepare_for_stream(s->scene);
     s->stream = std::make_unique<StreamJob>(make_stream_job(s->scene, s->rays, config, outside, progress));
     return s;
 }
@@ -117,44 +100,6 @@ std::string heading_of(const StreamJob& s) {
 std::string judge_line(const StreamJudgement& judged) {
     return fmt::format("  exact judge: {} rays, {} wrong{}\n", grouped(judged.rays), judged.wrong,
                        judged.wrong ? "; " + judged.first : "");
-}
-
-nlohmann::ordered_json judgement_json(const std::optional<StreamJudgement>& judged) {
-    if (!judged) return nullptr;
-    return {{"rays", judged->rays},
-            {"wrong", judged->wrong},
-            {"first", judged->first},
-            {"seconds", judged->seconds}};
-}
-
-nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest>& answers) {
-    std::size_t hits = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
-    return {{"file", s.rays.name()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
-            {"clipped", s.clipped},  {"missing", s.missing},  {"hits", hits}};
-}
-
-nlohmann::ordered_json run_json(const StreamJob& s, const std::vector<Closest>& answers,
-                                const std::vector<FramesAtClock>& runs, bool partial,
-                                const std::optional<StreamJudgement>& judged) {
-    const Config& config = s.job.config;
-    const FrameResult& first = runs[0].last();
-    nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
-    for (const FramesAtClock& run : runs) {
-        clocks.push_back(clock_json(config, run));
-        mark_clock(clocks.back(), config, run.khz);
-    }
-    return {{"scene", scene_json(s.scene)},
-            {"stream", stream_json(s, answers)},
-            {"config", config_json_object(config)},
-            {"partial", partial},
-            {"compile", compile_json(s.job.image.report)},
-            {"rays", rays_json(first.rays)},
-            {"work", work_json(first)},
-            {"clocks", clocks},
-            {"units", units_json(config, first)},
-            {"memory", memory_json(config, runs[0].khz, first)},
-            {"judge", judgement_json(judged)}};
 }
 
 /// Checks the files that the command writes, before any work.
@@ -185,37 +130,23 @@ int simulate_stream(const StreamCommand& c) {
     const Traffic traffic = traffic_of(c.traffic);
     check_outputs(c);
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    const Config config = config_of(c);
+    const Config config = stream_config(c.config);
+    tell_idle(idle_settings(config, c.config.set));
     const std::vector<int> clocks = clocks_of(c.clock, config);
     const std::unique_ptr<Streamed> input = load(c, config, stop);
     const StreamJob& s = *input->stream;
-    std::vector<RecordedFrame> frames;
-    frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
-    const std::vector<Closest>& answers = frames[0].trace.hits;
-    std::vector<FramesAtClock> runs;
-    for (const int khz : clocks) {
-        const std::vector<FrameTiming> timings = replay(config, khz, frames, traffic, progress);
-        runs.push_back({khz, {frame_result(frames[0], timings[0])}});
-        if (runs.back().partial()) break;
-    }
-    bool partial = runs.back().partial();
-    std::optional<StreamJudgement> judged;
-    if (!c.no_judge && !partial) judged = judge_stream(s, answers, c.threads, stop);
+    const StreamRun run = run_stream(s, clocks, traffic, !c.no_judge, c.threads, progress);
+    const std::vector<FramesAtClock>& runs = run.runs;
+    const std::optional<StreamJudgement>& judged = run.judged;
     if (!c.json.is_alone()) {
         fmt::print("{}{}{}\n{}\n{}", heading_of(s), clock_table(config, runs), clock_line(config, clocks),
                    work_table(config, runs[0]), unit_table(config, runs));
         if (judged) fmt::print("\n{}", judge_line(*judged));
     }
-    partial = partial || !write_hits(c, s, frames[0], runs[0], traffic, progress);
+    const bool partial = run.partial() || !write_hits(c, s, run.frame(), runs[0], traffic, progress);
     if (partial && !c.json.is_alone())
         fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
-    nlohmann::ordered_json json = run_json(s, answers, runs, partial, judged);
-    Digest digest;
-    std::uint64_t cycles = 0;
-    for (const FramesAtClock& run : runs) digest.add(run.last().digest), cycles += run.last().cycles;
-    json["host"] = {{"seconds", watch.seconds()}, {"cycles_per_second", double(cycles) / watch.seconds()}};
-    json["digest"] = digest_text(digest.value());
-    c.json.write(json);
+    c.json.write(simulated_stream_json(s, run, partial, watch.seconds()));
     return partial || (judged && judged->wrong > 0) ? 1 : 0;
 }
 
@@ -225,7 +156,8 @@ int verify_stream(const StreamCommand& c) {
     check_outputs(c);
     const int khz = parse_clocks(c.clock)[0];
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    const Config config = config_of(c);
+    const Config config = stream_config(c.config);
+    tell_idle(idle_settings(config, c.config.set));
     check_rtl(config);
     const std::unique_ptr<Streamed> input = load(c, config, stop);
     StreamJob& s = *input->stream;
@@ -250,7 +182,7 @@ int verify_stream(const StreamCommand& c) {
                    : partial ? "PARTIAL: interrupted"
                              : "FAILED",
                    watch.seconds());
-    nlohmann::ordered_json json = run_json(s, result.rtl.answers, runs, partial, judged);
+    nlohmann::ordered_json json = stream_run_json(s, result.rtl.answers, runs, partial, judged);
     json["events_compared"] = result.events_compared;
     json["value_mismatches"] = result.value_mismatches;
     json["account_mismatches"] = result.account_mismatches;

@@ -5,6 +5,7 @@
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/options/commands.hpp"
+#include "sim/app/sweep_run.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/text.hpp"
@@ -63,29 +64,8 @@ void declare_sweep(Parser& parser, SweepOptions& o) {
     sweep_outputs(parser, o.outputs);
 }
 
-/// Returns the requested points of the grid, each with its own clock.
-std::vector<sweep::Point> points_of(const SweepOptions& o, const std::vector<sweep::Axis>& axes,
-                                    const Config& config) {
-    const bool at_fmax = o.clock == "fmax";
-    std::vector<sweep::Point> points =
-        sweep::make_points(axes, config, at_fmax ? 0 : parse_clocks(o.clock)[0], axis_clock);
-    sweep::keep_size(points, o.cache_bytes);
-    for (sweep::Point& point : points)   // an axis over clocks takes precedence
-        if (at_fmax && point.khz == 0) point.khz = clocks_of(o.clock, point.config)[0];
-    return points;
-}
-
-/// Removes all points outside this part. Returns the indices of the remaining points.
-std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const sweep::Shard& shard) {
-    const std::vector<std::size_t> mine = sweep::points_of(shard, points);
-    std::vector<sweep::Point> kept;
-    for (const std::size_t i : mine) kept.push_back(std::move(points[i]));
-    points = std::move(kept);
-    return mine;
-}
-
-int run_sweep(const SweepOptions& o) {
-    const sweep::Cost cost = sweep::parse_cost(o.cost);
+int run_sweep_command(const SweepOptions& o) {
+    sweep::parse_cost(o.cost);   // refused before the scene is loaded
     const sweep::Shard shard = o.shard ? sweep::parse_shard(*o.shard) : sweep::Shard{};
     if (!shard.is_whole() && !o.outputs.json.wanted())
         throw UserError("--shard needs --json FILE: that is what merge reads");
@@ -98,33 +78,17 @@ int run_sweep(const SweepOptions& o) {
     check_plots(o.outputs, axes);
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
-    const Scene& scene = request.scene;
-    const PictureChoice picture{request.finished, request.settings, settled_frames(o.frames, scene), o.view};
-    std::vector<sweep::Point> points = points_of(o, axes, request.config);
-    const std::vector<std::size_t> mine = keep_part(points, shard);
-    jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    sweep::Merged swept{
-        scene_json(scene),
-        request.config,
-        size,
-        {std::move(axes), o.clock, o.cost, o.cache_bytes, !o.no_netlist, sweep::picture_json(picture)},
-        {}};
-    sweep::Outcome& outcome = swept.outcome;
-    const bool netlists = !o.no_netlist && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
-    outcome = sweep::run({scene, size, std::move(points), o.threads, netlists, picture}, cache, progress);
-    if (sweep::needs_area(cost) && !outcome.partial) {
-        jobs::Cache areas(rtl_cache() / "area", o.fresh);
-        sweep::count_areas(outcome, o.threads, areas, progress);
-    }
-    for (sweep::Result& result : outcome.results)
-        if (!result.clock.is_null()) mark_clock(result.clock, result.point.config, result.point.khz);
+    const SweepRun run = run_sweep({request, size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
+                                    !o.no_netlist, o.fresh, o.threads, o.frames, o.view},
+                                   progress);
+    const sweep::Outcome& outcome = run.swept.outcome;
 
     std::string how = fmt::format("{} points from {} traces, {} of them known before", outcome.results.size(),
                                   outcome.traces, outcome.known);
     if (!shard.is_whole()) how += ", part " + sweep::name_of(shard);
-    if (!cache.trouble().empty())
-        how += fmt::format("\n  nothing is kept for the next run: {}", cache.trouble());
-    write_sweep(o.outputs, swept, how, sweep::shard_json(shard, mine, scene));
+    if (!run.cache_trouble.empty())
+        how += fmt::format("\n  nothing is kept for the next run: {}", run.cache_trouble);
+    write_sweep(o.outputs, run.swept, how, run.shard);
     return outcome.partial ? 1 : 0;
 }
 
@@ -133,7 +97,7 @@ int run_sweep(const SweepOptions& o) {
 Command sweep_command() {
     return command("sweep", "run one scene on many configurations and clocks",
                    "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare_sweep,
-                   run_sweep);
+                   run_sweep_command);
 }
 
 }   // namespace rayclock

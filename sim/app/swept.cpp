@@ -7,6 +7,7 @@
 
 #include "model/base/nearest.hpp"
 #include "sim/app/options/command_line.hpp"
+#include "sim/app/sweep_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/page/frame.hpp"
@@ -79,8 +80,6 @@ void check_outputs(const SweepOutputs& o) {
     check_page_library();
 }
 
-int axis_clock(const std::string& value) { return parse_clocks(value).at(0); }
-
 void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,
                  const nlohmann::ordered_json& shard) {
     const std::vector<sweep::Axis>& axes = swept.asked.axes;
@@ -109,21 +108,7 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
         for (auto& version : versions()) origin.push_back(std::move(version));
         write_bytes(o.report, sweep::sweep_page(swept, front, far, origin));
     }
-    o.json.write({{"scene", swept.scene},
-                  {"config", config_json_object(swept.config)},
-                  {"frame", {{"width", swept.size.width}, {"height", swept.size.height}}},
-                  {"sweep", sweep::asked_json(swept.asked)},
-                  {"shard", shard},
-                  {"partial", swept.outcome.partial},
-                  {"front",
-                   {{"error", front.measures[0].key},
-                    {"cost", front.measures[1].key},
-                    {"cost_is",
-                     front.why.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(front.why)},
-                    {"speed", front.measures[2].key}}},
-                  {"knee", sweep::knee_json(axes, results, front)},
-                  {"limits", sweep::far_json(axes, results, limits)},
-                  {"points", sweep::points_json(axes, results, front)}});
+    o.json.write(sweep_json(swept, limits, shard));
 }
 
 }   // namespace rayclock

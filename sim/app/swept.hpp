@@ -18,9 +18,6 @@ void check_outputs(const SweepOutputs& o);
 /// Throws UserError if a plot names a column that the table lacks.
 void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes);
 
-/// Parses a value of the axis `clock` to kHz. Throws UserError.
-int axis_clock(const std::string& value);
-
 /// Prints the table under the line `how` ("6 points from 3 traces") and writes the files. `shard` is the
 /// result of shard_json().
 void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,

@@ -21,6 +21,39 @@ if(BUILD_TESTING)
   find_package(Boost 1.74 REQUIRED)
 endif()
 
+# The Python module: ON, OFF, or AUTO, which builds it if Python's headers and pybind11 are installed. A
+# sanitised module cannot be loaded by an ordinary Python.
+set(RAYCLOCK_PYTHON AUTO CACHE STRING "Build the Python module: ON, OFF, or AUTO if its packages are installed")
+set_property(CACHE RAYCLOCK_PYTHON PROPERTY STRINGS AUTO ON OFF)
+set(rc_python ${RAYCLOCK_PYTHON})
+if(rc_python STREQUAL AUTO AND RAYCLOCK_SANITIZE)
+  set(rc_python OFF)
+endif()
+if(rc_python)
+  set(required)
+  if(NOT rc_python STREQUAL AUTO)
+    set(required REQUIRED)
+  endif()
+  # Debian's packages belong to Debian's Python. Another Python may come first in PATH.
+  if(NOT Python_EXECUTABLE AND NOT SKBUILD AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3)
+  endif()
+  find_package(Python 3.9 ${required} COMPONENTS Interpreter Development.Module)
+  if(Python_FOUND AND NOT pybind11_DIR)
+    # A package of PyPI knows its own place.
+    execute_process(COMMAND ${Python_EXECUTABLE} -m pybind11 --cmakedir OUTPUT_VARIABLE pybind11_ROOT
+      OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  endif()
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 CONFIG ${required})
+  if(Python_FOUND AND pybind11_FOUND)
+    set(rc_python ON)
+  else()
+    set(rc_python OFF)
+    message(STATUS "The Python module is left out: python3-dev or pybind11-dev is not installed")
+  endif()
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths in the project count as relative, so that a second clone uses what the first has compiled.

@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/own_place.hpp"
 
 namespace rayclock {
 
@@ -17,13 +18,15 @@ namespace {
 
 constexpr const char* file_name = "rayclock_pictures.so";
 
-/// Returns the places to search: next to the program, the library folder of an installation, and the build
-/// tree.
+/// Returns the places to search: next to the program or the Python module, the library folder of an
+/// installation around it, and the build tree.
 std::vector<fs::path> places() {
-    std::error_code error;
-    const fs::path own = fs::read_symlink("/proc/self/exe", error).parent_path();
-    return {own / file_name, own.parent_path() / RAYCLOCK_LIBRARY_DIR / "rayclock" / file_name,
-            fs::path(RAYCLOCK_CODEC_DIR) / file_name};
+    const fs::path own = own_place();
+    std::vector<fs::path> all{own / file_name};
+    for (fs::path place = own; place.has_relative_path(); place = place.parent_path())
+        all.push_back(place.parent_path() / RAYCLOCK_LIBRARY_DIR / "rayclock" / file_name);
+    all.push_back(fs::path(RAYCLOCK_CODEC_DIR) / file_name);
+    return all;
 }
 
 const PictureCodec& load() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,24 +15,28 @@
 
 namespace rayclock {
 
-namespace {
-constexpr std::size_t least_columns = 6, most_columns = 9;
+RayTable::RayTable(std::string name, const void* numbers, Shape shape, bool any_hit)
+    : RayTable(std::move(name), any_hit) {
+    set(numbers, shape);
 }
 
-RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(any_hit) {
+RayFile::RayFile(const std::string& path, bool any_hit) : RayTable(path, any_hit) {
     if (path.empty()) throw UserError("--rays names no file");
+    Shape shape;
+    std::size_t begin = 0;
     const std::string kind = extension(path);
     if (kind != "npy" && kind != "rays")
         throw UserError(printable(path) + ": rays come from .npy and .rays files");
-    bytes_ = read_file(path);
+    bytes_ = std::make_unique<const std::string>(read_file(path));
+    const std::string& bytes = *bytes_;
     if (kind == "rays") {
-        if (bytes_.size() % (least_columns * 4) != 0)
+        if (bytes.size() % (least_columns * 4) != 0)
             throw UserError(
                 fmt::format("{}: a ray takes 24 bytes, and the file's {} bytes are not a multiple of that",
-                            printable(path), bytes_.size()));
-        count_ = bytes_.size() / (least_columns * 4);
+                            printable(path), bytes.size()));
+        shape.rows = bytes.size() / (least_columns * 4);
     } else {
-        const NpyHead head = read_npy_head(bytes_, printable(path));
+        const NpyHead head = read_npy_head(bytes, printable(path));
         if (head.descr != "<f4" && head.descr != "<f8")
             throw UserError(
                 fmt::format("{}: rays are float32 or float64, little-endian (<f4, <f8), and these are {}",
@@ -43,18 +48,22 @@ RayFile::RayFile(const std::string& path, bool any_hit) : path_(path), any_hit_(
             throw UserError(fmt::format("{}: rays are n x 6, 7, 8 or 9 numbers, and these are {}",
                                         printable(path), shape.empty() ? "a single number" : shape));
         }
-        begin_ = head.begin;
-        count_ = head.shape[0];
-        columns_ = head.shape[1];
-        bytes_of_number_ = head.descr == "<f4" ? 4 : 8;
+        begin = head.begin;
+        shape = {head.shape[0], head.shape[1], head.descr == "<f4" ? std::size_t(4) : std::size_t(8)};
     }
-    if (count_ == 0) throw UserError(printable(path) + ": there are no rays");
-    for (std::size_t i = 0; i < count_; ++i) check(i);
+    set(bytes.data() + begin, shape);
 }
 
-double RayFile::number(std::size_t i, std::size_t column) const {
-    const char* at = bytes_.data() + begin_ + (i * columns_ + column) * bytes_of_number_;
-    if (bytes_of_number_ == 4) {
+void RayTable::set(const void* numbers, Shape shape) {
+    numbers_ = static_cast<const char*>(numbers);
+    shape_ = shape;
+    if (shape.rows == 0) throw UserError(printable(name_) + ": there are no rays");
+    for (std::size_t i = 0; i < shape.rows; ++i) check(i);
+}
+
+double RayTable::number(std::size_t i, std::size_t column) const {
+    const char* at = numbers_ + (i * shape_.columns + column) * shape_.bytes_of_number;
+    if (shape_.bytes_of_number == 4) {
         float value;
         std::memcpy(&value, at, 4);
         return double(value);
@@ -64,21 +73,21 @@ double RayFile::number(std::size_t i, std::size_t column) const {
     return value;
 }
 
-StreamRay RayFile::operator[](std::size_t i) const {
+StreamRay RayTable::operator[](std::size_t i) const {
     StreamRay ray;
     for (int k = 0; k < 3; ++k) {
         ray.origin[k] = number(i, std::size_t(k));
         ray.direction[k] = number(i, std::size_t(3 + k));
     }
-    if (columns_ >= 8) ray.t_min = number(i, 6);
-    if (columns_ >= 7) ray.t_max = number(i, columns_ == 7 ? 6 : 7);
-    ray.any_hit = any_hit_ || (columns_ == 9 && number(i, 8) != 0);
+    if (shape_.columns >= 8) ray.t_min = number(i, 6);
+    if (shape_.columns >= 7) ray.t_max = number(i, shape_.columns == 7 ? 6 : 7);
+    ray.any_hit = any_hit_ || (shape_.columns == 9 && number(i, 8) != 0);
     return ray;
 }
 
-void RayFile::check(std::size_t i) const {
+void RayTable::check(std::size_t i) const {
     const auto refuse = [&](const std::string& what) {
-        throw UserError(fmt::format("{}: ray {} {}", printable(path_), i, what));
+        throw UserError(fmt::format("{}: ray {} {}", printable(name_), i, what));
     };
     const StreamRay ray = (*this)[i];
     bool finite = true;
@@ -98,7 +107,7 @@ void RayFile::check(std::size_t i) const {
     if (!std::isfinite(ray.t_min) || std::isnan(ray.t_max))
         refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));
     if (ray.t_min > ray.t_max) refuse(fmt::format("has t_min {} above t_max {}", ray.t_min, ray.t_max));
-    if (columns_ == 9 && number(i, 8) != 0 && number(i, 8) != 1)
+    if (shape_.columns == 9 && number(i, 8) != 0 && number(i, 8) != 1)
         refuse(fmt::format("has {} in its ninth column, which is 1 for any hit and 0 for the closest",
                            number(i, 8)));
 }

@@ -1,5 +1,6 @@
 #pragma once
 // Rays from a file.
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,29 +33,49 @@ private:
     std::vector<StreamRay> rays_;
 };
 
+/// Rays as the rows of a table in memory that the caller keeps. A row has the numbers of an .npy file's ray.
+class RayTable : public Rays {
+public:
+    static constexpr std::size_t least_columns = 6, most_columns = 9;
+    struct Shape {
+        std::size_t rows = 0, columns = least_columns, bytes_of_number = 4;   ///< 4: float32, 8: float64
+    };
+    /// Takes numbers in C order and checks every ray, as RayFile does. Throws UserError.
+    RayTable(std::string name, const void* numbers, Shape shape, bool any_hit = false);
+
+    std::size_t size() const override { return shape_.rows; }
+    StreamRay operator[](std::size_t i) const override;
+    const std::string& name() const override { return name_; }
+
+protected:
+    explicit RayTable(std::string name, bool any_hit) : name_(std::move(name)), any_hit_(any_hit) {}
+    /// Sets the numbers and checks every ray. Throws UserError.
+    void set(const void* numbers, Shape shape);
+
+private:
+    double number(std::size_t i, std::size_t column) const;
+    void check(std::size_t i) const;
+
+    std::string name_;
+    const char* numbers_ = nullptr;
+    Shape shape_;
+    bool any_hit_;
+};
+
 /// The rays of a file. It keeps the file's bytes, and converts one ray at a time. docs/streams.md describes
 /// the formats:
 /// - .npy: float32 or float64, n rows of origin and direction (6 numbers), then t_max (7), t_min and t_max
 ///   (8), and 1 for any hit (9);
 /// - .rays of AnyDSL's traversal: 6 float32 for each ray.
-class RayFile : public Rays {
+class RayFile : public RayTable {
 public:
     /// Reads a file and checks every ray. `any_hit`: every ray requests any hit. Throws UserError that names
     /// the file and the first faulty ray: a number that is NaN, an infinite t_min, an origin or a direction
     /// beyond the limits of StreamRay, t_min above t_max, or a ninth number other than 0 and 1.
     explicit RayFile(const std::string& path, bool any_hit = false);
 
-    std::size_t size() const override { return count_; }
-    StreamRay operator[](std::size_t i) const override;
-    const std::string& name() const override { return path_; }
-
 private:
-    double number(std::size_t i, std::size_t column) const;
-    void check(std::size_t i) const;
-
-    std::string path_, bytes_;
-    std::size_t begin_ = 0, count_ = 0, columns_ = 6, bytes_of_number_ = 4;
-    bool any_hit_;
+    std::unique_ptr<const std::string> bytes_;   // they stay in place when the stream is moved
 };
 
 }   // namespace rayclock

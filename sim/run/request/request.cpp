@@ -83,12 +83,19 @@ Scene told_scene(const std::string& spec, const Progress& progress, Primitives p
     return scene;
 }
 
-Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
-    Scene scene = told_scene(spec, progress);
+void refuse_folded(const Scene& scene) {
     if (is_folded(scene))
         throw UserError(
             fmt::format("{}: {} placed triangles are too many to be written out, which this command does",
                         scene.name, numbered_primitives(scene)));
+}
+
+Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
+    return ready_scene(told_scene(spec, progress), size, view);
+}
+
+Scene ready_scene(Scene scene, FrameSize size, const ViewChoice& view) {
+    refuse_folded(scene);
     look(scene, size, view);
     return scene;
 }
@@ -105,8 +112,9 @@ void check_levels(const Scene& scene, const Config& config, bool finished, bool 
             "--ground adds triangles next to the instances, which levels=2 does not take; use levels=1");
 }
 
-Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
-                   std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
+Request request_of(const SceneSource& scene, const ConfigChoice& config, const Finish& finish,
+                   std::uint64_t seed, FrameSize size, const ViewChoice& view,
+                   std::vector<std::string>& idle) {
     Request r;
     r.settings = settings_of(finish, seed);
     // A setting may concern units that only a shading chip has. So apply the settings once that is decided.
@@ -117,7 +125,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
     refuse_stream(r.config);
     r.finished = finish.is_asked() || r.config.shading;
-    r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
+    r.scene = scene(r.finished ? Primitives::native : Primitives::triangles);
     check_levels(r.scene, r.config, r.finished, false);   // before any more work
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
     look(r.scene, size, view);
@@ -133,8 +141,16 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     }
     refuse_stream(r.config);
     check_levels(r.scene, r.config, r.finished, view.ground);
-    std::vector<std::string> idle = idle_settings(r.config, config.set);
+    for (const std::string& sentence : idle_settings(r.config, config.set)) idle.push_back(sentence);
     for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
+    return r;
+}
+
+Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
+                   std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
+    std::vector<std::string> idle;
+    const auto load = [&](Primitives primitives) { return told_scene(scene, progress, primitives); };
+    Request r = request_of(SceneSource(load), config, finish, seed, size, view, idle);
     tell_idle(idle);
     return r;
 }

@@ -11,6 +11,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/own_place.hpp"
 
 namespace rayclock {
 
@@ -31,8 +32,7 @@ const char* chosen_folder() {
 /// Returns the tree around this program's file: a source tree, which may have been moved after the build, or
 /// an installation. Returns an empty path if there is none.
 fs::path own_tree() {
-    std::error_code error;
-    fs::path place = fs::read_symlink("/proc/self/exe", error).parent_path();
+    fs::path place = own_place();
     for (; !place.empty() && place != place.root_path(); place = place.parent_path())
         for (const fs::path& tree : {place / "share/rayclock", place})
             if (is_file(tree / "rtl/rc_top.sv")) return tree;

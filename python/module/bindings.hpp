@@ -1,0 +1,68 @@
+#pragma once
+// The parts of the module, and the types that they share.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include "model/scene/scene.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/run/request/config_file.hpp"
+#include "sim/run/request/request.hpp"
+
+namespace rayclock::python {
+
+namespace py = pybind11;
+
+/// A configuration as Python holds it: the name and the settings that the program would get, and the values
+/// that follow. Whether the values are legal together is checked when a machine is made.
+struct PyConfig {
+    ConfigChoice choice;
+    Config value;
+};
+
+/// A scene as Python holds it. Two threads may use it at once: it never changes.
+struct PyScene {
+    std::string builtin;   ///< the name of a built-in scene, which has a second form; empty for others
+    std::shared_ptr<const Scene> scene;
+    std::vector<std::string> notes;   ///< a sentence for each kind of content that is changed or not drawn
+
+    /// Returns a source of the scene for request_of(). The source may be used without Python's lock.
+    SceneSource source(const Progress& progress) const;
+};
+
+/// The arguments that a picture takes.
+struct FrameOptions {
+    FrameSize size;
+    Finish finish;
+    ViewChoice view;
+    FramesOptions frames;
+    std::string engine = "model";
+    bool is_compared = true;
+};
+
+void bind_config(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_simulate(py::module_& module);
+void bind_explore(py::module_& module);
+void bind_rays(py::module_& module);
+void bind_units(py::module_& module);
+
+/// Returns values as an array that owns them. Nothing is copied.
+template <class T, class Values>
+py::array array_of(Values values, std::vector<py::ssize_t> shape, const T* (*first)(const Values&)) {
+    auto* kept = new Values(std::move(values));
+    const py::capsule owner(kept, [](void* p) { delete static_cast<Values*>(p); });
+    return py::array(py::dtype::of<T>(), std::move(shape), first(*kept), owner);
+}
+/// Returns the bytes of an .npy file as an array of bytes that owns them.
+inline py::array bytes_array(std::string bytes) {
+    const py::ssize_t size = py::ssize_t(bytes.size());
+    return array_of<std::uint8_t, std::string>(std::move(bytes), {size}, [](const std::string& b) {
+        return reinterpret_cast<const std::uint8_t*>(b.data());
+    });
+}
+
+}   // namespace rayclock::python

@@ -1,0 +1,225 @@
+// rayclock.unit: the pure functions of the units, on arrays of payloads.
+#include <algorithm>
+
+#include <pybind11/stl.h>
+
+#include "model/base/stopwatch.hpp"
+#include "model/engine/check.hpp"
+#include "model/engine/engines.hpp"
+#include "model/unit/isect/tri.hpp"
+#include "model/unit/xform/xform.hpp"
+#include "python/module/bindings.hpp"
+#include "python/module/payload_rows.hpp"
+#include "python/module/work.hpp"
+#include "sim/files/process/threads.hpp"
+
+namespace rayclock::python {
+
+namespace {
+
+/// Rows that a thread answers in sequence.
+constexpr std::size_t block = 4096;
+
+/// Answers `count` rows of requests on several threads.
+template <class Request, class Response, Response answer(const Request&, const Config&)>
+void answer_rows(const char* requests, char* responses, std::size_t count, const Config& config, int threads,
+                 const Progress& stop) {
+    const Rows<Request> in(config);
+    const Rows<Response> out(config);
+    jobs::for_each((count + block - 1) / block, threads, [&](std::size_t b) {
+        stop("unit", b * block, count);
+        Request request;
+        for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
+            in.read(request, requests + i * in.bytes(), i);
+            out.write(answer(request, config), responses + i * out.bytes());
+        }
+    });
+}
+
+/// Returns the time of a plain loop in C++ over the same requests, unpacked before, into a new vector:
+/// seconds.
+template <class Request, class Response, Response answer(const Request&, const Config&)>
+double seconds_of_loop(const char* rows, std::size_t count, const Config& config) {
+    const Rows<Request> in(config);
+    std::vector<Request> requests(count);
+    for (std::size_t i = 0; i < count; ++i) in.read(requests[i], rows + i * in.bytes(), i);
+    const Stopwatch watch;
+    std::vector<Response> responses(count);
+    for (std::size_t i = 0; i < count; ++i) responses[i] = answer(requests[i], config);
+    return watch.seconds();
+}
+
+template <class Payload> std::size_t port_words(const Config& config) {
+    return std::size_t(bits_of<Payload>(config) + 31) / 32;
+}
+/// Packs rows into words as the RTL's ports hold them, or the reverse.
+template <class Payload>
+void pack_rows(const char* from, std::uint32_t* words, std::size_t count, const Config& config) {
+    const Rows<Payload> rows(config);
+    const std::size_t width = port_words<Payload>(config);
+    Words packed;
+    Payload payload;
+    for (std::size_t i = 0; i < count; ++i) {
+        rows.read(payload, from + i * rows.bytes(), i);
+        pack(payload, config, packed);
+        std::copy(packed.begin(), packed.end(), words + i * width);
+    }
+}
+template <class Payload>
+void unpack_rows(const std::uint32_t* words, char* to, std::size_t count, const Config& config) {
+    const Rows<Payload> rows(config);
+    const std::size_t width = port_words<Payload>(config);
+    for (std::size_t i = 0; i < count; ++i)
+        rows.write(unpack<Payload>(words + i * width, config), to + i * rows.bytes());
+}
+template <class Payload> std::vector<RowField> row_fields(const Config& config) {
+    return Rows<Payload>(config).fields();
+}
+
+/// A payload of a unit, without its type.
+struct Side {
+    std::vector<RowField> (*fields)(const Config&);
+    int (*bits)(const Config&);
+    void (*pack)(const char*, std::uint32_t*, std::size_t, const Config&);
+    void (*unpack)(const std::uint32_t*, char*, std::size_t, const Config&);
+};
+template <class P> constexpr Side side_of{&row_fields<P>, &bits_of<P>, &pack_rows<P>, &unpack_rows<P>};
+
+/// A unit whose answer depends on nothing but its request.
+struct UnitRow {
+    const char* name;
+    bool (*is_there)(const Config&);   ///< the machine has the unit
+    const char* needs;                 ///< what a machine with the unit has
+    Side request, response;
+    void (*answer)(const char*, char*, std::size_t, const Config&, int, const Progress&);
+    double (*seconds_of_loop)(const char*, std::size_t, const Config&);
+};
+template <class Request, class Response, Response answer(const Request&, const Config&)>
+constexpr UnitRow row(const char* name, bool (*is_there)(const Config&), const char* needs) {
+    return {name,
+            is_there,
+            needs,
+            side_of<Request>,
+            side_of<Response>,
+            &answer_rows<Request, Response, answer>,
+            &seconds_of_loop<Request, Response, answer>};
+}
+
+BoxRsp box_of(const BoxReq& request, const Config& config) { return box(request, config); }
+template <Structure by> bool walks(const Config& config) { return config.is_walked(by); }
+
+constexpr UnitRow units[] = {
+    row<TriReq, TriRsp, tri>(
+        "tri", [](const Config&) { return true; }, ""),
+    row<XformReq, Change, xform>(
+        "xform", [](const Config& c) { return c.has_instances(); }, "levels=2"),
+    row<BoxReq, BoxRsp, box_of>("box", walks<Structure::bvh>, "structure=bvh"),
+    row<TreeletReq, BoxRsp, treelet>("treelet", walks<Structure::kd>, "structure=kd or octree"),
+    row<GlobeReq, BoxRsp, globe>("globe", walks<Structure::spheres>, "structure=spheres"),
+    row<BihReq, BoxRsp, bih_answer>("bih", walks<Structure::bih>, "structure=bih"),
+    row<SlantReq, BoxRsp, slant>("slant", walks<Structure::bsp>, "structure=bsp"),
+};
+
+/// Returns the unit with this name in a machine whose values are legal together. Throws UserError.
+const UnitRow& unit_of(const std::string& name, const Config& config) {
+    for (const UnitRow& unit : units) {
+        if (name != unit.name) continue;
+        check_config(config, config.name);
+        if (!unit.is_there(config))
+            throw UserError(fmt::format("'{}' has no unit {}: it needs {}", config.name, name, unit.needs));
+        return unit;
+    }
+    throw UserError("no unit is called " + name);
+}
+const Side& side(const UnitRow& unit, bool is_response) { return is_response ? unit.response : unit.request; }
+
+py::dtype dtype_of(const std::vector<RowField>& fields) {
+    py::list rows;
+    for (const RowField& f : fields) {
+        if (f.count > 0 || f.is_pair())
+            rows.append(py::make_tuple(f.name, f.format(), py::make_tuple(f.is_pair() ? 2 : f.count)));
+        else
+            rows.append(py::make_tuple(f.name, f.format()));
+    }
+    return py::dtype::from_args(rows);
+}
+
+py::dtype unit_dtype(const std::string& name, bool is_response, const PyConfig& config) {
+    return dtype_of(side(unit_of(name, config.value), is_response).fields(config.value));
+}
+
+/// Throws UserError unless the array holds the unit's rows one after the other. The package makes it so.
+void check_rows(const py::array& rows, const py::dtype& wanted) {
+    if (rows.ndim() != 1 || !rows.dtype().equal(wanted) || !(rows.flags() & py::array::c_style))
+        throw UserError("the array is not a row of the unit's requests in C order");
+}
+
+py::array answered(const std::string& name, const py::array& requests, const PyConfig& config, int threads) {
+    const UnitRow& unit = unit_of(name, config.value);
+    check_rows(requests, dtype_of(unit.request.fields(config.value)));
+    py::array responses(dtype_of(unit.response.fields(config.value)),
+                        std::vector<py::ssize_t>{requests.shape(0)});
+    const char* const in = static_cast<const char*>(requests.data());
+    char* const out = static_cast<char*>(responses.mutable_data());
+    const std::size_t count = std::size_t(requests.shape(0));
+    run([&](const Progress& stop) { unit.answer(in, out, count, config.value, threads, stop); });
+    return responses;
+}
+
+double loop_seconds(const std::string& name, const py::array& requests, const PyConfig& config) {
+    const UnitRow& unit = unit_of(name, config.value);
+    check_rows(requests, dtype_of(unit.request.fields(config.value)));
+    return unit.seconds_of_loop(static_cast<const char*>(requests.data()), std::size_t(requests.shape(0)),
+                                config.value);
+}
+
+py::array packed(const std::string& name, bool is_response, const py::array& rows, const PyConfig& config) {
+    const Side& of = side(unit_of(name, config.value), is_response);
+    check_rows(rows, dtype_of(of.fields(config.value)));
+    py::array_t<std::uint32_t> words({rows.shape(0), py::ssize_t(of.bits(config.value) + 31) / 32});
+    of.pack(static_cast<const char*>(rows.data()), words.mutable_data(), std::size_t(rows.shape(0)),
+            config.value);
+    return words;
+}
+
+py::array unpacked(const std::string& name, bool is_response,
+                   const py::array_t<std::uint32_t, py::array::c_style>& words, const PyConfig& config) {
+    const Side& of = side(unit_of(name, config.value), is_response);
+    if (words.ndim() != 2 || words.shape(1) != (of.bits(config.value) + 31) / 32)
+        throw UserError(fmt::format("the words of {} are n x {} numbers of 32 bits", name,
+                                    (of.bits(config.value) + 31) / 32));
+    py::array rows(dtype_of(of.fields(config.value)), std::vector<py::ssize_t>{words.shape(0)});
+    of.unpack(words.data(), static_cast<char*>(rows.mutable_data()), std::size_t(words.shape(0)),
+              config.value);
+    return rows;
+}
+
+/// Returns the fields of a payload: name, width in bits, count (0 for a single number), signed.
+std::vector<std::tuple<std::string, int, int, bool>> described(const std::string& name, bool is_response,
+                                                               const PyConfig& config) {
+    std::vector<std::tuple<std::string, int, int, bool>> all;
+    for (const RowField& f : side(unit_of(name, config.value), is_response).fields(config.value))
+        all.emplace_back(f.name, f.bits, f.count, f.is_signed);
+    return all;
+}
+
+}   // namespace
+
+void bind_units(py::module_& module) {
+    module.def("unit_names", [] {
+        std::vector<std::string> names;
+        for (const UnitRow& unit : units) names.emplace_back(unit.name);
+        return names;
+    });
+    module.def("unit_dtype", &unit_dtype);
+    module.def("unit_fields", &described);
+    module.def("unit_bits", [](const std::string& name, bool is_response, const PyConfig& config) {
+        return side(unit_of(name, config.value), is_response).bits(config.value);
+    });
+    module.def("unit_answer", &answered);
+    module.def("unit_loop_seconds", &loop_seconds);
+    module.def("unit_pack", &packed);
+    module.def("unit_unpack", &unpacked);
+}
+
+}   // namespace rayclock::python

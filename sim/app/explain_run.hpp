@@ -1,0 +1,31 @@
+#pragma once
+// The explanation of a pixel without its command. The command explain and the Python module run it.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/app/explained.hpp"
+#include "sim/run/film/film.hpp"
+
+namespace rayclock {
+
+/// The way in which a pixel is explained.
+struct ExplainHow {
+    Traffic traffic{};
+    std::string clock = "66";   ///< MHz, or fmax
+    bool is_compared = true;    ///< with the reference
+    bool is_judged = true;      ///< by the exact judge; needs is_compared
+    int threads = 0;
+};
+/// Runs all frames of the film, and calls `use` with the explanation of a pixel of the last one and the
+/// errors of that frame, if it is compared. Throws UserError, and Interrupted after Ctrl-C.
+void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const Progress& progress,
+                   const std::function<void(const Explanation&, const std::vector<FrameError>&)>& use);
+
+/// Returns the report of `explain --json`: docs/report.md.
+nlohmann::ordered_json explanation_json(const Request& request, const FrameSize& size, const Explanation& e,
+                                        const nlohmann::ordered_json& limits);
+
+}   // namespace rayclock

@@ -1,0 +1,46 @@
+#pragma once
+// A simulation of a stream of rays without its command: the runs at each clock, the exact judge's verdict,
+// and the report. The command simulate and the Python module run it.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/run/request/config_file.hpp"
+#include "sim/run/stream/stream.hpp"
+#include "sim/view/report/json.hpp"
+
+namespace rayclock {
+
+/// Returns the configuration with the parameters that a stream needs. Throws UserError if the choice
+/// contradicts them.
+Config stream_config(const ConfigChoice& choice);
+/// Parses "clip" or "refuse". Throws UserError.
+Outside parse_outside(const std::string& text);
+/// Throws UserError unless a stream can meet the scene, and adds a camera if the scene has none.
+void prepare_for_stream(Scene& scene);
+
+/// The results of a stream at each clock.
+struct StreamRun {
+    std::vector<RecordedFrame> frames;   ///< one
+    std::vector<FramesAtClock> runs;
+    std::optional<StreamJudgement> judged;
+
+    const RecordedFrame& frame() const { return frames[0]; }
+    const std::vector<Closest>& answers() const { return frames[0].trace.hits; }
+    bool partial() const { return runs.back().partial(); }
+};
+/// Runs a stream on the model at each clock. The result is partial if Ctrl-C stopped it.
+StreamRun run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic, bool is_judged,
+                     int threads, const Progress& progress);
+
+/// Returns the part of the report that the model and lockstep share.
+nlohmann::ordered_json stream_run_json(const StreamJob& stream, const std::vector<Closest>& answers,
+                                       const std::vector<FramesAtClock>& runs, bool partial,
+                                       const std::optional<StreamJudgement>& judged);
+/// Returns the report of `simulate --rays --json`: docs/streams.md.
+nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamRun& run, bool partial,
+                                             double seconds);
+
+}   // namespace rayclock

@@ -1,0 +1,87 @@
+// A sweep without its command.
+#include "sim/app/sweep_run.hpp"
+
+#include "sim/app/clock.hpp"
+#include "sim/app/options/options.hpp"
+#include "sim/explore/sweep/cost.hpp"
+#include "sim/explore/sweep/table.hpp"
+#include "sim/run/rtl/builder.hpp"
+
+namespace rayclock {
+
+int axis_clock(const std::string& value) { return parse_clocks(value).at(0); }
+
+namespace {
+
+/// Returns the requested points of the grid, each with its own clock.
+std::vector<sweep::Point> points_of(const SweepAsk& o) {
+    const bool at_fmax = o.clock == "fmax";
+    std::vector<sweep::Point> points =
+        sweep::make_points(o.axes, o.request.config, at_fmax ? 0 : parse_clocks(o.clock)[0], axis_clock);
+    sweep::keep_size(points, o.cache_bytes);
+    for (sweep::Point& point : points)   // an axis over clocks takes precedence
+        if (at_fmax && point.khz == 0) point.khz = clocks_of(o.clock, point.config)[0];
+    return points;
+}
+
+/// Removes all points outside this part. Returns the indices of the remaining points.
+std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const sweep::Shard& shard) {
+    const std::vector<std::size_t> mine = sweep::points_of(shard, points);
+    std::vector<sweep::Point> kept;
+    for (const std::size_t i : mine) kept.push_back(std::move(points[i]));
+    points = std::move(kept);
+    return mine;
+}
+
+}   // namespace
+
+SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
+    const sweep::Cost cost = sweep::parse_cost(ask.cost);
+    const Scene& scene = ask.request.scene;
+    const PictureChoice picture{ask.request.finished, ask.request.settings, settled_frames(ask.frames, scene),
+                                ask.view};
+    std::vector<sweep::Point> points = points_of(ask);
+    const std::vector<std::size_t> mine = keep_part(points, ask.shard);
+    jobs::Cache cache(rtl_cache() / "sweep", ask.fresh);
+    sweep::Merged swept{scene_json(scene),
+                        ask.request.config,
+                        ask.size,
+                        {std::move(ask.axes), ask.clock, ask.cost, ask.cache_bytes, ask.netlists,
+                         sweep::picture_json(picture)},
+                        {}};
+    sweep::Outcome& outcome = swept.outcome;
+    const bool netlists = ask.netlists && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
+    outcome =
+        sweep::run({scene, ask.size, std::move(points), ask.threads, netlists, picture}, cache, progress);
+    if (sweep::needs_area(cost) && !outcome.partial) {
+        jobs::Cache areas(rtl_cache() / "area", ask.fresh);
+        sweep::count_areas(outcome, ask.threads, areas, progress);
+    }
+    for (sweep::Result& result : outcome.results)
+        if (!result.clock.is_null()) mark_clock(result.clock, result.point.config, result.point.khz);
+    return {std::move(swept), sweep::shard_json(ask.shard, mine, scene), cache.trouble()};
+}
+
+nlohmann::ordered_json sweep_json(const sweep::Merged& swept, const Limits& limits,
+                                  const nlohmann::ordered_json& shard) {
+    const std::vector<sweep::Axis>& axes = swept.asked.axes;
+    const std::vector<sweep::Result>& results = swept.outcome.results;
+    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
+    return {{"scene", swept.scene},
+            {"config", config_json_object(swept.config)},
+            {"frame", {{"width", swept.size.width}, {"height", swept.size.height}}},
+            {"sweep", sweep::asked_json(swept.asked)},
+            {"shard", shard},
+            {"partial", swept.outcome.partial},
+            {"front",
+             {{"error", front.measures[0].key},
+              {"cost", front.measures[1].key},
+              {"cost_is",
+               front.why.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(front.why)},
+              {"speed", front.measures[2].key}}},
+            {"knee", sweep::knee_json(axes, results, front)},
+            {"limits", sweep::far_json(axes, results, limits)},
+            {"points", sweep::points_json(axes, results, front)}};
+}
+
+}   // namespace rayclock

@@ -1,0 +1,48 @@
+#pragma once
+// A sweep without its command: the points of a grid, their figures, and the report. The command sweep and the
+// Python module run it.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/explore/sweep/merge.hpp"
+#include "sim/explore/sweep/shard.hpp"
+#include "sim/run/film/film.hpp"
+#include "sim/view/report/limits.hpp"
+
+namespace rayclock {
+
+/// The input of a sweep.
+struct SweepAsk {
+    const Request& request;
+    FrameSize size;
+    std::vector<sweep::Axis> axes;
+    std::string clock, cost = "auto";
+    std::optional<int> cache_bytes;   ///< only points whose caches hold so many bytes
+    sweep::Shard shard{};
+    bool netlists = true;   ///< count multipliers and flip-flops
+    bool fresh = false;     ///< take nothing from the cache
+    int threads = 0;
+    FramesOptions frames{};
+    ViewChoice view{};
+};
+
+/// The results of a sweep.
+struct SweepRun {
+    sweep::Merged swept;
+    nlohmann::ordered_json shard;
+    std::string cache_trouble;   ///< the reason why nothing is kept for the next run, or empty
+};
+/// Runs a sweep. The result is partial if Ctrl-C stopped it. Throws UserError.
+SweepRun run_sweep(SweepAsk ask, const Progress& progress);
+
+/// Parses a value of the axis `clock` to kHz. Throws UserError.
+int axis_clock(const std::string& value);
+
+/// Returns the report of `sweep --json`: docs/report.md.
+nlohmann::ordered_json sweep_json(const sweep::Merged& swept, const Limits& limits,
+                                  const nlohmann::ordered_json& shard);
+
+}   // namespace rayclock

@@ -1,0 +1,206 @@
+"""simulate() reports what the program reports, whatever else runs."""
+import _thread
+import copy
+import pickle
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import rayclock
+from support import OCTAHEDRON, Case, program, without_times
+
+
+class Pictures(Case):
+    def same(self, report, *words):
+        expected = program("simulate", *words)
+        self.assertEqual(list(report.to_dict()), list(expected))
+        self.assertEqual(without_times(report.to_dict()), without_times(expected))
+
+    def test_a_picture_has_the_reports_of_the_program(self):
+        report = rayclock.simulate("gears:4", size=(96, 72), clock=66)
+        self.same(report, "gears:4", "--size", "96x72", "--clock", "66")
+        self.assertEqual(report.picture.shape, (72, 96, 3))
+        self.assertEqual(report.picture.dtype, np.float32)
+        self.assertEqual(report.hits.shape, (72, 96))
+        self.assertEqual(np.count_nonzero(report.hits["primitive"] != 2**32 - 1) > 1000, True)
+
+    def test_a_finished_picture_uses_native_spheres_as_the_program_does(self):
+        config = rayclock.Config("default", contexts=32)
+        report = rayclock.simulate(rayclock.load_scene("balls:2"), config, size="64x48", depth=3, aa=2, clock=[66, 90.5])
+        self.same(report, "balls:2", "--size", "64x48", "--set", "contexts=32", "--depth", "3", "--aa", "2",
+                  "--clock", "66,90.5")
+
+    def test_a_film_has_the_reports_of_the_program(self):
+        report = rayclock.simulate("crowd:2", rayclock.Config(levels=2), size=(48, 32), clock=66, frames=3, fps=25)
+        self.same(report, "crowd:2", "--set", "levels=2", "--size", "48x32", "--clock", "66", "--frames", "3",
+                  "--fps", "25")
+
+    def test_the_view_is_that_of_the_program(self):
+        report = rayclock.simulate("teapot:4", size=(48, 32), clock=66, eye=(3, 2.5, 4), at=(0, 0.5, 0), fov=30,
+                                   reference=False)
+        self.same(report, "teapot:4", "--size", "48x32", "--clock", "66", "--eye", "3,2.5,4", "--at", "0,0.5,0",
+                  "--fov", "30", "--no-reference")
+
+    def test_a_scene_from_arrays_has_the_digest_of_its_file(self):
+        vertices, indices = OCTAHEDRON
+        with tempfile.NamedTemporaryFile("w", suffix=".obj") as file:
+            file.writelines("v %r %r %r\n" % tuple(v) for v in vertices.tolist())
+            file.writelines("f %d %d %d\n" % tuple(t + 1) for t in indices)
+            file.flush()
+            expected = program("simulate", file.name, "--size", "64x48", "--clock", "66")
+        for form in (vertices, vertices.astype("f4"), vertices.astype(">f8"), np.asfortranarray(vertices),
+                     vertices.astype(int)):
+            report = rayclock.simulate(rayclock.Scene(form, indices.astype("u2")), size=(64, 48), clock=66)
+            self.assertEqual(report.digest, expected["digest"])
+
+    def test_two_threads_at_once_have_the_results_of_each_alone(self):
+        scenes = ["gears:3", "teapot:6", "tetra:5", "rings:2"]
+        alone = [rayclock.simulate(s, size=(64, 48), clock=66).digest for s in scenes]
+        found = [None] * len(scenes)
+
+        def work(i):
+            found[i] = rayclock.simulate(scenes[i], size=(64, 48), clock=66).digest
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(len(scenes))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, alone)
+
+    def test_other_threads_run_during_a_simulation(self):
+        ticks, ended = [], threading.Event()
+
+        def tick():
+            while not ended.is_set():
+                ticks.append(time.perf_counter())
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        rayclock.simulate("gears:8", size=(320, 240), clock=66)
+        ended.set()
+        thread.join()
+        self.assertGreater(len(ticks), 20)
+
+    def test_ctrl_c_ends_a_simulation_within_a_second(self):
+        scene = rayclock.load_scene("gears:4")
+        for options in (dict(size=(4096, 4096)), dict(size=(2048, 2048), depth=5, aa=4), dict(size=(4096, 4096), clock=66)):
+            pressed = []
+
+            def press():
+                pressed.append(time.perf_counter())
+                _thread.interrupt_main()
+
+            timer = threading.Timer(1.5, press)
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                rayclock.simulate(scene, **options)
+            self.assertLess(time.perf_counter() - pressed[0], 1)
+        self.assertEqual(rayclock.simulate("tetra:3", size=(32, 24)).partial, False)
+
+    def test_a_table_has_a_row_for_each_clock(self):
+        try:
+            import pandas   # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        report = rayclock.simulate("tetra:4", size=(32, 24), clock=[33, 66])
+        table = report.to_pandas()
+        self.assertEqual(list(table["mhz"]), [33, 66])
+        self.assertEqual(list(table["cycles"]), [c["cycles"] for c in report.clocks])
+        self.assertIn("trav", report.accounts().index)
+
+
+class Explore(Case):
+    def test_a_sweep_has_the_report_of_the_program(self):
+        report = rayclock.sweep("teapot:4", {"pipelines": [1, 2], "dram": ["ddr3", "sdr"], "clock": [66, 200]},
+                                rayclock.Config(contexts=32), size=(48, 32), fresh=True)
+        expected = program("sweep", "teapot:4", "--axis", "pipelines=1,2", "--axis", "dram=ddr3,sdr", "--axis",
+                           "clock=66,200", "--set", "contexts=32", "--size", "48x32", "--clock", "66", "--no-netlist")
+        self.assertEqual(list(report.to_dict()), list(expected))
+        self.assertEqual(without_times(report.to_dict()), without_times(expected))
+        self.refused("node_setz", rayclock.sweep, "tetra:2", {"node_setz": [1, 2]})
+        self.refused("is not a list of values", rayclock.sweep, "tetra:2", {"node_sets": 16})
+        with self.assertRaisesRegex(TypeError, "sizes"):
+            rayclock.sweep("tetra:2", {"node_sets": [16]}, sizes=3)
+
+    def test_an_explanation_has_the_report_of_the_program(self):
+        report = rayclock.explain("balls:2", (30, 20), size=(64, 48), depth=2)
+        expected = program("explain", "balls:2", "30,20", "--size", "64x48", "--depth", "2")
+        self.assertEqual(list(report.to_dict()), list(expected))
+        self.assertEqual(without_times(report.to_dict()), without_times(expected))
+        self.assertIn("0 camera", str(report))
+        self.refused("outside the picture", rayclock.explain, "tetra:2", (64, 0), size=(64, 48))
+
+
+class Streams(Case):
+    def test_a_stream_has_the_hits_and_the_report_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path, hits = folder + "/rays.npy", folder + "/hits.npy"
+            program("rays", "gears:3", "--kind", "ao", "--size", "48x36", "-o", path)
+            expected = program("simulate", "gears:3", "--rays", path, "--hits", hits)
+            rays = np.load(path)
+            self.assertTrue(np.array_equal(rayclock.make_rays("gears:3", kind="ao", size=(48, 36)), rays, equal_nan=True))
+            report = rayclock.simulate("gears:3", rays=rays)
+            self.assertEqual(list(report.to_dict()), list(expected))
+            expected["stream"]["file"] = "rays"
+            self.assertEqual(without_times(report.to_dict()), without_times(expected))
+            wanted = np.load(hits)
+            self.assertEqual(report.hits.dtype, wanted.dtype)
+            self.assertEqual(report.hits.tobytes(), wanted.tobytes())
+
+    def test_camera_rays_have_the_hits_of_the_picture(self):
+        scene = rayclock.load_scene("teapot:6")
+        picture = rayclock.simulate(scene, size=(48, 36), clock=66)
+        stream = rayclock.simulate(scene, rays=rayclock.make_rays(scene, size=(48, 36)), clock=66)
+        self.assertEqual(stream.hits["primitive"].tolist(), picture.hits["primitive"].ravel().tolist())
+
+    def test_an_array_in_c_order_is_read_where_it_lies(self):
+        rays = rayclock.make_rays("tetra:4", size=(32, 24))
+        plain = rayclock.simulate("tetra:4", rays=rays)
+        for form in (np.asfortranarray(rays), rays.astype(">f8"), np.repeat(rays, 2, axis=0)[::2],
+                     np.hstack([rays, rays])[:, :6]):
+            self.assertEqual(rayclock.simulate("tetra:4", rays=form).digest, plain.digest)
+
+    def test_hits_are_not_copied(self):
+        hits = rayclock.simulate("tetra:4", rays=rayclock.make_rays("tetra:4", size=(8, 8))).hits
+        self.assertFalse(hits.flags.owndata)
+        del hits
+
+
+class Configs(Case):
+    def test_a_parameter_is_an_attribute_with_a_description(self):
+        config = rayclock.Config()
+        for name in rayclock.Config.parameters:
+            self.assertIn(name, dir(config))
+            self.assertGreater(len(getattr(rayclock.Config, name).__doc__), 40)
+        config.node_sets = 128
+        config.structure = "kd"
+        config.shading = True
+        self.assertEqual((config.node_sets, config.structure, config.shading), (128, "kd", True))
+        self.assertEqual(repr(config), "Config('default', node_sets=128, structure='kd', shading=1)")
+
+    def test_copies_are_equal_and_independent(self):
+        config = rayclock.Config("small", node_sets=32)
+        for other in (copy.copy(config), copy.deepcopy(config), pickle.loads(pickle.dumps(config)), config.replace()):
+            self.assertEqual(other, config)
+            other.node_sets = 16
+            self.assertNotEqual(other, config)
+        self.assertEqual(config.replace(contexts=16).contexts, 16)
+
+    def test_wrong_values_are_refused_with_a_sentence(self):
+        self.refused("node_sets", rayclock.Config, node_sets=3)
+        self.refused("node_sets: 1.5 is not a whole number or a name", rayclock.Config, node_sets=1.5)
+        self.refused("node_setz.*node_sets", rayclock.Config, node_setz=3)
+        self.refused("smal", rayclock.Config, "smal")
+        self.refused("structure", setattr, rayclock.Config(), "structure", "tree")
+        self.refused("bits", rayclock.simulate, "tetra:3", rayclock.Config(coord_bits=20, dir_bits=24))
+        with self.assertRaises(AttributeError):
+            rayclock.Config().node_setz
+
+
+if __name__ == "__main__":
+    unittest.main()
