@@ -20,6 +20,8 @@ public:
     Declared& within(int least, int most);
     /// Accepts several values in one word, separated by commas.
     Declared& by_commas();
+    /// Accepts the option without a value too, which then means `implied`.
+    Declared& or_alone(const char* implied);
     /// Lists the option under this heading of the help.
     Declared& under(const char* heading);
     /// Refuses the option together with another.

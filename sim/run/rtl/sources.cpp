@@ -5,11 +5,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 
 namespace rayclock {
@@ -37,6 +40,17 @@ fs::path own_tree() {
         for (const fs::path& tree : {place / "share/rayclock", place})
             if (is_file(tree / "rtl/rc_top.sv")) return tree;
     return {};
+}
+
+/// A file in place of a source, which is known by its name: "rc_tri.sv".
+struct Replacement {
+    std::string module;
+    fs::path file;
+    std::string text;
+};
+std::map<std::string, Replacement>& replacements() {
+    static std::map<std::string, Replacement> all;
+    return all;
 }
 
 std::string text_of(const fs::path& path) {
@@ -95,13 +109,40 @@ std::vector<fs::path> rtl_files() {
     return files;
 }
 
+void replace_module(const std::string& name, const fs::path& file) {
+    const std::string module = "rc_" + name, source = module + ".sv",
+                      option = fmt::format("--unit {}={}", printable(name), printable(file.string()));
+    const std::vector<fs::path> files = rtl_files();
+    if (std::none_of(files.begin(), files.end(), [&](const fs::path& f) { return f.filename() == source; }))
+        throw UserError(fmt::format("{}: the RTL has no module {}", option, printable(module)));
+    if (!is_file(file)) throw UserError(option + ": there is no such file");
+    const std::string text = read_if_there(file);
+    if (text.empty()) throw UserError(option + ": the file is empty, or cannot be read");
+    if (!std::regex_search(text, std::regex("\\bmodule\\s+" + module + "\\b")))
+        throw UserError(fmt::format("{}: the file has no module {}", option, module));
+    if (!replacements().emplace(source, Replacement{name, file, text}).second)
+        throw UserError(option + ": this unit is replaced twice");
+}
+
+std::vector<std::string> replaced_modules() {
+    std::vector<std::string> all;
+    for (const auto& [source, r] : replacements()) all.push_back(r.module + "=" + r.file.string());
+    return all;
+}
+
 std::vector<RtlText> rtl_texts() {
     std::vector<fs::path> files = rtl_files();
     files.insert(files.begin(), rtl_sources() / "lint.vlt");
     std::vector<RtlText> texts;
     std::set<std::string> taken{"rc_pkg.sv"};
-    for (const fs::path& file : files)
-        texts.push_back({safe_name(file.lexically_relative(rtl_sources()), taken), text_of(file)});
+    for (const fs::path& file : files) {
+        const auto r = replacements().find(file.filename().string());
+        const bool own = r == replacements().end();
+        texts.push_back(
+            {safe_name(file.lexically_relative(rtl_sources()), taken), own ? text_of(file) : r->second.text});
+        // The first text is a configuration file of Verilator.
+        if (!own) texts.front().text += fmt::format("`verilator_config\nlint_off -file \"*/{}\"\n", r->first);
+    }
     return texts;
 }
 
