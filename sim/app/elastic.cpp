@@ -29,9 +29,11 @@ void elastic_options(Parser& parser, ElasticChoice& choice) {
                 "compare values, ray by ray, and not cycles: for RTL whose units take other times. A list "
                 "UNIT,... names these units; outputs that nobody reads are compared for all others")
         .or_alone("all");
-    parser.option("--unit", choice.files,
-                  "NAME=FILE: build the RTL with this file in place of rc_NAME.sv, for example "
-                  "tri=my_tri.sv; may be repeated");
+    parser
+        .option("--unit", choice.files,
+                "NAME=FILE: build the RTL with this file in place of rc_NAME.sv, for example "
+                "tri=my_tri.sv; may be repeated")
+        .one_each();
 }
 
 void take_elastic(ElasticChoice& choice, std::string& scene) {

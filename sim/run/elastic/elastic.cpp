@@ -102,11 +102,7 @@ private:
         } catch (const RtlAssertion& assertion) {
             broken_ = true;
             findings_.add([&] {
-                return Divergence{.cycle = rtl_.cycle(),
-                                  .unit = "rtl",
-                                  .link = "none",
-                                  .expected = "no assertion fails",
-                                  .got = assertion.what()};
+                return difference(rtl_.cycle(), "rtl", "none", "no assertion fails", assertion.what());
             });
         }
         const std::uint64_t cycles = rtl_.cycle() - first;
@@ -154,25 +150,17 @@ private:
         rtl_.settle();
         if (!rtl_.says_running() && rtl_.says_done()) return;
         const char* const signal = rtl_.says_running() ? "running" : "done";
-        findings_.add([&] {
-            return Divergence{.cycle = now,
-                              .unit = "host",
-                              .link = signal,
-                              .expected = "the frame is done",
-                              .got = "the frame is not done"};
-        });
+        findings_.add(
+            [&] { return difference(now, "host", signal, "the frame is done", "the frame is not done"); });
     }
 
     void tell_nonsense() {
         if (!rtl_.nonsense() || findings_.first) return;
         const RtlMachine::Nonsense& n = *rtl_.nonsense();
         findings_.add([&] {
-            Divergence d{.cycle = n.cycle,
-                         .unit = link_infos[index(n.link)].from,
-                         .link = link_infos[index(n.link)].name,
-                         .expected = "a value in range",
-                         .got = n.what};
-            d.pipeline = n.pipeline, d.on = n.link;
+            Divergence d = difference(n.cycle, link_infos[index(n.link)].from, n.pipeline, n.link);
+            d.expected = "a value in range";
+            d.got = n.what;
             return d;
         });
     }
@@ -220,6 +208,7 @@ ElasticResult run_elastic(const Job& job, Traffic traffic, const Progress& progr
 }
 
 FreeUnits parse_free_units(const std::string& text, const Config& config) {
+    if (text.empty()) throw UserError("--elastic: the list of units is empty");
     FreeUnits free{};
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {

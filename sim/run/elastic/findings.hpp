@@ -26,6 +26,25 @@ struct Findings {
     }
 };
 
+/// Returns a difference at a unit. `on` is its link, if there is one.
+inline Divergence difference(std::uint64_t cycle, std::string unit, std::string link, std::string expected,
+                             std::string got) {
+    Divergence d;
+    d.cycle = cycle;
+    d.unit = std::move(unit);
+    d.link = std::move(link);
+    d.expected = std::move(expected);
+    d.got = std::move(got);
+    return d;
+}
+/// Returns a difference on a link without texts.
+inline Divergence difference(std::uint64_t cycle, std::string unit, int pipeline, Link c) {
+    Divergence d = difference(cycle, std::move(unit), link_infos[index(c)].name, {}, {});
+    d.pipeline = pipeline;
+    d.on = c;
+    return d;
+}
+
 /// Calls `see.operator()<Payload>()` for the payload of a link.
 template <std::size_t i = 0, class See> decltype(auto) with_payload(Link c, See&& see) {
     if constexpr (i + 1 < link_count) {

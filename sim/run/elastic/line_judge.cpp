@@ -36,13 +36,9 @@ void LineJudge::start(const MemoryImage& image, bool forget) {
         for (auto& waits : pair.waits) std::fill(waits.begin(), waits.end(), std::nullopt);
 }
 
-Divergence LineJudge::at(std::uint64_t now, const Pair&, int pipeline, Link c, std::uint32_t id) const {
-    Divergence d{.cycle = now,
-                 .unit = located(link_infos[index(c)].from, pipeline, c, config_),
-                 .link = link_infos[index(c)].name,
-                 .ray = id};
-    d.pipeline = pipeline;
-    d.on = c;
+Divergence LineJudge::at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const {
+    Divergence d = difference(now, located(link_infos[index(c)].from, pipeline, c, config_), pipeline, c);
+    d.ray = id;
     return d;
 }
 
@@ -57,7 +53,7 @@ bool LineJudge::answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last
                 if (!is_last) return false;
                 ++findings_.events_compared;
                 findings_.add([&] {
-                    Divergence d = at(now, pair, pipeline, pair.rsp, got.id);
+                    Divergence d = at(now, pipeline, pair.rsp, got.id);
                     d.expected = fmt::format("no answer: id {} has no request in flight", got.id);
                     d.got = fmt::format("an answer to id {}", got.id);
                     return d;
@@ -69,7 +65,7 @@ bool LineJudge::answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last
             std::copy_n(image_->line((*request)->addr), wanted.line.size(), wanted.line.begin());
             if (wanted.line != got.line)
                 findings_.add([&] {
-                    Divergence d = at(now, pair, pipeline, pair.rsp, got.id);
+                    Divergence d = at(now, pipeline, pair.rsp, got.id);
                     describe(wanted, got, config_, d);
                     d.later = fmt::format("the answer to id {} is line {} of the memory image", got.id,
                                           (*request)->addr);
@@ -91,7 +87,7 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
             const bool outside = got.addr / line > (image_->end() - 1) / line;
             if (place || outside)
                 findings_.add([&] {
-                    Divergence d = at(now, pair, pipeline, pair.req, got.id);
+                    Divergence d = at(now, pipeline, pair.req, got.id);
                     d.expected = place
                                      ? "an id that has no request in flight"
                                      : fmt::format("one of the {} lines of the memory image", image_->end());
@@ -126,7 +122,7 @@ std::optional<Divergence> LineJudge::missing(std::uint64_t now) const {
             for (std::uint32_t id = 0; id < waits.size(); ++id) {
                 if (!waits[id] || waits[id]->since >= since) continue;
                 since = waits[id]->since;
-                oldest = at(now, pair, p, pair.rsp, id);
+                oldest = at(now, p, pair.rsp, id);
                 oldest->expected = fmt::format("the answer to id {}, which is line {} of the memory image",
                                                id, waits[id]->addr);
                 oldest->got = fmt::format("no answer in {} cycles", now - since);

@@ -39,7 +39,7 @@ private:
     }
     bool answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last);
     void ask(std::uint64_t now, Pair& pair, int pipeline);
-    Divergence at(std::uint64_t now, const Pair& pair, int pipeline, Link c, std::uint32_t id) const;
+    Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const;
 
     const Config& config_;
     const RtlMachine& rtl_;

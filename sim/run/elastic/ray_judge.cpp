@@ -41,14 +41,8 @@ Slot RayJudge::pixel(int pipeline, std::uint32_t ray) const {
 
 Divergence RayJudge::at(std::uint64_t now, int pipeline, Link c, std::uint32_t ray) const {
     const Slot at = pixel(pipeline, ray);
-    Divergence d{.cycle = now,
-                 .unit = located(driver_of(c, {}, config_), pipeline, c, config_),
-                 .link = link_infos[index(c)].name,
-                 .ray = ray,
-                 .x = at.x,
-                 .y = at.y};
-    d.pipeline = pipeline;
-    d.on = c;
+    Divergence d = difference(now, located(driver_of(c, {}, config_), pipeline, c, config_), pipeline, c);
+    d.ray = ray, d.x = at.x, d.y = at.y;
     return d;
 }
 
@@ -66,7 +60,23 @@ void RayJudge::cycle(std::uint64_t now) {
             });
         }
         each_link(left, [&](Link c) { refuse(now, p, c); });
+        see_ends(p);
     }
+}
+
+/// Notes transfers at the inner ports through which a ray's end passes.
+void RayJudge::see_ends(int pipeline) {
+    const RcPort &done = rtl_.done_port(pipeline), &pixel = rtl_.pixel_port(pipeline);
+    if (*done.valid && *done.ready)
+        if (Context* c = context(pipeline, get_data<Done>(done, config_).ray)) c->done = true;
+    if (*pixel.valid && *pixel.ready)
+        if (Context* c = context(pipeline, get_data<Pixel>(pixel, config_).first.ray)) c->pixel = true;
+}
+
+/// Returns the unit from which a context's next transfer is missing.
+const char* RayJudge::driver(Link c, const Context& context) const {
+    const bool is_end = c == Link::closest || (c == Link::hit && !config_.has_shade());
+    return driver_of(c, {}, config_, {!is_end || context.done, c != Link::hit || context.pixel});
 }
 
 void RayJudge::take_tile(std::uint64_t now, int pipeline) {
@@ -93,6 +103,7 @@ bool RayJudge::take(std::uint64_t now, int pipeline, Link c) {
     (*witness_)(Move{pipeline, c, ray, 0, context->x, context->y},
                 [&](int, Link, const auto& wanted) { compare(now, pipeline, c, wanted, *context); });
     if (context->state == Context::State::wrong) return true;
+    if (c == Link::ray) context->done = false;
     context->since = moved_at_ = now;
     if (++context->next < context->links.size()) return true;
     context->state = Context::State::idle;
@@ -107,7 +118,8 @@ bool RayJudge::begin(std::uint64_t now, int pipeline, std::uint32_t ray) {
     const std::size_t place = script_->place(slot.x, slot.y);
     if (begun_[place]) return false;
     begun_[place] = true;
-    *context(pipeline, ray) = {Context::State::busy, slot.x, slot.y, script_->links(place), 0, now};
+    *context(pipeline, ray) = {
+        Context::State::busy, slot.x, slot.y, script_->links(place), 0, now, false, false};
     return true;
 }
 
@@ -241,7 +253,7 @@ Divergence RayJudge::missing(std::uint64_t now) {
     const bool offered =
         rtl_.valid_mask(pipeline) & bit(next) && rtl_id(rtl_, pipeline, next, config_) == ray;
     Divergence d = at(now, pipeline, next, ray);
-    if (offered) d.unit = located(link_infos[index(next)].to, pipeline, next, config_);
+    d.unit = located(offered ? link_infos[index(next)].to : driver(next, *oldest), pipeline, next, config_);
     d.expected = fmt::format("a transfer: {}", transfers(pipeline, ray, *oldest)[oldest->next].text);
     d.got = fmt::format("{} in {} cycles", offered ? "an offer that is not accepted" : "none",
                         now - oldest->since);

@@ -43,6 +43,8 @@ private:
         std::span<const std::uint8_t> links;
         std::size_t next = 0;   ///< position in `links` of the next transfer
         std::uint64_t since = 0;
+        bool done = false, pixel = false;   ///< the last ray's end has left the engine, the pixel list or
+                                            ///< shade
     };
     /// A transfer of a pixel, as it should be.
     struct Wanted {
@@ -60,6 +62,8 @@ private:
     template <class P> void compare(std::uint64_t now, int pipeline, Link c, const P& wanted, Context& ray);
     void refuse(std::uint64_t now, int pipeline, Link c);
     void mark_wrong(Context& ray);
+    void see_ends(int pipeline);
+    const char* driver(Link c, const Context& context) const;
     std::vector<Wanted> transfers(int pipeline, std::uint32_t ray, const Context& context) const;
     std::string explain(int pipeline, Link c, std::uint32_t ray, const Context& context) const;
     bool equals_rtl(int pipeline, const Wanted& wanted) const;

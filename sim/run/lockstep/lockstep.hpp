@@ -18,10 +18,9 @@ struct Divergence {
     std::string link;   ///< for the host "running" or "done", the chip's own signals
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
-    std::string expected{};   ///< the model's value: differing fields, or whether it moved anything
-    std::string got{};        ///< the RTL's value
-    std::string later{};      ///< if only one of them made a transfer: when the other one made it; empty
-                              ///< otherwise
+    std::string expected;   ///< the model's value: differing fields, or whether it moved anything
+    std::string got;        ///< the RTL's value
+    std::string later;   ///< if only one of them made a transfer: when the other one made it; empty otherwise
     int pipeline = 0;
     std::optional<Link> on{};   ///< the link, if there is one
     std::string field{};        ///< of the link's payload: the field that identifies the unit; empty if the

@@ -42,16 +42,14 @@ fs::path own_tree() {
     return {};
 }
 
-/// A file in place of a source, which is known by its name: "rc_tri.sv".
-struct Replacement {
-    std::string module;
-    fs::path file;
-    std::string text;
-};
-std::map<std::string, Replacement>& replacements() {
-    static std::map<std::string, Replacement> all;
+/// The texts in place of modules, by the names of their sources: "rc_tri.sv".
+std::map<std::string, std::string>& replacements() {
+    static std::map<std::string, std::string> all;
     return all;
 }
+
+/// Matches the head of a module, up to its name.
+std::regex head_of(const std::string& module) { return std::regex("\\bmodule\\s+" + module + "\\b"); }
 
 std::string text_of(const fs::path& path) {
     if (!is_file(path)) throw UserError(path.string() + ": no ordinary file, and the RTL needs it");
@@ -109,26 +107,32 @@ std::vector<fs::path> rtl_files() {
     return files;
 }
 
-void replace_module(const std::string& name, const fs::path& file) {
-    const std::string module = "rc_" + name, source = module + ".sv",
-                      option = fmt::format("--unit {}={}", printable(name), printable(file.string()));
+std::string module_text(const std::string& name) {
+    const std::string source = "rc_" + name + ".sv";
     const std::vector<fs::path> files = rtl_files();
-    if (std::none_of(files.begin(), files.end(), [&](const fs::path& f) { return f.filename() == source; }))
-        throw UserError(fmt::format("{}: the RTL has no module {}", option, printable(module)));
+    const auto file = std::ranges::find_if(files, [&](const fs::path& f) { return f.filename() == source; });
+    if (file == files.end()) throw UserError(fmt::format("the RTL has no module {}", shown("rc_" + name)));
+    return text_of(*file);
+}
+
+void replace_module(const std::string& name, const fs::path& file) {
+    const std::string option = fmt::format("--unit {}={}", printable(name), printable(file.string()));
+    try {
+        module_text(name);
+    } catch (const UserError& error) {
+        throw UserError(option + ": " + error.what());
+    }
+    const std::string module = "rc_" + name;
     if (!is_file(file)) throw UserError(option + ": there is no such file");
     const std::string text = read_if_there(file);
     if (text.empty()) throw UserError(option + ": the file is empty, or cannot be read");
-    if (!std::regex_search(text, std::regex("\\bmodule\\s+" + module + "\\b")))
+    if (!std::regex_search(text, head_of(module)))
         throw UserError(fmt::format("{}: the file has no module {}", option, module));
-    if (!replacements().emplace(source, Replacement{name, file, text}).second)
-        throw UserError(option + ": this unit is replaced twice");
+    if (!replacements().emplace(module + ".sv", text).second)
+        throw UserError(option + ": this module is replaced twice");
 }
 
-std::vector<std::string> replaced_modules() {
-    std::vector<std::string> all;
-    for (const auto& [source, r] : replacements()) all.push_back(r.module + "=" + r.file.string());
-    return all;
-}
+void restore_modules() { replacements().clear(); }
 
 std::vector<RtlText> rtl_texts() {
     std::vector<fs::path> files = rtl_files();
@@ -136,12 +140,19 @@ std::vector<RtlText> rtl_texts() {
     std::vector<RtlText> texts;
     std::set<std::string> taken{"rc_pkg.sv"};
     for (const fs::path& file : files) {
-        const auto r = replacements().find(file.filename().string());
-        const bool own = r == replacements().end();
-        texts.push_back(
-            {safe_name(file.lexically_relative(rtl_sources()), taken), own ? text_of(file) : r->second.text});
+        const std::string name = safe_name(file.lexically_relative(rtl_sources()), taken);
+        const auto other = replacements().find(file.filename().string());
+        if (other == replacements().end()) {
+            texts.push_back({name, text_of(file)});
+            continue;
+        }
+        texts.push_back({name, other->second});
         // The first text is a configuration file of Verilator.
-        if (!own) texts.front().text += fmt::format("`verilator_config\nlint_off -file \"*/{}\"\n", r->first);
+        texts.front().text += fmt::format("`verilator_config\nlint_off -file \"*/{}\"\n", other->first);
+        const std::string module = file.stem(), own = module + "_own";
+        if (other->second.find(own) != std::string::npos)
+            texts.push_back({safe_name(fs::path(name).parent_path() / (own + ".sv"), taken),
+                             std::regex_replace(text_of(file), head_of(module), "module " + own)});
     }
     return texts;
 }
