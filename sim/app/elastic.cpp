@@ -8,7 +8,11 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/machine/units.hpp"
+#include "sim/run/elastic/unit_alone.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/lockstep.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 
@@ -34,6 +38,10 @@ void elastic_options(Parser& parser, ElasticChoice& choice) {
                 "NAME=FILE: build the RTL with this file in place of rc_NAME.sv, for example "
                 "tri=my_tri.sv; may be repeated")
         .one_each();
+    parser.option(
+        "--unit-only", choice.alone,
+        "run one unit alone on the requests of the frame, with random valid and ready: tri, xform, or "
+        "a unit that decides nodes");
 }
 
 void take_elastic(ElasticChoice& choice, std::string& scene) {
@@ -48,6 +56,34 @@ void take_elastic(ElasticChoice& choice, std::string& scene) {
                 fmt::format("--unit {}: must be NAME=FILE, for example tri=my_tri.sv", shown(text)));
         replace_module(text.substr(0, equals), text.substr(equals + 1));
     }
+}
+
+int verify_unit_alone(const ElasticChoice& choice, const Scene& scene, const Job& job, int seed,
+                      const JsonOutput& json) {
+    const RecordedFrame frame = record_frame(job, job.frame);
+    const UnitAlone r = run_unit_alone(job, frame, *choice.alone, seed);
+    if (!json.is_alone()) {
+        fmt::print("{} alone, on the requests of {}\n", *choice.alone, printable(scene.name));
+        fmt::print("  {} answers compared in {} cycles, {} are wrong or missing ({} in a second)\n",
+                   grouped(r.answers), grouped(r.cycles), grouped(r.value_mismatches),
+                   grouped(std::uint64_t(double(r.answers) / std::max(r.seconds, 1e-3))));
+        if (r.first) fmt::print("{}", divergence_lines(*r.first));
+        fmt::print("  {} in {:.1f} s\n",
+                   r.interrupted ? "PARTIAL: interrupted"
+                   : r.agrees()  ? "VERIFIED"
+                                 : "FAILED",
+                   r.seconds);
+    }
+    json.write({{"scene", scene_json(scene)},
+                {"config", config_json_object(job.config)},
+                {"partial", r.interrupted},
+                {"unit", *choice.alone},
+                {"events_compared", r.answers},
+                {"value_mismatches", r.value_mismatches},
+                {"first_divergence", divergence_json(r.first)},
+                {"cycles", r.cycles},
+                {"host", {{"seconds", r.seconds}}}});
+    return r.agrees() ? 0 : 1;
 }
 
 LockstepResult as_lockstep(const ElasticResult& e) {

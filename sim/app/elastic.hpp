@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/options/parser.hpp"
+#include "sim/app/options/options.hpp"
 #include "sim/run/elastic/elastic.hpp"
 
 namespace rayclock {
@@ -13,6 +13,7 @@ namespace rayclock {
 struct ElasticChoice {
     std::optional<std::string> units;   ///< of --elastic
     std::vector<std::string> files;     ///< of --unit: "tri=my_tri.sv"
+    std::optional<std::string> alone;   ///< of --unit-only
     bool is_asked() const { return units.has_value(); }
 };
 void elastic_options(Parser& parser, ElasticChoice& choice);
@@ -20,6 +21,10 @@ void elastic_options(Parser& parser, ElasticChoice& choice);
 /// Makes the RTL use the files of --unit. If the word behind --elastic is a scene and not a list of units, it
 /// becomes `scene`. Throws UserError.
 void take_elastic(ElasticChoice& choice, std::string& scene);
+
+/// Runs the unit of --unit-only on the requests of a frame. Returns the exit code.
+int verify_unit_alone(const ElasticChoice& choice, const Scene& scene, const Job& job, int seed,
+                      const JsonOutput& json);
 
 /// Returns the result in the form of a lockstep result without a cycle gap, for the parts of a report that
 /// are the same.

@@ -307,6 +307,7 @@ int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
     const char* odd = o.torture              ? "--torture"
                       : o.elastic.is_asked() ? "--elastic"
+                      : o.elastic.alone      ? "--unit-only"
                       : o.netlist            ? "--netlist"
                       : o.no_wave            ? "--no-wave"
                                              : nullptr;
@@ -319,8 +320,9 @@ int run_verify_stream(const VerifyOptions& o) {
 int run_verify(const VerifyOptions& typed) {
     VerifyOptions o = typed;
     take_elastic(o.elastic, o.scene);
-    if (o.torture && o.elastic.is_asked())
-        throw UserError("--torture runs in lockstep, so --elastic has no meaning here");
+    if (o.torture && (o.elastic.is_asked() || o.elastic.alone))
+        throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
+                                    o.elastic.alone ? "--unit-only" : "--elastic"));
     check_stream_options(o.stream);
     if (o.stream.is_asked()) return run_verify_stream(o);
     if (o.netlist) build_netlists();
@@ -342,6 +344,8 @@ int run_verify(const VerifyOptions& typed) {
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    if (o.elastic.alone)
+        return verify_unit_alone(o.elastic, film.request().scene, film.job(), int(o.traffic.seed), o.json);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const VerifyPlan work{film, size, clocks[0]};
     Verified verified = run_machines(o, work, traffic, watch, progress);

@@ -2,6 +2,7 @@
 #include "sim/run/elastic/line_judge.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "sim/run/lockstep/ray_end.hpp"
 
@@ -101,15 +102,17 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
 }
 
 void LineJudge::cycle(std::uint64_t now) {
+    // In a cycle a request may pass from a cache to memory, and an answer back. The first unit with a fault
+    // is to blame, so requests are judged from the caches on, and answers from memory on. An answer frees its
+    // id for a request of the same cycle. A cache without latency answers in the cycle of the request.
+    std::vector<std::pair<Pair*, int>> early;
     for (Pair& pair : pairs_)
-        for (int p = 0; p < int(pair.waits.size()); ++p) {
-            // An id may be used again in the cycle of its answer. A cache without latency answers in the
-            // cycle of the request.
-            const bool answers = fires(p, pair.rsp);
-            const bool answered = !answers || answer(now, pair, p, false);
+        for (int p = 0; p < int(pair.waits.size()); ++p)
+            if (fires(p, pair.rsp) && !answer(now, pair, p, false)) early.emplace_back(&pair, p);
+    for (Pair& pair : std::views::reverse(pairs_))
+        for (int p = 0; p < int(pair.waits.size()); ++p)
             if (fires(p, pair.req)) ask(now, pair, p);
-            if (!answered) answer(now, pair, p, true);
-        }
+    for (const auto& [pair, p] : early) answer(now, *pair, p, true);
 }
 
 std::optional<Divergence> LineJudge::missing(std::uint64_t now) const {

@@ -43,8 +43,11 @@ fs::path own_tree() {
 }
 
 /// The texts in place of modules, by the names of their sources: "rc_tri.sv".
-std::map<std::string, std::string>& replacements() {
-    static std::map<std::string, std::string> all;
+struct Replacement {
+    std::string option, text;
+};
+std::map<std::string, Replacement>& replacements() {
+    static std::map<std::string, Replacement> all;
     return all;
 }
 
@@ -128,8 +131,14 @@ void replace_module(const std::string& name, const fs::path& file) {
     if (text.empty()) throw UserError(option + ": the file is empty, or cannot be read");
     if (!std::regex_search(text, head_of(module)))
         throw UserError(fmt::format("{}: the file has no module {}", option, module));
-    if (!replacements().emplace(module + ".sv", text).second)
+    if (!replacements().emplace(module + ".sv", Replacement{name + "=" + file.string(), text}).second)
         throw UserError(option + ": this module is replaced twice");
+}
+
+std::string replacements_text() {
+    std::string text;
+    for (const auto& [source, r] : replacements()) text += (text.empty() ? ", with " : ", ") + r.option;
+    return text;
 }
 
 void restore_modules() { replacements().clear(); }
@@ -146,11 +155,11 @@ std::vector<RtlText> rtl_texts() {
             texts.push_back({name, text_of(file)});
             continue;
         }
-        texts.push_back({name, other->second});
+        texts.push_back({name, other->second.text});
         // The first text is a configuration file of Verilator.
         texts.front().text += fmt::format("`verilator_config\nlint_off -file \"*/{}\"\n", other->first);
         const std::string module = file.stem(), own = module + "_own";
-        if (other->second.find(own) != std::string::npos)
+        if (other->second.text.find(own) != std::string::npos)
             texts.push_back({safe_name(fs::path(name).parent_path() / (own + ".sv"), taken),
                              std::regex_replace(text_of(file), head_of(module), "module " + own)});
     }

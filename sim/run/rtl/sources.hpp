@@ -26,6 +26,9 @@ std::string module_text(const std::string& name);
 /// UserError if the folder has no such module, or if the file cannot be read or has no module of that name.
 void replace_module(const std::string& name, const std::filesystem::path& file);
 
+/// Returns ", with tri=my_tri.sv" for all replaced modules, for messages; empty if there is none.
+std::string replacements_text();
+
 /// Undoes replace_module() for all modules.
 void restore_modules();
 

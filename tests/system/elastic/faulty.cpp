@@ -117,10 +117,24 @@ std::string name_of(const FaultyUnit& f) {
 
 OtherUnit::OtherUnit(const std::string& unit, const std::string& file) { replace_module(unit, file); }
 
-OtherUnit::OtherUnit(const FaultyUnit& faulty)
-    : file_((fs::temp_directory_path() / fmt::format("rayclock-faulty-{}.sv", getpid())).string()) {
-    std::ofstream(file_) << faulty_module(faulty);
-    replace_module(faulty.unit, file_);
+OtherUnit::OtherUnit(const FaultyUnit& faulty) { use(faulty.unit, faulty_module(faulty)); }
+
+OtherUnit::OtherUnit(const std::string& unit,
+                     const std::vector<std::pair<std::string, std::string>>& changes) {
+    std::string text = module_text(unit);
+    for (const auto& [old, fresh] : changes) {
+        const std::size_t at = text.find(old);
+        REQUIRE(at != std::string::npos);
+        REQUIRE(text.find(old, at + 1) == std::string::npos);
+        text.replace(at, old.size(), fresh);
+    }
+    use(unit, text);
+}
+
+void OtherUnit::use(const std::string& unit, const std::string& text) {
+    file_ = (fs::temp_directory_path() / fmt::format("rayclock-faulty-{}.sv", getpid())).string();
+    std::ofstream(file_) << text;
+    replace_module(unit, file_);
 }
 
 OtherUnit::~OtherUnit() {

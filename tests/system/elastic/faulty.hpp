@@ -1,6 +1,8 @@
 #pragma once
 // Units with one fault at one output, for tests of elastic verification.
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rayclock::test {
 
@@ -19,16 +21,20 @@ struct FaultyUnit {
 };
 std::string name_of(const FaultyUnit& faulty);
 
-/// Builds the RTL with a module in place of a unit's while it lives. The module comes from a file, or
-/// contains the project's unit and a fault at one of its outputs.
+/// Builds the RTL with a module in place of a unit's while it lives. The module comes from a file, contains
+/// the project's unit and a fault at one of its outputs, or is the project's with some texts replaced.
 class OtherUnit {
 public:
     OtherUnit(const std::string& unit, const std::string& file);
     explicit OtherUnit(const FaultyUnit& faulty);
+    /// Each text must occur once.
+    OtherUnit(const std::string& unit, const std::vector<std::pair<std::string, std::string>>& changes);
     ~OtherUnit();
     OtherUnit(const OtherUnit&) = delete;
 
 private:
+    void use(const std::string& unit, const std::string& text);
+
     std::string file_;   // to be removed
 };
 
