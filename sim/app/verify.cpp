@@ -15,10 +15,12 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/elastic.hpp"
 #include "sim/app/picture_folder.hpp"
 #include "sim/app/streamed.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/view/divergence/divergence.hpp"
+#include "sim/view/report/elastic.hpp"
 #include "sim/files/image/golden.hpp"
 #include "sim/view/report/limits.hpp"
 #include "sim/view/report/lockstep.hpp"
@@ -43,6 +45,7 @@ struct VerifyOptions {
     TrafficOptions traffic;
     StreamChoice stream;
     LimitsChoice limits;
+    ElasticChoice elastic;
     bool torture = false, no_judge = false, no_wave = false, netlist = false;
     int threads = 0;
     JsonOutput json;
@@ -55,6 +58,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
               "instead of a scene, run the torture set: small frames on six chips that reach the corners "
               "of the machine")
         .excludes(scene);
+    elastic_options(parser, o.elastic);
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
@@ -111,7 +115,8 @@ struct Verified {
     Job job;   ///< job of the last frame
     std::vector<RecordedFrame> traces;
     FilmStrip strip;
-    LockstepResult result;
+    LockstepResult result;   ///< in an elastic verification without counters and cycle gap
+    std::optional<ElasticResult> elastic;
     Pictures pictures;
     FrameError model, rtl;   ///< errors against the reference
     std::optional<Judgement> judgement;
@@ -170,6 +175,13 @@ Verified run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic tr
         return reference_picture(request, work.film.camera(), work.size, o.threads, stopping({}));
     });
     v.job = work.job();
+    if (o.elastic.is_asked()) {
+        v.elastic = run_elastic(v.job, v.traces, parse_free_units(*o.elastic.units, v.job.config), traffic,
+                                progress, int(o.traffic.seed));
+        v.result = as_lockstep(*v.elastic);
+        v.pictures.reference = reference.get();
+        return v;
+    }
     v.result =
         run_lockstep(v.job, v.traces, traffic, progress, int(o.traffic.seed), [&](const Divergence& first) {
             v.divergence_seconds = watch.seconds();
@@ -233,7 +245,8 @@ void print(const VerifyOptions& o, const VerifyPlan& work, const Verified& v, co
                clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
     fmt::print("{}", film_table(config, {{work.khz, v.result.runs}}, v.strip, v.traces));
     if (o.netlist) fmt::print("  below, RTL means the netlist of an ECP5 that Yosys makes of it\n");
-    fmt::print("{}{}", lockstep_lines(v.result), wave_lines);
+    fmt::print("{}{}", v.elastic ? elastic_lines(config, work.khz, *v.elastic) : lockstep_lines(v.result),
+               wave_lines);
     fmt::print("{}", error_line("model against reference", v.model));
     if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
     if (v.judgement) fmt::print("{}", cause_lines(*v.judgement));
@@ -266,7 +279,8 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"events_compared", result.events_compared},
             {"value_mismatches", result.value_mismatches},
             {"account_mismatches", result.account_mismatches},
-            {"cycle_gap", result.cycle_gap},
+            {"cycle_gap", v.elastic ? cycle_gap_of(*v.elastic) : result.cycle_gap},
+            {"elastic", v.elastic ? elastic_json(config, work.khz, *o.elastic.units, *v.elastic) : nullptr},
             {"first_divergence", divergence_json(result.first)},
             {"counters_compared", result.counters_compared},
             {"first_counter", counter_json(result.counter)},
@@ -291,12 +305,22 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 /// Runs the command with a stream of rays. It draws no picture.
 int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr);
+    refuse_with_rays(o.torture              ? "--torture"
+                     : o.elastic.is_asked() ? "--elastic"
+                     : o.elastic.alone      ? "--unit-only"
+                     : o.netlist            ? "--netlist"
+                     : o.no_wave            ? "--no-wave"
+                                            : nullptr);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
 }
 
-int run_verify(const VerifyOptions& o) {
+int run_verify(const VerifyOptions& typed) {
+    VerifyOptions o = typed;
+    take_elastic(o.elastic, o.scene);
+    if (o.torture && (o.elastic.is_asked() || o.elastic.alone))
+        throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
+                                    o.elastic.alone ? "--unit-only" : "--elastic"));
     check_stream_options(o.stream);
     if (o.stream.is_asked()) return run_verify_stream(o);
     if (o.netlist) build_netlists();
@@ -313,10 +337,13 @@ int run_verify(const VerifyOptions& o) {
     Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
     const Config config = request.config;
     check_rtl(config);
+    if (o.elastic.is_asked()) parse_free_units(*o.elastic.units, config);   // refuses a wrong list early
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    if (o.elastic.alone)
+        return verify_unit_alone(o.elastic, film.request().scene, film.job(), int(o.traffic.seed), o.json);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const VerifyPlan work{film, size, clocks[0]};
     Verified verified = run_machines(o, work, traffic, watch, progress);

@@ -34,6 +34,7 @@ Command bench_command();
 Command export_command();
 Command config_command();
 Command rtl_command();
+Command template_command();
 Command doctor_command();
 
 /// Runs `verify --torture` and writes its JSON report to `json`.

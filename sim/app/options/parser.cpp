@@ -24,6 +24,14 @@ Declared& Declared::by_commas() {
     option_->delimiter(',');
     return *this;
 }
+Declared& Declared::or_alone(const char* implied) {
+    option_->expected(0, 1)->default_str(implied);
+    return *this;
+}
+Declared& Declared::one_each() {
+    option_->allow_extra_args(false);
+    return *this;
+}
 Declared& Declared::under(const char* heading) {
     option_->group(heading);
     return *this;

@@ -20,6 +20,10 @@ public:
     Declared& within(int least, int most);
     /// Accepts several values in one word, separated by commas.
     Declared& by_commas();
+    /// Accepts the option without a value too, which then means `implied`.
+    Declared& or_alone(const char* implied);
+    /// Accepts one value each time that the option is given, so that SCENE may follow.
+    Declared& one_each();
     /// Lists the option under this heading of the help.
     Declared& under(const char* heading);
     /// Refuses the option together with another.

@@ -14,6 +14,7 @@
 #include "model/machine/where.hpp"
 #include "sim/run/lockstep/driver.hpp"
 #include "sim/run/lockstep/fields.hpp"
+#include "sim/run/lockstep/ray_end.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {
@@ -241,30 +242,9 @@ private:
         const P got = get_data<P>(port, job_.config);
         Divergence d = at(now, pipeline, c, id_of(payload));
         describe(payload, got, job_.config, d);
-        d.unit = unit_name(driver_of(c, d.field, job_.config, end_of(pipeline, payload)), pipeline, c);
+        d.unit = located(driver_of(c, d.field, job_.config, ray_end(rtl_, pipeline, payload, job_.config)),
+                         pipeline, c, job_.config);
         result_.first = d;
-    }
-
-    /// Checks whether the RTL has the end of a ray at its inner ports; the link carries only its payload.
-    template <class P> RayEnd end_of(int pipeline, const P& payload) const {
-        if constexpr (std::is_same_v<P, HitOut>) {
-            return {done_is(pipeline, payload.closest.ray),
-                    has(rtl_.pixel_port(pipeline), Pixel{payload.closest, payload.colour})};
-        } else if constexpr (std::is_same_v<P, Closest>) {
-            return {done_is(pipeline, payload.ray), true};
-        } else {
-            return {};
-        }
-    }
-    bool done_is(int pipeline, std::uint32_t ray) const {
-        const RcPort& port = rtl_.done_port(pipeline);
-        std::uint32_t got = 0;
-        std::memcpy(&got, port.data, std::min<std::size_t>(port.bytes, sizeof got));
-        return got == ray;
-    }
-    template <class P> bool has(const RcPort& port, P payload) const {
-        const Words words = pack(payload, job_.config);
-        return std::memcmp(words.data(), port.data, std::min<std::size_t>(words.size() * 4, port.bytes)) == 0;
     }
 
     struct Masks {
@@ -289,8 +269,8 @@ private:
         const bool offered = model.valid & bit(c);   // true: only the model offers; false: only the RTL does
         const RayEnd end{bool(*rtl_.done_port(pipeline).valid) == offered,
                          bool(*rtl_.pixel_port(pipeline).valid) == offered};
-        result_.first->unit =
-            unit_name(offers ? driver_of(c, {}, job_.config, end) : link_infos[index(c)].to, pipeline, c);
+        result_.first->unit = located(offers ? driver_of(c, {}, job_.config, end) : link_infos[index(c)].to,
+                                      pipeline, c, job_.config);
         result_.first->expected = tell(model);
         result_.first->got = tell(rtl);
         watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
@@ -334,7 +314,7 @@ private:
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
         return {now,
-                unit_name(link_infos[index(c)].from, pipeline, c),
+                located(link_infos[index(c)].from, pipeline, c, job_.config),
                 link_infos[index(c)].name,
                 id,
                 pixel.x,
@@ -344,11 +324,6 @@ private:
                 "",
                 pipeline,
                 c};
-    }
-
-    std::string unit_name(const char* unit, int pipeline, Link c) const {
-        return job_.config.pipelines > 1 && index(c) < pipeline_links ? fmt::format("{}[{}]", unit, pipeline)
-                                                                      : unit;
     }
 
     void run_apart(std::uint64_t limit, FrameCollector& hits) {

@@ -76,7 +76,8 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
                             (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
                             (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
                             Arguments{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
-    const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
+    const std::string what =
+        fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
     if (const std::string log = read_if_there(folder / "verilator.log");
         log.find("%Warning") != std::string::npos)

@@ -5,11 +5,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/own_place.hpp"
 
@@ -38,6 +41,18 @@ fs::path own_tree() {
             if (is_file(tree / "rtl/rc_top.sv")) return tree;
     return {};
 }
+
+/// The texts in place of modules, by the names of their sources: "rc_tri.sv".
+struct Replacement {
+    std::string option, text;
+};
+std::map<std::string, Replacement>& replacements() {
+    static std::map<std::string, Replacement> all;
+    return all;
+}
+
+/// Matches the head of a module, up to its name.
+std::regex head_of(const std::string& module) { return std::regex("\\bmodule\\s+" + module + "\\b"); }
 
 std::string text_of(const fs::path& path) {
     if (!is_file(path)) throw UserError(path.string() + ": no ordinary file, and the RTL needs it");
@@ -95,13 +110,59 @@ std::vector<fs::path> rtl_files() {
     return files;
 }
 
+std::string module_text(const std::string& name) {
+    const std::string source = "rc_" + name + ".sv";
+    const std::vector<fs::path> files = rtl_files();
+    const auto file = std::ranges::find_if(files, [&](const fs::path& f) { return f.filename() == source; });
+    if (file == files.end()) throw UserError(fmt::format("the RTL has no module {}", shown("rc_" + name)));
+    return text_of(*file);
+}
+
+void replace_module(const std::string& name, const fs::path& file) {
+    const std::string option = fmt::format("--unit {}={}", printable(name), printable(file.string()));
+    try {
+        module_text(name);
+    } catch (const UserError& error) {
+        throw UserError(option + ": " + error.what());
+    }
+    const std::string module = "rc_" + name;
+    if (!is_file(file)) throw UserError(option + ": there is no such file");
+    const std::string text = read_if_there(file);
+    if (text.empty()) throw UserError(option + ": the file is empty, or cannot be read");
+    if (!std::regex_search(text, head_of(module)))
+        throw UserError(fmt::format("{}: the file has no module {}", option, module));
+    if (!replacements().emplace(module + ".sv", Replacement{name + "=" + file.string(), text}).second)
+        throw UserError(option + ": this module is replaced twice");
+}
+
+std::string replacements_text() {
+    std::string text;
+    for (const auto& [source, r] : replacements()) text += (text.empty() ? ", with " : ", ") + r.option;
+    return text;
+}
+
+void restore_modules() { replacements().clear(); }
+
 std::vector<RtlText> rtl_texts() {
     std::vector<fs::path> files = rtl_files();
     files.insert(files.begin(), rtl_sources() / "lint.vlt");
     std::vector<RtlText> texts;
     std::set<std::string> taken{"rc_pkg.sv"};
-    for (const fs::path& file : files)
-        texts.push_back({safe_name(file.lexically_relative(rtl_sources()), taken), text_of(file)});
+    for (const fs::path& file : files) {
+        const std::string name = safe_name(file.lexically_relative(rtl_sources()), taken);
+        const auto other = replacements().find(file.filename().string());
+        if (other == replacements().end()) {
+            texts.push_back({name, text_of(file)});
+            continue;
+        }
+        texts.push_back({name, other->second.text});
+        // The first text is a configuration file of Verilator.
+        texts.front().text += fmt::format("`verilator_config\nlint_off -file \"*/{}\"\n", other->first);
+        const std::string module = file.stem(), own = module + "_own";
+        if (other->second.text.find(own) != std::string::npos)
+            texts.push_back({safe_name(fs::path(name).parent_path() / (own + ".sv"), taken),
+                             std::regex_replace(text_of(file), head_of(module), "module " + own)});
+    }
     return texts;
 }
 

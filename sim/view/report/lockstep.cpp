@@ -34,14 +34,17 @@ std::string lockstep_lines(const LockstepResult& r) {
         "  model and RTL: {} transfers compared in {} cycles, {} values differ, cycle gap {}, counters {}\n",
         grouped(r.events_compared), grouped(r.model.cycles), grouped(r.value_mismatches), r.cycle_gap,
         counters_text(r));
-    if (!r.first) return text;
-    const Divergence& d = *r.first;
-    text += fmt::format("  FIRST DIVERGENCE at cycle {}: unit {}, {}\n    expected {}\n    got      {}\n",
-                        grouped(d.cycle), d.unit,
-                        d.on ? fmt::format("link {}, ray {}, pixel ({}, {})", d.link, d.ray, d.x, d.y)
-                        : d.unit == "host" ? fmt::format("signal {}", d.link)
-                                           : "assertion",
-                        d.expected, d.got);
+    return r.first ? text + divergence_lines(*r.first) : text;
+}
+
+std::string divergence_lines(const Divergence& d) {
+    std::string text =
+        fmt::format("  FIRST DIVERGENCE at cycle {}: unit {}, {}\n    expected {}\n    got      {}\n",
+                    grouped(d.cycle), d.unit,
+                    d.on ? fmt::format("link {}, ray {}, pixel ({}, {})", d.link, d.ray, d.x, d.y)
+                    : d.unit == "host" ? fmt::format("signal {}", d.link)
+                                       : "assertion",
+                    d.expected, d.got);
     if (!d.later.empty()) text += fmt::format("    {}\n", d.later);
     return text;
 }

@@ -1,0 +1,36 @@
+#pragma once
+// Options of RTL of one's own: elastic verification, and units from files.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/app/options/options.hpp"
+#include "sim/run/elastic/elastic.hpp"
+
+namespace rayclock {
+
+/// What was typed.
+struct ElasticChoice {
+    std::optional<std::string> units;   ///< of --elastic
+    std::vector<std::string> files;     ///< of --unit: "tri=my_tri.sv"
+    std::optional<std::string> alone;   ///< of --unit-only
+    bool is_asked() const { return units.has_value(); }
+};
+void elastic_options(Parser& parser, ElasticChoice& choice);
+
+/// Makes the RTL use the files of --unit. If the word behind --elastic is a scene and not a list of units, it
+/// becomes `scene`. Throws UserError.
+void take_elastic(ElasticChoice& choice, std::string& scene);
+
+/// Runs the unit of --unit-only on the requests of a frame. Returns the exit code.
+int verify_unit_alone(const ElasticChoice& choice, const Scene& scene, const Job& job, int seed,
+                      const JsonOutput& json);
+
+/// Returns the result in the form of a lockstep result without a cycle gap, for the parts of a report that
+/// are the same.
+LockstepResult as_lockstep(const ElasticResult& result);
+
+/// Returns by how many cycles the RTL and the model differ, over all frames.
+std::uint64_t cycle_gap_of(const ElasticResult& result);
+
+}   // namespace rayclock

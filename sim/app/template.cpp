@@ -1,0 +1,44 @@
+// rayclock template: writes the files with which a unit of one's own starts.
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
+#include "sim/files/folder.hpp"
+#include "sim/run/elastic/template.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct TemplateOptions {
+    std::string unit, output;
+    ConfigChoice config;
+};
+
+void declare_template(Parser& parser, TemplateOptions& o) {
+    parser.option("UNIT", o.unit, "a unit of the chip: tri, box, prim_cache, ...").required();
+    config_options(parser, o.config);
+    parser.option("-o,--output", o.output, "folder to write; it must be new or empty").required();
+}
+
+int run_template(const TemplateOptions& o) {
+    const Config config = load_config(o.config);
+    check_rtl(config);
+    const std::vector<TemplateFile> files = unit_template(o.unit, config);
+    NewFolder folder(o.output);
+    for (const TemplateFile& file : files) folder.write(file.name, file.bytes);
+    folder.publish();
+    fmt::print("unit {} of '{}' -> {}: README.md has the ports, the rules and the run lines\n", o.unit,
+               printable(config.name), printable(o.output));
+    return 0;
+}
+
+}   // namespace
+
+Command template_command() {
+    return command("template", "write the module and the ports of a unit, to start one of your own",
+                   "rayclock template tri -o my_tri", declare_template, run_template);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,232 @@
+// Runs the model, then the RTL under its judges.
+#include "sim/run/elastic/elastic.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
+#include "model/machine/machine.hpp"
+#include "model/machine/where.hpp"
+#include "sim/run/elastic/line_judge.hpp"
+#include "sim/run/elastic/ray_judge.hpp"
+#include "sim/run/rtl/rtl_machine.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint64_t cycles_between_progress = 1 << 14;
+
+class Elastic {
+public:
+    Elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free, Traffic traffic,
+            int seed)
+        : job_(job),
+          frames_(frames),
+          limit_(patience(job.config, job.khz, traffic)),
+          model_(job.config, job.khz, traffic),
+          rtl_(job.image, job.config, job.khz, traffic, seed),
+          image_(job.image),
+          rays_(job_.config, rtl_, free, findings_),
+          lines_(job_.config, rtl_, findings_) {}
+
+    ElasticResult run(const Progress& progress) {
+        for (std::size_t f = 0; f < frames_.size() && !interrupted(); ++f) {
+            run_frame(f, progress);
+            if (broken_) break;
+        }
+        result_.events_compared = findings_.events_compared;
+        result_.value_mismatches = findings_.value_mismatches;
+        result_.first = std::move(findings_.first);
+        return std::move(result_);
+    }
+
+private:
+    void run_frame(std::size_t f, const Progress& progress) {
+        const RecordedFrame& frame = frames_[f];
+        const Upload& upload = frame.upload;
+        if (upload.image_lines > 0) {
+            apply(upload, image_);
+            rtl_.change(upload);
+        }
+        Script script(frame.frame);
+        run_model_frame(f, script, progress);
+        run_rtl_frame(f, script, progress);
+        if (!findings_.first || told_) return;
+        told_ = true;
+        findings_.first->frame = f, findings_.first->frame_begins = begins_;
+    }
+
+    void run_model_frame(std::size_t f, Script& script, const Progress& progress) {
+        const RecordedFrame& frame = frames_[f];
+        const Stopwatch watch;
+        const UploadTiming upload = bring(model_, f, std::span(frames_));
+        const std::uint64_t first = model_.cycle();
+        const Accounts accounts = model_.accounts();
+        const MemoryStats memory = model_.memory().stats();
+        model_.start(frame.frame, frame.trace);
+        while (!model_.done() && !interrupted()) {
+            model_.step([&](const Move& move) { script.add(move); });
+            if (model_.quiet() > limit_)
+                throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}",
+                                                     limit_, model_.cycle(), where_rays_are(model_)));
+            if (progress && model_.cycle() % cycles_between_progress == 0)
+                progress("model", model_.hits(), script.size());
+        }
+        result_.model =
+            frame_result(job_, frame.frame,
+                         {model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
+                          model_.memory().stats() - memory, watch.seconds(), !model_.done(), upload},
+                         work(frame), frame.trace.hits, frame.trace.colours);
+        result_.runs.push_back(frame_result(frame, result_.model));
+    }
+
+    void run_rtl_frame(std::size_t f, const Script& script, const Progress& progress) {
+        const RecordedFrame& frame = frames_[f];
+        const Stopwatch watch;
+        const UploadTiming upload = bring(rtl_, f, std::span(frames_));
+        const std::uint64_t first = rtl_.cycle();
+        begins_ = first;
+        const MemoryStats memory = rtl_.memory().stats();
+        FrameCollector hits(frame.frame, job_.config.has_shade());
+        rtl_.start(frame.frame);
+        rays_.start(frame.frame, image_, script);
+        lines_.start(image_, upload.reset > 0);
+        bool hangs = false;
+        try {
+            hangs = !clock_rtl(script.size(), hits, progress);
+        } catch (const RtlAssertion& assertion) {
+            broken_ = true;
+            findings_.add([&] {
+                return difference(rtl_.cycle(), "rtl", "none", "no assertion fails", assertion.what());
+            });
+        }
+        const std::uint64_t cycles = rtl_.cycle() - first;
+        check_end(hangs);
+        tell_nonsense();
+        result_.rtl = frame_result(
+            job_, frame.frame,
+            {cycles, rtl_.hits(), broken_ ? Accounts{} : rtl_.accounts(), rtl_.memory().stats() - memory,
+             watch.seconds(), interrupted() && !rtl_.done(), upload},
+            work(frame), hits.hits(), hits.colours());
+        broken_ = broken_ || hangs;
+        result_.rtl_runs.push_back(frame_result(frame, result_.rtl));
+        compare_pixels();
+    }
+
+    /// Clocks the RTL until its frame is done. Returns false if no ray moves any more, or if a wrong RTL
+    /// takes far longer than the model.
+    bool clock_rtl(std::size_t pixels, FrameCollector& hits, const Progress& progress) {
+        std::uint64_t give_up = 0;
+        while (!rtl_.done() && !interrupted()) {
+            const std::uint64_t now = rtl_.cycle();
+            rtl_.settle();
+            rays_.cycle(now);
+            lines_.cycle(now);
+            if (findings_.first && give_up == 0) give_up = now + 4 * result_.model.cycles + limit_;
+            if (now - rays_.moved_at() > limit_ || (give_up > 0 && now > give_up)) return false;
+            rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+            if (progress && now % cycles_between_progress == 0) progress("rtl", rtl_.hits(), pixels);
+        }
+        return true;
+    }
+
+    /// Reports what is missing at the end of a frame, and the chip's signals if they are wrong.
+    void check_end(bool hangs) {
+        if (broken_ || interrupted()) return;
+        const std::uint64_t now = rtl_.cycle();
+        if (rays_.unfinished() > 0) {
+            findings_.add([&] {
+                if (const auto line = lines_.missing(now); hangs && line) return *line;
+                return rays_.missing(now);
+            });
+            return;
+        }
+        if (hangs) return;
+        rtl_.settle();
+        if (!rtl_.says_running() && rtl_.says_done()) return;
+        const char* const signal = rtl_.says_running() ? "running" : "done";
+        findings_.add(
+            [&] { return difference(now, "host", signal, "the frame is done", "the frame is not done"); });
+    }
+
+    void tell_nonsense() {
+        if (!rtl_.nonsense() || findings_.first) return;
+        const RtlMachine::Nonsense& n = *rtl_.nonsense();
+        findings_.add([&] {
+            Divergence d = difference(n.cycle, link_infos[index(n.link)].from, n.pipeline, n.link);
+            d.expected = "a value in range";
+            d.got = n.what;
+            return d;
+        });
+    }
+
+    void compare_pixels() {
+        if (result_.model.partial || result_.rtl.partial) return;
+        for (std::size_t i = 0; i < result_.model.answers.size(); ++i) {
+            Closest a = result_.model.answers[i], b = result_.rtl.answers[i];
+            a.ray = b.ray = 0;
+            findings_.value_mismatches +=
+                pack(a, job_.config) != pack(b, job_.config) ||
+                (job_.config.has_shade() && result_.model.colours[i] != result_.rtl.colours[i]);
+        }
+    }
+
+    static RayWork work(const RecordedFrame& frame) {
+        return {frame.trace.counts, frame.trace.visits, frame.trace.box_tests, frame.trace.triangle_tests};
+    }
+
+    const Job& job_;
+    const std::vector<RecordedFrame>& frames_;
+    std::uint64_t limit_;
+    Machine model_;
+    RtlMachine rtl_;
+    MemoryImage image_;   // of the current frame
+    Findings findings_;
+    RayJudge rays_;
+    LineJudge lines_;
+    std::uint64_t begins_ = 0;
+    bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
+    ElasticResult result_;
+};
+
+}   // namespace
+
+ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
+                          Traffic traffic, const Progress& progress, int seed) {
+    return Elastic(job, frames, free, traffic, seed).run(progress);
+}
+
+ElasticResult run_elastic(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+    std::vector<RecordedFrame> frames;
+    frames.push_back(record_frame(job, job.frame));
+    return run_elastic(job, frames, parse_free_units("all", job.config), traffic, progress, seed);
+}
+
+FreeUnits parse_free_units(const std::string& text, const Config& config) {
+    if (text.empty()) throw UserError("--elastic: the list of units is empty");
+    FreeUnits free{};
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+        bool found = word == "all";
+        for (std::size_t u = 0; u < unit_count; ++u) {
+            if (word != "all" && word != unit_infos[u].name) continue;
+            if (word != "all" && !is_there(Unit(u), config))
+                throw UserError(fmt::format("--elastic {}: the chip '{}' has no unit {}", printable(text),
+                                            config.name, word));
+            free[u] = found = true;
+        }
+        if (!found)
+            throw UserError(
+                fmt::format("--elastic {}: no unit is called '{}'; use names of docs/chip.md, or "
+                            "'all'",
+                            printable(text), printable(word)));
+    }
+    return free;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,37 @@
+#pragma once
+// Elastic verification: RTL whose units may take other times than the model's. Compares values, not cycles.
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "sim/run/lockstep/lockstep.hpp"
+
+namespace rayclock {
+
+/// The units whose timing is not the model's. Only their don't-care outputs (dont_care.hpp) are left out of
+/// the comparison.
+using FreeUnits = std::array<bool, unit_count>;
+
+/// The result of an elastic verification. `model` and `rtl` are those of the last frame.
+struct ElasticResult {
+    std::vector<FrameResult> runs;       ///< the model's for all frames, without hits and answers
+    std::vector<FrameResult> rtl_runs;   ///< the RTL's, without hits and answers
+    FrameResult model, rtl;
+    std::uint64_t events_compared = 0;    ///< transfers of the RTL that were judged
+    std::uint64_t value_mismatches = 0;   ///< wrong transfers, and pixels that differ in the end
+    std::optional<Divergence> first;      ///< `cycle` counts the RTL's cycles
+    bool agrees() const { return value_mismatches == 0 && !first; }
+};
+
+/// Runs frames on the model and then on the RTL. Judges every transfer of the RTL: rays one by one
+/// (ray_judge.hpp), memory lines by id (line_judge.hpp). Compares all pixels. If no ray of the RTL moves for
+/// patience() cycles, the frame ends, and the transfer that is due longest is the first difference. Throws
+/// std::runtime_error if the model hangs.
+ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
+                          Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+ElasticResult run_elastic(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+
+/// Parses "tri,box" or "all". Throws UserError if the configuration has no such unit.
+FreeUnits parse_free_units(const std::string& text, const Config& config);
+
+}   // namespace rayclock

@@ -1,0 +1,51 @@
+#pragma once
+// Judges the RTL's requests for memory lines and their answers, by id.
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/layout/memory_image.hpp"
+#include "sim/run/elastic/findings.hpp"
+
+namespace rayclock {
+
+/// Checks every request for a line on its way from a cache to memory, and every answer. An id has one request
+/// in flight, each answer belongs to a request, and it carries the line at the requested address. *Which*
+/// lines a cache requests, how often and in which order are its own affair.
+class LineJudge {
+public:
+    LineJudge(const Config& config, const RtlMachine& rtl, Findings& findings);
+
+    /// Begins a frame. `image` must outlive it. `forget`: the chip was reset, so nothing is in flight.
+    void start(const MemoryImage& image, bool forget);
+    /// Judges the transfers of a cycle, after RtlMachine::settle().
+    void cycle(std::uint64_t now);
+    /// Describes a request that waits for its answer, if there is one: the one nearest to memory that has
+    /// waited longest. Does not count those that wait for memory itself.
+    std::optional<Divergence> missing(std::uint64_t now) const;
+
+private:
+    struct Request {
+        std::uint32_t addr = 0;
+        std::uint64_t since = 0;
+    };
+    /// Links of a request and its answer, and the requests in flight by pipeline and id.
+    struct Pair {
+        Link req, rsp;
+        std::vector<std::vector<std::optional<Request>>> waits;
+    };
+    bool fires(int pipeline, Link c) const {
+        return (index(c) < pipeline_links ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
+    }
+    bool answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last);
+    void ask(std::uint64_t now, Pair& pair, int pipeline);
+    Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const;
+
+    const Config& config_;
+    const RtlMachine& rtl_;
+    Findings& findings_;
+    const MemoryImage* image_ = nullptr;
+    std::vector<Pair> pairs_;   // from memory outwards to the caches
+};
+
+}   // namespace rayclock

@@ -1,0 +1,89 @@
+#pragma once
+// Judges the transfers of the RTL's rays: values and order, not cycles.
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/machine/witness.hpp"
+#include "sim/run/elastic/findings.hpp"
+#include "sim/run/elastic/script.hpp"
+
+namespace rayclock {
+
+/// Follows each context of the RTL through the script of its pixel. A transfer must be the next one of its
+/// ray, and carry the value that the units' pure functions give. Contexts may get pixels in any order, and
+/// rays may overtake each other. After the first wrong transfer of a pixel's rays the judge ignores the
+/// context until it gets another pixel.
+class RayJudge {
+public:
+    /// `free[unit]`: the outputs of this unit that nobody reads are not compared.
+    RayJudge(const Config& config, const RtlMachine& rtl, const std::array<bool, unit_count>& free,
+             Findings& findings);
+
+    /// Begins a frame. Script and image must outlive it.
+    void start(const Frame& frame, const MemoryImage& image, const Script& script);
+    /// Judges the transfers of a cycle, after RtlMachine::settle().
+    void cycle(std::uint64_t now);
+
+    /// Returns the cycle of the last transfer that was right, or that of the start.
+    std::uint64_t moved_at() const { return moved_at_; }
+    /// Returns the number of pixels that are not finished, without those with a wrong transfer.
+    std::size_t unfinished() const { return script_->size() - finished_ - wrong_; }
+    /// Describes the transfer that has been due longest. Call it if unfinished() is not 0.
+    Divergence missing(std::uint64_t now);
+    /// Returns the pixel of a context.
+    Slot pixel(int pipeline, std::uint32_t ray) const;
+
+private:
+    struct Context {
+        enum class State { idle, busy, wrong } state = State::idle;
+        std::uint32_t x = 0, y = 0;
+        std::span<const std::uint8_t> links;
+        std::size_t next = 0;   ///< position in `links` of the next transfer
+        std::uint64_t since = 0;
+        bool done = false, pixel = false;   ///< the last ray's end has left the engine, the pixel list or
+                                            ///< shade
+    };
+    /// A transfer of a pixel, as it should be.
+    struct Wanted {
+        Link link;
+        Words words;   ///< the payload
+        std::string text;
+    };
+    Context* context(int pipeline, std::uint32_t ray) {
+        if (ray >= std::uint32_t(config_.contexts)) return nullptr;
+        return &contexts_[std::size_t(pipeline * config_.contexts) + ray];
+    }
+    bool take(std::uint64_t now, int pipeline, Link c);
+    bool begin(std::uint64_t now, int pipeline, std::uint32_t ray);
+    void take_tile(std::uint64_t now, int pipeline);
+    template <class P> void compare(std::uint64_t now, int pipeline, Link c, const P& wanted, Context& ray);
+    void refuse(std::uint64_t now, int pipeline, Link c);
+    void mark_wrong(Context& ray);
+    void see_ends(int pipeline);
+    const char* driver(Link c, const Context& context) const;
+    std::vector<Wanted> transfers(int pipeline, std::uint32_t ray, const Context& context) const;
+    std::string explain(int pipeline, Link c, std::uint32_t ray, const Context& context) const;
+    bool equals_rtl(int pipeline, const Wanted& wanted) const;
+    Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t ray) const;
+
+    const Config& config_;
+    const RtlMachine& rtl_;
+    std::array<bool, unit_count> free_;
+    Findings& findings_;
+    const MemoryImage* image_ = nullptr;
+    const Script* script_ = nullptr;
+    Frame frame_{};
+    std::unique_ptr<Witness> witness_;
+    std::vector<Context> contexts_;                             // [pipeline * contexts + ray]
+    std::vector<bool> begun_;                                   // [place] of the script
+    std::set<std::pair<std::uint32_t, std::uint32_t>> tiles_;   // that no pipeline has got yet
+    LinkMask ray_links_ = 0;
+    std::size_t finished_ = 0, wrong_ = 0;
+    std::uint64_t moved_at_ = 0;
+    Words words_;
+};
+
+}   // namespace rayclock

@@ -1,0 +1,164 @@
+// Writes the template of a unit from the tables of links, payloads and don't-care outputs.
+#include "sim/run/elastic/template.hpp"
+
+#include <array>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/run/elastic/dont_care.hpp"
+#include "sim/run/elastic/findings.hpp"
+#include "sim/run/rtl/sources.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// Lists a payload's fields with their widths: "o[3] (18)".
+class WidthVisitor {
+public:
+    std::string text;
+    template <class T> void operator()(const char* name, const T&, int width) {
+        add(fmt::format("{} ({})", name, width));
+    }
+    template <class T, std::size_t n>
+    void operator()(const char* name, const std::array<T, n>&, int width, int count) {
+        add(fmt::format("{}[{}] ({})", name, count, width));
+    }
+
+private:
+    void add(const std::string& field) { text += (text.empty() ? "" : ", ") + field; }
+};
+
+std::string payload_text(Link c, const Config& config) {
+    return with_payload(c, [&]<class P>() {
+        P payload{};
+        WidthVisitor fields;
+        payload.fields(fields, config);
+        return fields.text;
+    });
+}
+
+/// A module's ports, as its source declares them.
+struct Ports {
+    std::string text;   ///< between the brackets
+    std::vector<std::string> names;
+};
+Ports ports_of_module(const std::string& source, const std::string& module) {
+    std::smatch head;
+    const std::regex start("\\bmodule\\s+" + module + "\\s*\\(\\n?");
+    if (!std::regex_search(source, head, start))
+        throw UserError(module + ": the head of its module cannot be read");
+    const std::size_t begin = std::size_t(head.position(0) + head.length(0));
+    Ports ports{source.substr(begin, source.find(");", begin) - begin), {}};
+    static const std::regex name("(\\w+)\\s*,?\\s*(//.*)?$");
+    std::istringstream lines(ports.text);
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (line.find("put ") != line.npos && std::regex_search(line, found, name))
+            ports.names.push_back(found[1]);
+    }
+    return ports;
+}
+
+/// A module with the unit's ports that contains the project's own.
+std::string wrapper_text(const std::string& unit, const Ports& ports) {
+    std::string connections;
+    for (const std::string& port : ports.names) connections += (connections.empty() ? "." : ", .") + port;
+    return fmt::format(
+        "// The unit {0} of one's own: at first the project's, unchanged. Change what lies between "
+        "the ports\n// and the instance.\n`default_nettype none\nmodule rc_{0} (\n{1});\n"
+        "  rc_{0}_own u_own ({2});\nendmodule\n`default_nettype wire\n",
+        unit, ports.text, connections);
+}
+
+std::string links_text(const std::string& unit, const Config& config) {
+    std::string text = "| link | direction | flow | fields (bits) |\n|---|---|---|---|\n";
+    for (std::size_t i = 0; i < link_count; ++i) {
+        const LinkInfo& link = link_infos[i];
+        if (!is_there(Link(i), config) || (link.from != unit && link.to != unit)) continue;
+        const bool out = link.from == unit;
+        text += fmt::format("| `{}` | {} {} | {} | {} |\n", link.name, out ? "to" : "from",
+                            out ? link.to : link.from, link.flow == Flow::fires ? "fires" : "handshake",
+                            payload_text(Link(i), config));
+    }
+    return text;
+}
+
+std::string dont_care_text(const std::string& unit) {
+    std::string text;
+    for (const DontCare& rule : dont_cares)
+        if (unit == unit_name(rule.unit))
+            text += fmt::format("- `{}`: {} when {}\n", link_infos[index(rule.link)].name, rule.fields,
+                                rule.when);
+    return text.empty() ? "None: every bit of every transfer is compared.\n" : text;
+}
+
+std::string readme(const std::string& unit, const Ports& ports, const Config& config) {
+    return fmt::format(R"(# The unit {0}
+
+These files are the start of a unit `{0}` of your own, for the chip `{1}`.
+
+- `rc_{0}.sv` is a copy of the project's module. Rewrite it.
+- `wrapped_{0}.sv` is a module with the same ports that contains the project's module under the name
+  `rc_{0}_own`. Use it to add registers, queues or faults around the unit.
+
+Both are judged by value, in the time that they take:
+
+    rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=rc_{0}.sv
+    rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=wrapped_{0}.sv
+
+Without `--elastic` the same command compares every cycle too.
+
+## Ports
+
+```systemverilog
+module rc_{0} (
+{2});
+```
+
+## Links
+
+{3}
+Types and widths are in `rc_pkg.sv`: `rayclock export SCENE --config {1} -o FOLDER` writes the one of this
+chip. A payload's first field is the most significant.
+
+## Rules
+
+- *handshake*: a transfer happens in each cycle in which valid and ready are 1. Once valid is 1, valid and
+  payload stay until the transfer. *fires*: the receiver accepts in every cycle.
+- Each request gets one answer, with the `ray` or `id` of the request. Answers may come in any order across
+  rays, and after any time. A ray has one transfer in flight.
+- After reset, which lasts at least four cycles, valid is 0. No register survives it.
+- `cause`, `deed`, `rests` and `waits` outputs feed the counters only. They are not compared.
+
+## Outputs that nobody reads
+
+{4})",
+                       unit, config.name, ports.text, links_text(unit, config), dont_care_text(unit));
+}
+
+}   // namespace
+
+std::vector<TemplateFile> unit_template(const std::string& unit, const Config& config) {
+    std::optional<Unit> found;
+    for (std::size_t u = 0; u < unit_count; ++u)
+        if (unit == unit_infos[u].name) found = Unit(u);
+    if (!found) throw UserError(fmt::format("no unit is called {}; docs/elastic.md lists them", shown(unit)));
+    if (*found == Unit::memory || *found == Unit::memport)
+        throw UserError(fmt::format("the unit {} is no module of its own, so it has no template", unit));
+    if (!is_there(*found, config))
+        throw UserError(fmt::format("the chip '{}' has no unit {}", printable(config.name), unit));
+    const std::string source = module_text(unit);
+    const Ports ports = ports_of_module(source, "rc_" + unit);
+    return {{"rc_" + unit + ".sv", source},
+            {"wrapped_" + unit + ".sv", wrapper_text(unit, ports)},
+            {"README.md", readme(unit, ports, config)}};
+}
+
+}   // namespace rayclock

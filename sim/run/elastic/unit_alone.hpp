@@ -1,0 +1,27 @@
+#pragma once
+// One unit of the RTL alone, on the requests that it gets in a frame.
+#include <cstdint>
+#include <optional>
+
+#include "sim/run/lockstep/lockstep.hpp"
+
+namespace rayclock {
+
+/// The result of a unit alone.
+struct UnitAlone {
+    std::uint64_t requests = 0, answers = 0, cycles = 0;
+    std::uint64_t value_mismatches = 0;   ///< answers that are wrong, lost or not due
+    std::optional<Divergence> first;      ///< `ray` is the number that the request had here; no pixel
+    double seconds = 0;
+    bool interrupted = false;
+    bool agrees() const { return value_mismatches == 0 && !interrupted; }
+};
+
+/// Records the requests of a frame with the answers of the unit's pure function, at most `most` of them. Then
+/// offers them to the unit with random valid and ready, under numbers of rays that are not in flight. Answers
+/// may come in any order. Don't-care outputs are not compared. Throws UserError if the unit does not answer
+/// each request with one transfer: only tri, xform and the units that decide nodes do.
+UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed = 1,
+                         std::uint64_t most = 1'000'000);
+
+}   // namespace rayclock

@@ -1,0 +1,115 @@
+// verify --elastic, --unit and template from the command line, and the walk through docs/elastic.md.
+#include <filesystem>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/under_test.hpp"
+
+using namespace rayclock::test;
+using Catch::Contains;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string page = "docs/elastic.md";
+
+/// Returns the texts of the page's blocks in a language.
+std::vector<std::string> blocks(const std::string& language) {
+    const std::string text = bytes_of(page), begin = "```" + language + "\n";
+    std::vector<std::string> all;
+    for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at)) {
+        at += begin.size();
+        all.push_back(text.substr(at, text.find("```\n", at) - at));
+    }
+    return all;
+}
+
+}   // namespace
+
+TEST_CASE("the walk through docs/elastic.md ends as it says") {
+    const Folder folder;
+    const std::vector<std::string> commands = blocks("sh"), modules = blocks("systemverilog");
+    REQUIRE(commands.size() == 3);
+    REQUIRE(modules.size() == 1);
+    for (const std::string& command : commands) {
+        std::istringstream words(command.substr(0, command.find('#')));
+        std::vector<std::string> arguments;
+        for (std::string word; words >> word;) {
+            if (const std::size_t path = word.find("my_tri"); path != word.npos)
+                word.replace(path, 6, folder.name("my_tri"));
+            arguments.push_back(word);
+        }
+        REQUIRE(arguments.size() > 2);
+        REQUIRE(arguments[0] == "rayclock");
+        arguments.erase(arguments.begin());
+        const Outcome outcome = run_program(arguments);
+        INFO(command << outcome.out << outcome.err);
+        CHECK(outcome.code == (command.find("exit code 1") == command.npos ? 0 : 1));
+        if (arguments[0] == "template") folder.write("my_tri/wrapped_tri.sv", modules[0]);
+        if (command.find("--elastic") != command.npos) {
+            CHECK_THAT(outcome.out, Contains("VERIFIED") && Contains("times the model's"));
+        } else if (arguments[0] == "verify") {
+            CHECK_THAT(outcome.out, Contains("FIRST DIVERGENCE") && Contains("unit tri, link tri_req"));
+        }
+    }
+}
+
+TEST_CASE("the wrapper of a template is the unit, in the same cycles") {
+    const Folder folder;
+    REQUIRE(run_program({"template", "box", "--config", "small", "-o", folder.name("box")}).code == 0);
+    const std::string readme = bytes_of(folder.name("box/README.md"));
+    CHECK_THAT(readme, Contains("| `box_req` | from node_cache | handshake | ray (") &&
+                           Contains("- `box_rsp`: t_near, offset, count when"));
+    const Outcome outcome =
+        run_program({"verify", "--elastic", "box", "--unit", "box=" + folder.name("box/wrapped_box.sv"),
+                     "gears:1", "--size", "16x12", "--config", "small", "--json", "-"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["value_mismatches"] == 0);
+    CHECK(report["cycle_gap"] == 0);
+    CHECK(report["counters_compared"] == false);
+    CHECK(report["elastic"]["units"] == "box");
+    CHECK(report["elastic"]["ratio"] == 1.0);
+    CHECK(report["elastic"]["rtl_units"] == report["elastic"]["model_units"]);
+    CHECK(report["elastic"]["rtl_cycles"] == report["clocks"][0]["cycles"]);
+}
+
+TEST_CASE("a scene may follow --elastic") {
+    const Outcome outcome = run_program(
+        {"verify", "--elastic", "gears:1", "--size", "16x12", "--config", "small", "--json", "-"});
+    REQUIRE(outcome.code == 0);
+    CHECK(json::parse(outcome.out)["elastic"]["units"] == "all");
+}
+
+TEST_CASE("units and files that make no sense are refused in a sentence") {
+    const Folder folder;
+    const std::string empty = folder.write("empty.sv", ""),
+                      other = folder.write("other.sv", "module rc_box; endmodule\n"),
+                      broken = folder.write("broken.sv", "module rc_tri (input logic clk_i); oops\n");
+    const auto verify = [](std::vector<std::string> words) {
+        words.insert(words.begin(), {"verify", "gears:1", "--size", "16x12", "--config", "small"});
+        return run_program(words);
+    };
+    check_refused(verify({"--elastic", "tri,bix"}), {"'bix'", "--elastic"});
+    check_refused(verify({"--elastic", "shade"}), {"shade", "small"});
+    check_refused(verify({"--elastic", ""}), {"--elastic"});
+    check_refused(verify({"--unit", "tri"}), {"'tri'", "NAME=FILE"});
+    check_refused(verify({"--unit", "=x"}), {"NAME=FILE"});
+    check_refused(verify({"--unit", "woop=" + other}), {"woop", "no module"});
+    check_refused(verify({"--unit", "tri=" + folder.name("nothing.sv")}), {"nothing.sv", "no such file"});
+    check_refused(verify({"--unit", "tri=" + empty}), {"empty.sv", "empty"});
+    check_refused(verify({"--unit", "tri=" + other}), {"other.sv", "no module rc_tri"});
+    check_refused(verify({"--unit", "box=" + other, "--unit", "box=" + other}), {"twice"});
+    check_refused(verify({"--unit", "tri=" + broken}), {"verilator", "tri=" + broken, "failed"});
+    check_refused(run_program({"verify", "--torture", "--elastic"}), {"--torture", "--elastic"});
+    const std::string out = folder.name("out");
+    check_refused(run_program({"template", "bix", "-o", out}), {"'bix'"});
+    check_refused(run_program({"template", "memport", "-o", out}), {"memport"});
+    check_refused(run_program({"template", "shade", "-o", out}), {"no unit shade"});
+    check_refused(run_program({"template", "tri", "-o", folder.name("empty.sv")}), {"empty.sv"});
+    CHECK_FALSE(fs::exists(out));
+}

@@ -1,0 +1,38 @@
+// A unit box that leaves ones in the entries of an answer beyond its children.
+`default_nettype none
+module rc_box (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  // From trav
+  input  logic             req_valid_i,
+  output logic             req_ready_o,
+  input  rc_pkg::box_req_t req_i,
+  output logic             rests_o,       // accepts no node: the last node's children are in test
+  // To trav
+  output logic             rsp_valid_o,
+  input  logic             rsp_ready_i,
+  output rc_pkg::box_rsp_t rsp_o
+);
+  rc_pkg::box_rsp_t own;
+
+  rc_box_own u_own (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o,
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(own));
+
+  localparam int unsigned W = rc_pkg::NodeWidth;
+  localparam int unsigned T = rc_pkg::TBits;
+  localparam int unsigned O = rc_pkg::OffsetBits;
+  localparam int unsigned C = rc_pkg::CountBits;
+
+  always_comb begin
+    rsp_o = own;
+    for (int i = 0; i < W; i++) begin
+      if (i >= int'(own.inner) + int'(own.leaves)) begin
+        rsp_o.t_near[i*T +: T] = '1;
+        rsp_o.offset[i*O +: O] = '1;
+        rsp_o.count[i*C +: C]  = '1;
+      end
+    end
+  end
+endmodule
+`default_nettype wire
