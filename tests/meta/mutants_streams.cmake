@@ -65,6 +65,9 @@ mutant(rays_of_a_seed_are_those_of_the_next FILE sim/run/stream/make_rays.cpp TE
 mutant(rays_lost_in_random_order FILE sim/run/stream/make_rays.cpp TEST system "Morton and random*"
   OLD [[std::swap(rays[i - 1], rays[dice.next() % i]);]]
   NEW [[rays[i - 1] = rays[dice.next() % i];]])
+mutant(stream_hits_are_as_short_as_pixels FILE model/mem/frame_buffer.hpp TEST system "hits that are written*"
+  OLD [[config.is_stream() ? hits_of_word : pixels_of_word]]
+  NEW [[config.is_stream() ? pixels_of_word : pixels_of_word]])
 mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge of streams*"
   OLD [[if (!fault) continue;]]
   NEW [[if (fault == nullptr || judged.rays > 0) continue;]])

@@ -73,6 +73,19 @@ TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") 
                    int(traffic.seed));
 }
 
+TEST_CASE("hits that are written to the memory take their share of it, alike in model and RTL", "[stream]") {
+    const auto run = [](int writes) {
+        const Config config = streaming_config(quick_config("default"), {{"pixel_writes", writes}});
+        return check_lockstep(RandomStream("gears:2", 1001, config).stream.job).model;
+    };
+    const FrameResult with = run(1), without = run(0);
+    CHECK(without.memory.writes == 0);
+    CHECK(with.memory.writes <= 1001 / 4);
+    CHECK(with.memory.writes + 4 >= 1001 / 4);   // the last ones wait
+    CHECK(with.memory.reads == without.memory.reads);
+    CHECK(with.cycles > without.cycles);
+}
+
 TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
     const FrameSize size{48, 36};
     Scene scene = load_scene("gears:2");
@@ -341,7 +354,7 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
 TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
     const Config config = streaming_config(quick_config("default"));
     for (const std::string item : {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "spheres=1",
-                                   "planes=1", "levels=2", "scan_out=1", "pixel_writes=1"}) {
+                                   "planes=1", "levels=2", "scan_out=1"}) {
         INFO(item);
         CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
                           Catch::Matchers::Contains(item + " needs source=camera"));
@@ -349,6 +362,6 @@ TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]"
     CHECK_THROWS_WITH(with_settings(config, {"shading=0"}, "here"),
                       Catch::Matchers::Contains("source=stream needs shading=1"));
     Config all = config;
-    all.scan_out = all.pixel_writes = all.smooth = all.spheres = true;
+    all.scan_out = all.smooth = all.spheres = true;
     CHECK_NOTHROW(check_config(streaming(all), "here"));
 }

@@ -27,7 +27,7 @@ Config streaming(Config config) {
     config.shading = true;
     config.source = RaySource::stream;
     config.spheres = config.planes = config.smooth = config.refraction = config.supersampling =
-        config.horizon = config.scan_out = config.pixel_writes = false;
+        config.horizon = config.scan_out = false;
     config.panes = 0;
     return config;
 }
