@@ -51,8 +51,8 @@ mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge
   OLD [[if (!fault) continue;]]
   NEW [[if (fault == nullptr || judged.rays > 0) continue;]])
 mutant(stream_t_max_of_eight_columns FILE sim/load/rays/rays.cpp TEST load [rays]
-  OLD [[columns_ == 7 ? 6 : 7]]
-  NEW [[columns_ == 7 ? 6 : 6]])
+  OLD [[columns == 7 ? 6 : 7]]
+  NEW [[columns == 7 ? 6 : 6]])
 mutant(stream_file_may_be_longer FILE sim/files/npy.cpp TEST load [rays]
   OLD [[too_many || need != have]]
   NEW [[too_many || need > have]])
