@@ -19,7 +19,7 @@ Told swept(const PyScene& scene, const PyConfig& config, const FrameOptions& o, 
            std::uint64_t seed, const std::vector<std::string>& axes, const std::string& cost, bool netlists,
            bool fresh, int threads) {
     check_frame_size(o.size);
-    return result_of([&](const Progress& stop) {
+    return result_of([=](const Progress& stop) {
         std::vector<std::string> notes;
         std::vector<sweep::Axis> parsed;
         for (const std::string& axis : axes) parsed.push_back(sweep::parse_axis(axis));
@@ -51,7 +51,7 @@ std::tuple<std::string, std::string, std::vector<std::string>> explained(
     if (x < 0 || y < 0 || x >= o.size.width || y >= o.size.height)
         throw UserError(fmt::format("pixel ({}, {}) is outside the picture of {} x {}", x, y, o.size.width,
                                     o.size.height));
-    return result_of([&](const Progress& stop) {
+    return result_of([=](const Progress& stop) {
         std::tuple<std::string, std::string, std::vector<std::string>> told;
         auto& [json, text, notes] = told;
         Film film(request_of(scene.source(stop), config.choice, o.finish, seed, o.size, o.view, notes),

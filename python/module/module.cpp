@@ -7,6 +7,7 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "python/module/bindings.hpp"
+#include "python/module/work.hpp"
 
 namespace {
 
@@ -48,4 +49,6 @@ PYBIND11_MODULE(_rayclock, module) {
     rayclock::python::bind_explore(module);
     rayclock::python::bind_rays(module);
     rayclock::python::bind_units(module);
+    py::module_::import("atexit").attr("register")(
+        py::cpp_function(rayclock::python::wait_for_interrupted_work));
 }

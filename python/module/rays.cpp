@@ -40,7 +40,7 @@ py::array made(const PyScene& scene, const PyConfig& config, int width, int heig
     if (radius && !(*radius > 0 && std::isfinite(*radius)))
         throw UserError(fmt::format("radius must be above 0, not {}", *radius));
     plan.bounce = bounce, plan.samples = samples, plan.radius = radius.value_or(0), plan.seed = seed;
-    return bytes_array(result_of([&](const Progress& stop) {
+    return bytes_array(result_of([=](const Progress& stop) {
         const Config machine = load_config(config.choice);
         const Scene seen = ready_scene(*scene.scene, plan.size, view);
         const std::vector<StreamRay> rays = make_rays(seen, plan, machine, threads, stop);

@@ -28,7 +28,7 @@ using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::uint32_t, py::array::c_style>;
 
 PyScene loaded(const std::string& spec) {
-    return result_of([&](const Progress& stop) {
+    return result_of([=](const Progress& stop) {
         PyScene made{is_builtin(spec) ? spec : "", nullptr, {}};
         made.scene =
             std::make_shared<const Scene>(load_scene(spec, stop, Primitives::triangles, &made.notes));
@@ -85,11 +85,12 @@ PyScene of_arrays(const std::string& name, const Doubles& vertices, const Indice
         scene.camera = Camera{vector_of(c[0]), vector_of(c[1]), vector_of(c[2]), py::cast<double>(c[3])};
     }
     if (background) scene.background = {(*background)[0], (*background)[1], (*background)[2]};
-    return result_of([&](const Progress&) {
-        check_scene(scene, name);
-        if (!lights) add_missing_lights(scene);
-        return PyScene{"", std::make_shared<const Scene>(std::move(scene)), {}};
-    });
+    return result_of(
+        [scene = std::move(scene), name, has_lights = lights.has_value()](const Progress&) mutable {
+            check_scene(scene, name);
+            if (!has_lights) add_missing_lights(scene);
+            return PyScene{"", std::make_shared<const Scene>(std::move(scene)), {}};
+        });
 }
 
 /// Returns rows of three doubles. They are the scene's own, and must not be changed.

@@ -48,7 +48,7 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
                   const std::string& clock, std::uint64_t seed, int jitter, int stall, bool is_judged,
                   int threads) {
     check_frame_size(o.size);
-    return result_of([&](const Progress& stop) {
+    return result_of([=](const Progress& stop) {
         PyFrame made;
         Request request =
             request_of(scene.source(stop), config.choice, o.finish, seed, o.size, o.view, made.notes);
@@ -82,22 +82,24 @@ PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py
     const RayTable::Shape shape{std::size_t(rays.shape(0)), std::size_t(rays.shape(1)),
                                 std::size_t(rays.itemsize())};
     const void* const numbers = rays.data();
-    return result_of([&](const Progress& stop) {
-        const Stopwatch watch;
-        const Traffic traffic = traffic_of(seed, jitter, stall);
-        const Outside clip = parse_outside(outside);
-        const Config machine = stream_config(config.choice);
-        const std::vector<int> clocks = clocks_of(clock, machine);
-        const RayTable table(name, numbers, shape, any_hit);
-        Scene seen = *scene.scene;
-        prepare_for_stream(seen);
-        const StreamJob stream = make_stream_job(seen, table, machine, clip, stop);
-        const StreamRun run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
-        const std::vector<std::uint64_t> retired =
-            retirements(machine, clocks[0], run.frame(), traffic, run.runs[0].last().cycles, stop);
-        return PyStream{simulated_stream_json(stream, run, false, watch.seconds()).dump(),
-                        hits_npy(stream, run.answers(), retired)};
-    });
+    return result_of(
+        [=](const Progress& stop) {
+            const Stopwatch watch;
+            const Traffic traffic = traffic_of(seed, jitter, stall);
+            const Outside clip = parse_outside(outside);
+            const Config machine = stream_config(config.choice);
+            const std::vector<int> clocks = clocks_of(clock, machine);
+            const RayTable table(name, numbers, shape, any_hit);
+            Scene seen = *scene.scene;
+            prepare_for_stream(seen);
+            const StreamJob stream = make_stream_job(seen, table, machine, clip, stop);
+            const StreamRun run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
+            const std::vector<std::uint64_t> retired =
+                retirements(machine, clocks[0], run.frame(), traffic, run.runs[0].last().cycles, stop);
+            return PyStream{simulated_stream_json(stream, run, false, watch.seconds()).dump(),
+                            hits_npy(stream, run.answers(), retired)};
+        },
+        rays);
 }
 
 }   // namespace

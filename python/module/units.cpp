@@ -162,7 +162,9 @@ py::array answered(const std::string& name, const py::array& requests, const PyC
     const char* const in = static_cast<const char*>(requests.data());
     char* const out = static_cast<char*>(responses.mutable_data());
     const std::size_t count = std::size_t(requests.shape(0));
-    run([&](const Progress& stop) { unit.answer(in, out, count, config.value, threads, stop); });
+    run([&unit, in, out, count, threads, machine = config.value](
+            const Progress& stop) { unit.answer(in, out, count, machine, threads, stop); },
+        py::make_tuple(requests, responses));
     return responses;
 }
 

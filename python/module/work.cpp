@@ -14,45 +14,87 @@ namespace rayclock::python {
 
 namespace py = pybind11;
 
-void run(const std::function<void(const Progress& stop)>& work) {
-    using namespace std::chrono_literals;
-    constexpr auto between_looks = 50ms;   // for signals, which only Python's main thread may handle
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto between_looks = 50ms;   // for signals, which only Python's main thread may handle
+constexpr int most_looks = 10;         // after a signal
+
+/// A call, which its thread and its caller share.
+struct Call {
+    std::function<void(const Progress& stop)> work;
     std::mutex mutex;
     std::condition_variable ended;
-    bool has_ended = false, is_stopped = false;
+    bool has_ended = false, is_alone = false;   ///< is_alone: the caller has gone
     std::atomic<bool> must_stop = false;
     std::exception_ptr failure;
-    const auto stop = [&](std::string_view, std::uint64_t, std::uint64_t) {
-        if (must_stop.load(std::memory_order_relaxed)) throw Interrupted("interrupted: nothing is kept");
-    };
-    {
-        const py::gil_scoped_release unlocked;
-        std::thread worker([&] {
-            try {
-                work(stop);
-            } catch (...) {
-                failure = std::current_exception();
-            }
-            const std::lock_guard lock(mutex);
-            has_ended = true;
-            ended.notify_one();
+};
+
+/// Work whose callers have gone. Only Python's exit looks at it.
+std::atomic<int> alone = 0;
+
+void work_on(const std::shared_ptr<Call>& call) {
+    try {
+        call->work([&](std::string_view, std::uint64_t, std::uint64_t) {
+            if (call->must_stop.load(std::memory_order_relaxed))
+                throw Interrupted("interrupted: nothing is kept");
         });
-        std::unique_lock lock(mutex);
-        while (!ended.wait_for(lock, between_looks, [&] { return has_ended; })) {
-            if (is_stopped) continue;
-            lock.unlock();
-            {
-                const py::gil_scoped_acquire locked;
-                is_stopped = PyErr_CheckSignals() != 0;
-                must_stop = is_stopped;
+    } catch (...) {
+        call->failure = std::current_exception();
+    }
+    call->work = {};
+    const std::lock_guard lock(call->mutex);
+    call->has_ended = true;
+    if (call->is_alone) --alone;
+    call->ended.notify_one();
+}
+
+/// Waits for the call's end, or until Python has an exception from a signal. Returns true for a signal.
+bool wait(Call& call) {
+    const py::gil_scoped_release unlocked;
+    std::unique_lock lock(call.mutex);
+    int looks = 0;   // since the signal
+    while (!call.ended.wait_for(lock, between_looks, [&] { return call.has_ended; })) {
+        if (looks > 0) {
+            if (++looks > most_looks) {
+                call.is_alone = true;
+                ++alone;
+                return true;
             }
-            lock.lock();
+            continue;
         }
         lock.unlock();
-        worker.join();
+        {
+            const py::gil_scoped_acquire locked;
+            if (PyErr_CheckSignals() != 0) looks = 1;
+        }
+        if (looks > 0) call.must_stop = true;
+        lock.lock();
     }
-    if (is_stopped) throw py::error_already_set();
-    if (failure) std::rethrow_exception(failure);
+    return looks > 0;
+}
+
+}   // namespace
+
+void run(std::function<void(const Progress& stop)> work, py::object kept) {
+    const auto call = std::make_shared<Call>();
+    call->work = std::move(work);
+    std::thread(work_on, call).detach();
+    if (wait(*call)) {
+        if (call->is_alone) kept.release();   // never freed: the work still uses it
+        throw py::error_already_set();
+    }
+    if (call->failure) std::rethrow_exception(call->failure);
+}
+
+void wait_for_interrupted_work() {
+    while (alone > 0) {
+        {
+            const py::gil_scoped_release unlocked;
+            std::this_thread::sleep_for(between_looks);
+        }
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
 }
 
 }   // namespace rayclock::python

@@ -189,10 +189,9 @@ def _make(name: str) -> Any:
     return call
 
 
-tri = _make("tri")
-box = _make("box")
-xform = _make("xform")
-treelet = _make("treelet")
-globe = _make("globe")
-slant = _make("slant")
-bih = _make("bih")
+for _name in names():
+    globals()[_name] = _make(_name)
+
+
+def __getattr__(name: str) -> Any:   # tells type checkers that there are such functions
+    raise AttributeError(f"no unit is called {name}")

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/app/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/explain_run.hpp"

@@ -1,15 +1,11 @@
 // rayclock simulate: reports cycles, frames per second, work and accounts of frames at each clock.
 #include <algorithm>
-#include <chrono>
-#include <mutex>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/trace/hits.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
@@ -21,9 +17,7 @@
 #include "sim/app/streamed.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
-#include "sim/files/process/threads.hpp"
 #include "sim/view/observe/replay.hpp"
-#include "sim/view/report/accounts.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/view/page/frame.hpp"

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/app/clock.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/sweep_run.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/shard.hpp"

@@ -31,5 +31,5 @@ fuzz_mutant(options_clock_of_any_rate FILE sim/app/options/values.cpp TARGET opt
   OLD [[ || mhz > 100000)]]
   NEW [[)]])
 fuzz_mutant(rays_one_beyond FILE sim/load/rays/rays.cpp TARGET rays RUNS 100000
-  OLD [[        count_ = head.shape[0];]]
-  NEW [[        count_ = head.shape[0] + 1;]])
+  OLD [[        shape = {head.shape[0], ]]
+  NEW [[        shape = {head.shape[0] + 1, ]])

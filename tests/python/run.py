@@ -1,4 +1,4 @@
-"""run.py FILE: runs the tests in a file. Exit code 77, with the reason: NumPy cannot be imported."""
+"""run.py FILE: runs the tests in a file. Exit code 77, with the reason: none of them can run here."""
 import sys
 import unittest
 from pathlib import Path
@@ -11,4 +11,6 @@ except ImportError as error:
 file = Path(sys.argv[1])
 sys.path.insert(0, str(file.parent))
 result = unittest.main(module=file.stem, argv=["run.py", "-v", *sys.argv[2:]], exit=False).result
+if result.testsRun == len(result.skipped) > 0:
+    sys.exit(77)
 sys.exit(not result.wasSuccessful())

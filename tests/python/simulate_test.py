@@ -88,7 +88,9 @@ class Pictures(Case):
 
     def test_ctrl_c_ends_a_simulation_within_a_second(self):
         scene = rayclock.load_scene("gears:4")
-        for options in (dict(size=(4096, 4096)), dict(size=(2048, 2048), depth=5, aa=4), dict(size=(4096, 4096), clock=66)):
+        tree = dict(scene="gears:8", config=rayclock.Config(structure="kd"), size=(8, 8))   # its builder does not report
+        for options in (dict(size=(4096, 4096)), dict(size=(2048, 2048), depth=5, aa=4), dict(size=(4096, 4096), clock=66),
+                        tree):
             pressed = []
 
             def press():
@@ -98,7 +100,7 @@ class Pictures(Case):
             timer = threading.Timer(1.5, press)
             timer.start()
             with self.assertRaises(KeyboardInterrupt):
-                rayclock.simulate(scene, **options)
+                rayclock.simulate(**{"scene": scene, **options})
             self.assertLess(time.perf_counter() - pressed[0], 1)
         self.assertEqual(rayclock.simulate("tetra:3", size=(32, 24)).partial, False)
 

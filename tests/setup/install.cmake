@@ -30,6 +30,15 @@ run(output ${CMAKE_COMMAND} -E env LD_DEBUG=files ${program} render gears:1 --si
 demand("${output}" "${prefix}/${LIBDIR}/rayclock/rayclock_pictures.so")
 run(output ${program} simulate ${prefix}/share/rayclock/scenes/desk.json --size 8x8 --no-reference)
 
+# So does the Python module, if it was built.
+if(EXISTS ${prefix}/lib/python3/dist-packages/rayclock AND PYTHON)
+  execute_process(COMMAND ${PYTHON} -c "import numpy" RESULT_VARIABLE lacks_numpy ERROR_QUIET)
+  if(lacks_numpy EQUAL 0)
+    run(output ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+      ${PYTHON} -c "import rayclock; print(rayclock.simulate('gears:1', size=(8, 8), clock=66).digest)")
+  endif()
+endif()
+
 # Manual page and completions.
 file(READ ${prefix}/share/man/man1/rayclock.1 manual)
 run(commands ${program} --help)
