@@ -10,6 +10,7 @@
 #include "model/machine/units.hpp"
 #include "sim/run/elastic/unit_alone.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/text.hpp"
@@ -58,9 +59,13 @@ void take_elastic(ElasticChoice& choice, std::string& scene) {
     }
 }
 
-int verify_unit_alone(const ElasticChoice& choice, const Scene& scene, const Job& job, int seed,
+int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int seed,
                       const JsonOutput& json) {
-    const RecordedFrame frame = record_frame(job, job.frame);
+    const Progress stop = stopping(terminal_progress());
+    film.next();
+    const RecordedFrame frame = film.record(threads, stop);
+    const Job& job = film.job();
+    const Scene& scene = film.request().scene;
     const UnitAlone r = run_unit_alone(job, frame, *choice.alone, seed);
     if (!json.is_alone()) {
         fmt::print("{} alone, on the requests of {}\n", *choice.alone, printable(scene.name));

@@ -22,9 +22,8 @@ void elastic_options(Parser& parser, ElasticChoice& choice);
 /// becomes `scene`. Throws UserError.
 void take_elastic(ElasticChoice& choice, std::string& scene);
 
-/// Runs the unit of --unit-only on the requests of a frame. Returns the exit code.
-int verify_unit_alone(const ElasticChoice& choice, const Scene& scene, const Job& job, int seed,
-                      const JsonOutput& json);
+/// Runs the unit of --unit-only on the requests of a film's first frame. Returns the exit code.
+int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int seed, const JsonOutput& json);
 
 /// Returns the result in the form of a lockstep result without a cycle gap, for the parts of a report that
 /// are the same.

@@ -342,8 +342,7 @@ int run_verify(const VerifyOptions& typed) {
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
-    if (o.elastic.alone)
-        return verify_unit_alone(o.elastic, film.request().scene, film.job(), int(o.traffic.seed), o.json);
+    if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const VerifyPlan work{film, size, clocks[0]};
     Verified verified = run_machines(o, work, traffic, watch, progress);

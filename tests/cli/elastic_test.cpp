@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/under_test.hpp"
+#include "tests/cli/program.hpp"
 
 using namespace rayclock::test;
 using Catch::Contains;
@@ -104,7 +104,12 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
     check_refused(verify({"--unit", "tri=" + empty}), {"empty.sv", "empty"});
     check_refused(verify({"--unit", "tri=" + other}), {"other.sv", "no module rc_tri"});
     check_refused(verify({"--unit", "box=" + other, "--unit", "box=" + other}), {"twice"});
-    check_refused(verify({"--unit", "tri=" + broken}), {"verilator", "tri=" + broken, "failed"});
+    const Outcome outcome = verify({"--unit", "tri=" + broken});   // a line before says that RTL is built
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, Contains("verilator") && Contains("tri=" + broken) && Contains("failed"));
+    check_refused(verify({"--unit-only", "list"}), {"list", "cannot run alone"});
+    check_refused(verify({"--unit-only", "woop"}), {"'woop'"});
     check_refused(run_program({"verify", "--torture", "--elastic"}), {"--torture", "--elastic"});
     const std::string out = folder.name("out");
     check_refused(run_program({"template", "bix", "-o", out}), {"'bix'"});

@@ -11,19 +11,29 @@ namespace rayclock {
 
 /// A rule for the payload of one link.
 struct DontCare {
-    Unit unit;   ///< that drives the link
+    Unit unit;   ///< that gives the value; another unit may pass it on
     Link link;
     const char* fields;
     const char* when;
 };
-inline constexpr std::array dont_cares{
-    DontCare{Unit::tri, Link::tri_rsp, "num, det, prim, t, u, v, back", "closer is 0"},
-    DontCare{Unit::box, Link::box_rsp, "t_near, offset, count", "entries from inner + leaves on"},
-};
-/// Returns true if a rule exists for the link.
-constexpr bool has_dont_care(Link link) {
+/// trav passes the entries of an answer on to list, which does not read them either.
+inline constexpr auto dont_cares = [] {
+    constexpr const char *fields = "t_near, offset, count", *beyond = "entries from inner + leaves on",
+                         *beyond_leaves = "entries from leaves on";
+    std::array<DontCare, 2 + 2 * node_units.size()> all{
+        DontCare{Unit::tri, Link::tri_rsp, "num, det, prim, t, u, v, back", "closer is 0"},
+        DontCare{Unit::trav, Link::leaves, fields, beyond_leaves}};
+    std::size_t n = 2;
+    for (const NodeUnit& u : node_units) {
+        all[n++] = {u.unit, u.rsp, fields, beyond};
+        all[n++] = {u.unit, Link::leaves, fields, beyond_leaves};
+    }
+    return all;
+}();
+/// Returns true if one of the units marked in `free` may drive the fields of a rule for this link.
+constexpr bool is_free(Link link, const std::array<bool, unit_count>& free) {
     for (const DontCare& rule : dont_cares)
-        if (rule.link == link) return true;
+        if (rule.link == link && free[index(rule.unit)]) return true;
     return false;
 }
 
@@ -35,13 +45,19 @@ inline void drop_dont_care(Link, const TriRsp& wanted, TriRsp& got) {
     got = wanted;
     got.ray = ray;
 }
-inline void drop_dont_care(Link link, const BoxRsp& wanted, BoxRsp& got) {
-    if (link != Link::box_rsp) return;
-    for (std::size_t i = wanted.inner + wanted.leaves; i < wanted.t_near.size(); ++i) {
+/// Copies the entries of a node's answer, or of its leaves, from number `first` on.
+template <class P> void copy_entries(std::size_t first, const P& wanted, P& got) {
+    for (std::size_t i = first; i < wanted.t_near.size(); ++i) {
         got.t_near[i] = wanted.t_near[i];
         got.offset[i] = wanted.offset[i];
         got.count[i] = wanted.count[i];
     }
+}
+inline void drop_dont_care(Link, const BoxRsp& wanted, BoxRsp& got) {
+    copy_entries(wanted.inner + wanted.leaves, wanted, got);
+}
+inline void drop_dont_care(Link, const Leaves& wanted, Leaves& got) {
+    copy_entries(wanted.leaves, wanted, got);
 }
 
 }   // namespace rayclock

@@ -136,12 +136,7 @@ void RayJudge::compare(std::uint64_t now, int pipeline, Link c, const P& wanted,
     if (std::memcmp(words_.data(), port.data, std::min<std::size_t>(words_.size() * 4, port.bytes)) == 0)
         return;
     P got = get_data<P>(port, config_);
-    const auto from = [&] {
-        for (std::size_t u = 0; u < unit_count; ++u)
-            if (std::string_view(unit_infos[u].name) == link_infos[index(c)].from) return u;
-        return unit_count;
-    }();
-    if (has_dont_care(c) && from < unit_count && free_[from]) {
+    if (is_free(c, free_)) {
         drop_dont_care(c, wanted, got);
         if (pack(got, config_) == words_) return;
     }

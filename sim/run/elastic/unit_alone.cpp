@@ -10,6 +10,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/witness.hpp"
+#include "sim/run/elastic/corners.hpp"
 #include "sim/run/elastic/dont_care.hpp"
 #include "sim/run/elastic/findings.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
@@ -79,6 +80,17 @@ std::vector<Pair> record(const Job& job, const RecordedFrame& frame, const Shape
             });
         });
     return pairs;
+}
+
+/// Adds as many requests of tri at corners as there are recorded ones.
+void add_tri_corners(std::vector<Pair>& pairs, const Config& config, int seed) {
+    std::mt19937_64 random{std::uint64_t(seed)};
+    const std::size_t recorded = pairs.size();
+    for (std::size_t i = 0; i < recorded; ++i) {
+        TriReq request = unpack<TriReq>(pairs[i].request.data(), config);
+        to_corner(request, config, random);
+        pairs.push_back({pack(request, config), pack(tri_answer(request, config), config)});
+    }
 }
 
 class Alone {
@@ -207,7 +219,11 @@ private:
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed,
                          std::uint64_t most) {
     const Shape shape = shape_of(unit, job.config);
-    return Alone(job, unit, shape, seed).run(record(job, frame, shape, most));
+    std::vector<Pair> pairs = record(job, frame, shape, most);
+    if (pairs.empty() && !interrupted())
+        throw UserError(fmt::format("--unit-only {}: the frame has no request for this unit", unit));
+    if (shape.req == Link::tri_req && has_tri_corners(job.config)) add_tri_corners(pairs, job.config, seed);
+    return Alone(job, unit, shape, seed).run(std::move(pairs));
 }
 
 }   // namespace rayclock

@@ -1,0 +1,20 @@
+#pragma once
+// Requests at the ends of a unit's operands, with their answers.
+#include <cstdint>
+#include <random>
+
+#include "model/core/payloads.hpp"
+
+namespace rayclock {
+
+/// True if corner cases exist for tri on this chip: it tests triangles only, for camera rays.
+inline bool has_tri_corners(const Config& config) { return !config.shading && !config.has_instances(); }
+
+/// Replaces components of ray and triangle by values at the ends of their range, by zero, or by each other.
+/// Each component is replaced with a probability of 1/4.
+void to_corner(TriReq& request, const Config& config, std::mt19937_64& random);
+
+/// Returns the answer of the pure function of tri.
+TriRsp tri_answer(const TriReq& request, const Config& config);
+
+}   // namespace rayclock
