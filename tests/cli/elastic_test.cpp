@@ -62,7 +62,7 @@ TEST_CASE("the wrapper of a template is the unit, in the same cycles") {
     REQUIRE(run_program({"template", "box", "--config", "small", "-o", folder.name("box")}).code == 0);
     const std::string readme = bytes_of(folder.name("box/README.md"));
     CHECK_THAT(readme, Contains("| `box_req` | from node_cache | handshake | ray (") &&
-                           Contains("- `box_rsp`: t_near, offset, count when"));
+                           Contains("- `box_rsp`: t_near, offset, count in the entries"));
     const Outcome outcome =
         run_program({"verify", "--elastic", "box", "--unit", "box=" + folder.name("box/wrapped_box.sv"),
                      "gears:1", "--size", "16x12", "--config", "small", "--json", "-"});

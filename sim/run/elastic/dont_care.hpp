@@ -18,10 +18,10 @@ struct DontCare {
 };
 /// trav passes the entries of an answer on to list, which does not read them either.
 inline constexpr auto dont_cares = [] {
-    constexpr const char *fields = "t_near, offset, count", *beyond = "entries from inner + leaves on",
-                         *beyond_leaves = "entries from leaves on";
+    constexpr const char *fields = "t_near, offset, count", *beyond = "in the entries from inner + leaves on",
+                         *beyond_leaves = "in the entries from leaves on";
     std::array<DontCare, 2 + 2 * node_units.size()> all{
-        DontCare{Unit::tri, Link::tri_rsp, "num, det, prim, t, u, v, back", "closer is 0"},
+        DontCare{Unit::tri, Link::tri_rsp, "num, det, prim, t, u, v, back", "if closer is 0"},
         DontCare{Unit::trav, Link::leaves, fields, beyond_leaves}};
     std::size_t n = 2;
     for (const NodeUnit& u : node_units) {

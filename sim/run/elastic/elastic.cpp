@@ -207,6 +207,14 @@ ElasticResult run_elastic(const Job& job, Traffic traffic, const Progress& progr
     return run_elastic(job, frames, parse_free_units("all", job.config), traffic, progress, seed);
 }
 
+std::string unit_names(const Config& config) {
+    std::string text;
+    for (const UnitInfo& unit : unit_infos)
+        if (is_there(unit.when, config) && unit.place != UnitPlace::outside)
+            text += (text.empty() ? "" : ", ") + std::string(unit.name);
+    return text;
+}
+
 FreeUnits parse_free_units(const std::string& text, const Config& config) {
     if (text.empty()) throw UserError("--elastic: the list of units is empty");
     FreeUnits free{};
@@ -221,10 +229,8 @@ FreeUnits parse_free_units(const std::string& text, const Config& config) {
             free[u] = found = true;
         }
         if (!found)
-            throw UserError(
-                fmt::format("--elastic {}: no unit is called '{}'; use names of docs/chip.md, or "
-                            "'all'",
-                            printable(text), printable(word)));
+            throw UserError(fmt::format("--elastic {}: no unit is called '{}'; this chip has {}",
+                                        printable(text), printable(word), unit_names(config)));
     }
     return free;
 }

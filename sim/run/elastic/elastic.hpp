@@ -31,6 +31,9 @@ ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& fram
                           Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 ElasticResult run_elastic(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
+/// Returns the units of a chip, for messages: "sched, raygen, ...".
+std::string unit_names(const Config& config);
+
 /// Parses "tri,box" or "all". Throws UserError if the configuration has no such unit.
 FreeUnits parse_free_units(const std::string& text, const Config& config);
 

@@ -12,6 +12,8 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "sim/run/elastic/dont_care.hpp"
+#include "sim/run/elastic/elastic.hpp"
+#include "sim/run/elastic/unit_alone.hpp"
 #include "sim/run/elastic/findings.hpp"
 #include "sim/run/rtl/sources.hpp"
 
@@ -94,9 +96,17 @@ std::string dont_care_text(const std::string& unit) {
     std::string text;
     for (const DontCare& rule : dont_cares)
         if (unit == unit_name(rule.unit))
-            text += fmt::format("- `{}`: {} when {}\n", link_infos[index(rule.link)].name, rule.fields,
-                                rule.when);
+            text += fmt::format("- `{}`: {} {}\n", link_infos[index(rule.link)].name, rule.fields, rule.when);
     return text.empty() ? "None: every bit of every transfer is compared.\n" : text;
+}
+
+/// Returns the run line of the unit alone, if it can run alone.
+std::string alone_text(const std::string& unit, const Config& config) {
+    if (!runs_alone(unit)) return {};
+    return fmt::format(
+        "\nThe unit alone, on the requests of a frame, with random valid and ready:\n\n    rayclock "
+        "verify gears:2 --size 48x36 --config {1} --unit-only {0} --unit {0}=rc_{0}.sv\n",
+        unit, config.name);
 }
 
 std::string readme(const std::string& unit, const Ports& ports, const Config& config) {
@@ -114,7 +124,7 @@ Both are judged by value, in the time that they take:
     rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=wrapped_{0}.sv
 
 Without `--elastic` the same command compares every cycle too.
-
+{5}
 ## Ports
 
 ```systemverilog
@@ -134,13 +144,14 @@ chip. A payload's first field is the most significant.
   payload stay until the transfer. *fires*: the receiver accepts in every cycle.
 - Each request gets one answer, with the `ray` or `id` of the request. Answers may come in any order across
   rays, and after any time. A ray has one transfer in flight.
-- After reset, which lasts at least four cycles, valid is 0. No register survives it.
+- Reset lasts at least four cycles. After it, valid is 0.
 - `cause`, `deed`, `rests` and `waits` outputs feed the counters only. They are not compared.
 
 ## Outputs that nobody reads
 
 {4})",
-                       unit, config.name, ports.text, links_text(unit, config), dont_care_text(unit));
+                       unit, config.name, ports.text, links_text(unit, config), dont_care_text(unit),
+                       alone_text(unit, config));
 }
 
 }   // namespace
@@ -149,7 +160,9 @@ std::vector<TemplateFile> unit_template(const std::string& unit, const Config& c
     std::optional<Unit> found;
     for (std::size_t u = 0; u < unit_count; ++u)
         if (unit == unit_infos[u].name) found = Unit(u);
-    if (!found) throw UserError(fmt::format("no unit is called {}; docs/elastic.md lists them", shown(unit)));
+    if (!found)
+        throw UserError(
+            fmt::format("no unit is called {}; this chip has {}", shown(unit), unit_names(config)));
     if (*found == Unit::memory || *found == Unit::memport)
         throw UserError(fmt::format("the unit {} is no module of its own, so it has no template", unit));
     if (!is_there(*found, config))

@@ -216,6 +216,11 @@ private:
 
 }   // namespace
 
+bool runs_alone(const std::string& unit) {
+    return unit == "tri" || unit == "xform" ||
+           std::ranges::any_of(node_units, [&](const NodeUnit& u) { return unit == unit_name(u.unit); });
+}
+
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed,
                          std::uint64_t most) {
     const Shape shape = shape_of(unit, job.config);

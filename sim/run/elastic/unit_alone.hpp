@@ -17,11 +17,13 @@ struct UnitAlone {
     bool agrees() const { return value_mismatches == 0 && !interrupted; }
 };
 
+/// True if the unit answers each request with one transfer: tri, xform, and the units that decide nodes.
+bool runs_alone(const std::string& unit);
+
 /// Records the requests of a frame with the answers of the unit's pure function, at most `most` of them. For
 /// tri on a chip that does not shade, adds as many requests at the corners of the operands. Then offers them
 /// to the unit with random valid and ready, under numbers of rays that are not in flight. Answers may come in
-/// any order. Don't-care outputs are not compared. Throws UserError if the unit does not answer each request
-/// with one transfer: only tri, xform and the units that decide nodes do.
+/// any order. Don't-care outputs are not compared. Throws UserError unless runs_alone().
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed = 1,
                          std::uint64_t most = 1'000'000);
 
