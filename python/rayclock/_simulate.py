@@ -157,9 +157,10 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
             ("reference", not reference)] if given]
         if odd:
             raise Error(f"rays take the place of a camera, so {odd[0]} has no meaning here")
-        table = _arrays.table("rays", rays, (6, 7, 8, 9), "f", _most_rays)
-        made = _rayclock.simulate_stream(data, machine, table, "rays", bool(any_hit), str(outside), *common)
-        return StreamReport(**json.loads(made.json), hits=_arrays.read_npy(made.take_hits()))
+        fits = 2 << machine.addr_bits   # two rays in a line of the chip's memory
+        table = _arrays.table("rays", rays, (6, 7, 8, 9), "f", min(_most_rays, fits))
+        traced = _rayclock.simulate_stream(data, machine, table, "rays", bool(any_hit), str(outside), *common)
+        return StreamReport(**json.loads(traced.json), hits=_arrays.read_npy(traced.take_hits()))
     if any_hit or outside != "clip":
         raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
     options = _options(engine=engine, reference=reference, size=size, depth=depth, aa=aa, threshold=threshold,

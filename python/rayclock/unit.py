@@ -30,7 +30,7 @@ class Field(NamedTuple):
     name: str
     bits: int
     """Width of a number in the chip."""
-    count: int
+    numbers: int
     """Numbers in an array; 0 for a single number."""
     signed: bool
 

@@ -44,6 +44,7 @@ class Rays(Case):
         billion = np.broadcast_to(np.float32(1), (10**9, 6))
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         self.refused("1000000000 rows are too many", self.traced, billion)
+        self.refused("the largest number is 33554432", self.traced, billion[:40_000_000])
         self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 100_000)
 
     def test_an_option_of_pictures_is_refused(self):

@@ -97,15 +97,15 @@ class Values(Case):
                     rows[f.name][:, 1] = rng.integers(0, 1 << (f.bits - 65), len(rows))
             values = unit.port_values(name, rows, config)
             self.assertEqual(unit.from_port_values(name, values, config, response=False).tobytes(), rows.tobytes())
-            at = sum(f.bits * max(f.count, 1) for f in fields)
+            at = sum(f.bits * max(f.numbers, 1) for f in fields)
             self.assertLess(max(values), 1 << at)
             for f in fields:   # the first field is the most significant, element 0 of an array the least
-                for i in range(max(f.count, 1)):
-                    low = at - f.bits * (max(f.count, 1) - i)
-                    want = rows[f.name][0] if f.count == 0 else rows[f.name][0][i]
+                for i in range(max(f.numbers, 1)):
+                    low = at - f.bits * (max(f.numbers, 1) - i)
+                    want = rows[f.name][0] if f.numbers == 0 else rows[f.name][0][i]
                     if np.ndim(want) == 0:
                         self.assertEqual(values[0] >> low & ((1 << f.bits) - 1), int(want) & ((1 << f.bits) - 1))
-                at -= f.bits * max(f.count, 1)
+                at -= f.bits * max(f.numbers, 1)
             self.assertEqual(at, 0)
 
     def test_every_unit_answers_in_a_machine_that_has_it(self):
