@@ -10,6 +10,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/clock.hpp"
+#include "sim/app/elastic.hpp"
 #include "sim/app/stream_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
@@ -17,6 +18,7 @@
 #include "sim/run/request/request.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 #include "sim/run/stream/stream.hpp"
+#include "sim/view/report/elastic.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
@@ -160,14 +162,20 @@ int verify_stream(const StreamCommand& c) {
     s.job.khz = khz;
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
-    const LockstepResult result = run_lockstep(s.job, frames, traffic, progress, int(c.traffic.seed));
+    std::optional<ElasticResult> elastic;
+    if (c.elastic)
+        elastic = run_elastic(s.job, frames, parse_free_units(*c.elastic, config), traffic, progress,
+                              int(c.traffic.seed));
+    const LockstepResult result =
+        elastic ? as_lockstep(*elastic) : run_lockstep(s.job, frames, traffic, progress, int(c.traffic.seed));
     const std::vector<FramesAtClock> runs{{khz, {result.model}}};
     bool partial = result.model.partial;
     std::optional<StreamJudgement> judged;
     if (!c.no_judge && !partial) judged = judge_stream(s, result.rtl.answers, c.threads, stop);
     if (!c.json.is_alone()) {
         fmt::print("{}{}\n{}\n{}\n{}", heading_of(s), clock_table(config, runs), work_table(config, runs[0]),
-                   unit_table(config, runs), lockstep_lines(result));
+                   unit_table(config, runs),
+                   elastic ? elastic_lines(config, khz, *elastic) : lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }
     partial = partial || !write_hits(c, s, frames[0], runs[0], traffic, progress);
@@ -182,7 +190,8 @@ int verify_stream(const StreamCommand& c) {
     json["events_compared"] = result.events_compared;
     json["value_mismatches"] = result.value_mismatches;
     json["account_mismatches"] = result.account_mismatches;
-    json["cycle_gap"] = result.cycle_gap;
+    json["cycle_gap"] = elastic ? cycle_gap_of(*elastic) : result.cycle_gap;
+    json["elastic"] = elastic ? elastic_json(config, khz, *c.elastic, *elastic) : nullptr;
     json["first_divergence"] = divergence_json(result.first);
     json["counters_compared"] = result.counters_compared;
     json["first_counter"] = counter_json(result.counter);

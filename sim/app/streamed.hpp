@@ -33,10 +33,11 @@ struct StreamCommand {
     bool no_judge = false;
     int threads = 0;
     JsonOutput json;
+    std::optional<std::string> elastic{};   ///< of verify: the units whose timing is not the model's
 };
 /// Simulates a stream on the model at each clock. Returns the exit code. Throws UserError.
 int simulate_stream(const StreamCommand& command);
-/// Runs model and RTL in lockstep on a stream. Returns the exit code. Throws UserError.
+/// Runs model and RTL on a stream, in lockstep or elastic. Returns the exit code. Throws UserError.
 int verify_stream(const StreamCommand& command);
 
 }   // namespace rayclock

@@ -305,14 +305,14 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 /// Runs the command with a stream of rays. It draws no picture.
 int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.torture              ? "--torture"
-                     : o.elastic.is_asked() ? "--elastic"
-                     : o.elastic.alone      ? "--unit-only"
-                     : o.netlist            ? "--netlist"
-                     : o.no_wave            ? "--no-wave"
-                                            : nullptr);
+    refuse_with_rays(o.torture         ? "--torture"
+                     : o.elastic.alone ? "--unit-only"
+                     : o.netlist       ? "--netlist"
+                     : o.no_wave       ? "--no-wave"
+                                       : nullptr);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-    return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
+    return verify_stream(
+        {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json, o.elastic.units});
 }
 
 int run_verify(const VerifyOptions& typed) {

@@ -40,6 +40,12 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
         CHECK(report({"simulate", "gears:1", "--rays", rays, "--clock", "66"})["clocks"][0]["cycles"] ==
               traced["clocks"][0]["cycles"]);
     }
+    const json elastic = report({"verify", "gears:1", "--rays", rays, "--elastic", "tri"});
+    CHECK(elastic["value_mismatches"] == 0);
+    CHECK(elastic["events_compared"] > 1000);
+    CHECK(elastic["cycle_gap"] == 0);
+    CHECK(elastic["elastic"]["rtl_cycles"] == elastic["clocks"][0]["cycles"]);
+    CHECK(elastic["judge"]["wrong"] == 0);
 }
 
 TEST_CASE("options that a stream cannot use are refused", "[rays]") {
