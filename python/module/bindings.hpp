@@ -16,8 +16,8 @@ namespace rayclock::python {
 
 namespace py = pybind11;
 
-/// A configuration as Python holds it: the name and the settings that the program would get, and the values
-/// that follow. Whether the values are legal together is checked when a machine is made.
+/// A configuration in Python: the name and the settings as on the command line, and the resulting values.
+/// Only check() and a run check whether the values are legal together.
 struct PyConfig {
     ConfigChoice choice;
     Config value;

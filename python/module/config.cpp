@@ -59,7 +59,7 @@ std::string doc_of(const Parameter& p, const Config& usual) {
     std::string text = fmt::format("{}: {}.\n\nValues: {}; {} in 'default'.", p.group, p.meaning,
                                    range_text(p), value_text(usual, p));
     if (*p.effect->words) text += fmt::format(" Needs {}.", p.effect->words);
-    if (p.timing_only) text += " It decides when things happen, never what a ray does.";
+    if (p.timing_only) text += " It changes timing only, never the result of a ray.";
     return text;
 }
 
@@ -81,9 +81,9 @@ void bind_config(py::module_& module) {
         module, "Config",
         "A machine: a configuration by name or from a file, with parameters overridden.\n\n"
         "Config('default', node_sets=128) is what the program makes of\n"
-        "--config default --set node_sets=128. Every parameter is an attribute. A value is\n"
-        "checked when it is set; whether all values are legal together is checked by\n"
-        "check(), and before a machine runs.");
+        "--config default --set node_sets=128. Every parameter is an attribute. Setting it\n"
+        "checks its range. check() checks whether all values are legal together, and so does\n"
+        "every run.");
     config.def(py::init(&made), py::arg("name") = "default");
     const Config usual = named_config("default");
     py::list keys;

@@ -1,11 +1,10 @@
 #pragma once
-// Payloads as rows of structured NumPy arrays, from the one description that each payload gives of itself
+// Payloads as rows of structured NumPy arrays, from each payload's own description
 // (model/core/payloads.hpp). A row is packed: its fields follow each other without gaps. A member of 32 bits
 // is u4 or i4. A wide member is i8, or two u8 (lower half first) if the configuration needs more than 64
 // bits.
 //
-// A description names every member's width, which takes longer than the members' copies. So it is read once
-// for many rows.
+// Reading a description takes longer than copying a payload. So Rows reads it once for many rows.
 #include <cstddef>
 #include <cstring>
 #include <string>

@@ -25,12 +25,12 @@ struct Call {
     std::function<void(const Progress& stop)> work;
     std::mutex mutex;
     std::condition_variable ended;
-    bool has_ended = false, is_alone = false;   ///< is_alone: the caller has gone
+    bool has_ended = false, is_alone = false;   ///< is_alone: the call has returned before its work ended
     std::atomic<bool> must_stop = false;
     std::exception_ptr failure;
 };
 
-/// Work whose callers have gone. Only Python's exit looks at it.
+/// The number of calls that returned before their work ended. wait_for_interrupted_work() reads it.
 std::atomic<int> alone = 0;
 
 void work_on(const std::shared_ptr<Call>& call) {

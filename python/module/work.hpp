@@ -15,10 +15,10 @@ namespace rayclock::python {
 /// Calls `work` on another thread while the caller waits without Python's lock, so other Python threads run.
 /// Several calls may run at once: they share nothing. Rethrows what `work` throws.
 ///
-/// At Ctrl-C the progress callback that `work` received throws Interrupted, and run() throws Python's
-/// KeyboardInterrupt as soon as `work` has ended, or after half a second. In the second case `work` goes on
-/// until it reports progress, and its result is discarded. So `work` must own what it uses, and must not use
-/// Python. `kept` holds the Python objects whose memory it uses.
+/// After Ctrl-C the progress callback of `work` throws Interrupted. run() throws Python's KeyboardInterrupt
+/// as soon as `work` has ended, or after half a second. In the second case `work` continues until it reports
+/// progress, and its result is discarded. So `work` must own the data that it uses, and must not call Python.
+/// `kept` holds the Python objects whose memory `work` uses.
 void run(std::function<void(const Progress& stop)> work, pybind11::object kept = {});
 
 /// Does the same, and returns the result of `work`.
@@ -29,8 +29,8 @@ template <class Work> auto result_of(Work work, pybind11::object kept = {}) {
     return std::move(**result);
 }
 
-/// Waits, without Python's lock, until no work goes on after its call has ended. Python's exit calls it,
-/// because the libraries cannot be unloaded below a thread that uses them. Returns early at Ctrl-C.
+/// Waits, without Python's lock, for all work that continues after its call has returned. Python calls it at
+/// exit, because a running thread still uses the libraries. Ctrl-C ends the wait early.
 void wait_for_interrupted_work();
 
 }   // namespace rayclock::python

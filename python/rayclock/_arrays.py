@@ -1,8 +1,7 @@
-"""Checks of arrays that enter the compiled module. Every fault is one sentence in an Error.
+"""Checks of the arrays that the compiled module receives. Each fault raises an Error with one sentence.
 
-One rule holds for all arrays: numbers of another byte order, and rows that do not follow each other in C
-order, are converted by one copy. Everything else that does not fit is refused. The size is checked before
-anything is copied.
+All arrays follow one rule. An array of another byte order or layout is copied once. Other types and shapes are
+refused. The number of rows is checked before anything is copied.
 """
 from __future__ import annotations
 
@@ -33,8 +32,8 @@ def _shape(array: np.ndarray) -> str:
 def table(name: str, value: Any, columns: tuple[int, ...], kinds: str, most: int, dtype: Any = None) -> np.ndarray:
     """Returns an array of rows in C order and native byte order.
 
-    `kinds` are the letters of the kinds that are taken: f float32 or float64, i whole numbers. `most` is the
-    largest number of rows. `dtype` is the type of the result, if it is not the array's own.
+    `kinds` has a letter for each accepted kind: f for float32 and float64, i for whole numbers. `most` is the
+    largest number of rows. `dtype` is the type of the result; without it the array's own type.
     """
     array = _array(name, value)
     wanted = " or ".join(map(str, columns))

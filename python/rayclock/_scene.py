@@ -83,8 +83,8 @@ class Scene:
     indices: m x 3 whole numbers, the corners of each triangle, counter-clockwise seen from outside.
     normals: n x 3 numbers, the normals of the vertices; without them every triangle is flat.
     materials: the materials; `material` has the index of one of them for each triangle, 0 without it.
-    lights: without them the scene gets two, as a file without lights does. An empty list means none.
-    camera: without one, rayclock finds a view of the whole scene.
+    lights: None adds two lights, as for a file without lights. An empty list means no lights.
+    camera: None shows the whole scene.
     background: linear RGB.
 
     The arrays are copied. Raises Error if the scene cannot be traced.

@@ -137,9 +137,10 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
     The arguments are the options of `rayclock simulate`, with the same meaning. `reference=False` is
     --no-reference, `judge=False` is --no-judge. The default size is 512 x 384.
 
-    With `rays`, the machine traces these in place of a camera's: an array of float32 or float64, n x 6 (origin,
-    direction), 7 (and t_max), 8 (t_min and t_max) or 9 (and 1 for any hit). An array in C order and native
-    byte order is read where it lies; another one is converted by one copy. The result is a StreamReport.
+    With `rays`, the machine traces these rays in place of a camera's, and the result is a StreamReport. `rays` is
+    an array of float32 or float64. Its rows have 6 numbers (origin, direction), 7 (and t_max), 8 (t_min and t_max)
+    or 9 (and 1 for any hit). An array in C order and native byte order is read in place. Other arrays are copied
+    once.
 
     Other Python threads run meanwhile. Ctrl-C stops the work. Raises Error for input that makes no sense.
     """
@@ -208,8 +209,8 @@ def sweep(scene: Union[str, Scene], axes: Mapping[str, Any], config: Union[str, 
     """Runs one scene on many configurations and clocks: what `rayclock sweep` does.
 
     axes: the values of each parameter, or of "clock": {"pipelines": [1, 2, 4], "dram": ["ddr3", "sdr"]}. A text
-    has the form of --axis: {"node_sets": "16,32", "a/b": "1/8,2/4"}. `clock` is that of points without an axis
-    for it. netlist=True counts multipliers and flip-flops with Yosys, as the program does by default. `picture`
+    has the form of --axis: {"node_sets": "16,32", "a/b": "1/8,2/4"}. `clock` applies if there is no axis "clock".
+    netlist=True counts multipliers and flip-flops with Yosys, as the program does by default. `picture`
     takes the arguments of simulate() for a picture: size, depth, aa, eye, frames and so on.
 
     Finished figures are kept in the program's cache, and fresh=True ignores it. Raises Error.

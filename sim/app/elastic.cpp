@@ -1,4 +1,4 @@
-// Reads the options --elastic and --unit.
+// Reads --elastic, --unit and --unit-only, and runs a unit alone.
 #include "sim/app/elastic.hpp"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ bool is_list_of_units(const std::string& text) {
 void elastic_options(Parser& parser, ElasticChoice& choice) {
     parser
         .option("--elastic", choice.units,
-                "compare values, ray by ray, and not cycles: for RTL whose units take other times. A list "
-                "UNIT,... names these units; outputs that nobody reads are compared for all others")
+                "compare values ray by ray, not cycles: for units whose timing differs from the model's. "
+                "UNIT,... names these units, default all; don't-care outputs of other units are compared")
         .or_alone("all");
     parser
         .option("--unit", choice.files,
@@ -69,7 +69,7 @@ int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int 
     const UnitAlone r = run_unit_alone(job, frame, *choice.alone, seed);
     if (!json.is_alone()) {
         fmt::print("{} alone, on the requests of {}\n", *choice.alone, printable(scene.name));
-        fmt::print("  {} answers compared in {} cycles, {} are wrong or missing ({} in a second)\n",
+        fmt::print("  {} answers compared in {} cycles, {} are wrong or missing ({} answers per second)\n",
                    grouped(r.answers), grouped(r.cycles), grouped(r.value_mismatches),
                    grouped(std::uint64_t(double(r.answers) / std::max(r.seconds, 1e-3))));
         if (r.first) fmt::print("{}", divergence_lines(*r.first));

@@ -1,5 +1,5 @@
 #pragma once
-// Options of RTL of one's own: elastic verification, and units from files.
+// Options for replaced units: elastic verification, units from files, and a unit alone.
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +18,8 @@ struct ElasticChoice {
 };
 void elastic_options(Parser& parser, ElasticChoice& choice);
 
-/// Makes the RTL use the files of --unit. If the word behind --elastic is a scene and not a list of units, it
-/// becomes `scene`. Throws UserError.
+/// Makes the RTL use the files of --unit. If the word after --elastic is not a list of units, it becomes
+/// `scene`. Throws UserError.
 void take_elastic(ElasticChoice& choice, std::string& scene);
 
 /// Runs the unit of --unit-only on the requests of a film's first frame. Returns the exit code.
@@ -29,7 +29,7 @@ int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int 
 /// are the same.
 LockstepResult as_lockstep(const ElasticResult& result);
 
-/// Returns by how many cycles the RTL and the model differ, over all frames.
+/// Returns the sum over all frames of the difference in cycles between RTL and model.
 std::uint64_t cycle_gap_of(const ElasticResult& result);
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// The explanation of a pixel without its command.
+// Explains a pixel and makes the report.
 #include "sim/app/explain_run.hpp"
 
 #include "model/base/interrupted.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// The explanation of a pixel without its command. The command explain and the Python module run it.
+// The explanation of a pixel, and its report. The command explain and the Python module call it.
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,8 +19,8 @@ struct ExplainHow {
     bool is_judged = true;      ///< by the exact judge; needs is_compared
     int threads = 0;
 };
-/// Runs all frames of the film, and calls `use` with the explanation of a pixel of the last one and the
-/// errors of that frame, if it is compared. Throws UserError, and Interrupted after Ctrl-C.
+/// Runs all frames of the film. Calls `use` with the explanation of a pixel of the last frame, and with that
+/// frame's errors if it was compared. Throws UserError, and Interrupted after Ctrl-C.
 void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const Progress& progress,
                    const std::function<void(const Explanation&, const std::vector<FrameError>&)>& use);
 

@@ -1,4 +1,4 @@
-// A simulation without its command.
+// Runs a simulation and makes its report.
 #include "sim/app/simulated.hpp"
 
 #include <algorithm>

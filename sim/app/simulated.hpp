@@ -1,6 +1,6 @@
 #pragma once
-// A simulation without its command: frames of a scene at each clock, compared with the reference and judged,
-// and the report. The command simulate and the Python module run it.
+// A simulation and its report: runs the frames of a scene at each clock, compares the last one with the
+// reference and judges it. The command simulate and the Python module call it.
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,10 +33,8 @@ struct SimulatePlan {
     Film& film;
     FrameSize size;
     std::vector<int> clocks;
-    const Request& request() const {
-        return film.request();
-    }   ///< the last frame's request once all frames
-        ///< are recorded
+    /// Returns the last frame's request, once all frames are recorded.
+    const Request& request() const { return film.request(); }
     const Job& job() const { return film.job(); }
 };
 
@@ -75,8 +73,7 @@ struct Totals {
     Digest digest;
 };
 
-/// Runs the frames at each clock. The result is partial if Ctrl-C stopped it, or an exception leaves if
-/// `progress` throws one.
+/// Runs the frames at each clock. After Ctrl-C the result is partial. Rethrows what `progress` throws.
 Simulated run_simulation(const SimulateHow& how, const SimulatePlan& work, const Progress& progress);
 /// Compares the last frame with the reference and judges it.
 void compare_frames(Simulated& s, const SimulateHow& how, const SimulatePlan& work, const Progress& progress);

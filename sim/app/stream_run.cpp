@@ -1,4 +1,4 @@
-// A simulation of a stream of rays without its command.
+// Runs a stream of rays and makes its report.
 #include "sim/app/stream_run.hpp"
 
 #include "model/base/error.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// A simulation of a stream of rays without its command: the runs at each clock, the exact judge's verdict,
-// and the report. The command simulate and the Python module run it.
+// A simulation of a stream of rays: the runs at each clock, the exact judge's verdict, and the report. The
+// command simulate and the Python module call it.
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ namespace rayclock {
 Config stream_config(const ConfigChoice& choice);
 /// Parses "clip" or "refuse". Throws UserError.
 Outside parse_outside(const std::string& text);
-/// Throws UserError unless a stream can meet the scene, and adds a camera if the scene has none.
+/// Adds a camera if the scene has none. Throws UserError if the scene cannot be used with a stream.
 void prepare_for_stream(Scene& scene);
 
 /// The results of a stream at each clock.

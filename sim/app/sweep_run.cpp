@@ -1,4 +1,4 @@
-// A sweep without its command.
+// Runs a sweep and makes its report.
 #include "sim/app/sweep_run.hpp"
 
 #include "sim/app/clock.hpp"

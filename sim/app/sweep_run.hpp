@@ -1,6 +1,6 @@
 #pragma once
-// A sweep without its command: the points of a grid, their figures, and the report. The command sweep and the
-// Python module run it.
+// A sweep: the points of a grid, their figures, and the report. The command sweep and the Python module call
+// it.
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct SweepAsk {
     FrameSize size;
     std::vector<sweep::Axis> axes;
     std::string clock, cost = "auto";
-    std::optional<int> cache_bytes;   ///< only points whose caches hold so many bytes
+    std::optional<int> cache_bytes;   ///< keep only points whose caches hold this many bytes
     sweep::Shard shard{};
     bool netlists = true;   ///< count multipliers and flip-flops
     bool fresh = false;     ///< take nothing from the cache

@@ -1,4 +1,4 @@
-// rayclock template: writes the files with which a unit of one's own starts.
+// rayclock template: writes the files from which a user starts a replacement of a unit.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
@@ -37,7 +37,7 @@ int run_template(const TemplateOptions& o) {
 }   // namespace
 
 Command template_command() {
-    return command("template", "write the module and the ports of a unit, to start one of your own",
+    return command("template", "write a unit's module, a wrapper and a README, to start a unit of your own",
                    "rayclock template tri -o my_tri", declare_template, run_template);
 }
 

@@ -55,7 +55,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
     const Declared scene = scene_option(parser, o.scene);
     parser
         .flag("--torture", o.torture,
-              "instead of a scene, run the torture set: small frames on six chips that reach the corners "
+              "instead of a scene, run the torture set: small frames on seven chips that reach the corners "
               "of the machine")
         .excludes(scene);
     elastic_options(parser, o.elastic);

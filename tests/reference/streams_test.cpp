@@ -1,5 +1,5 @@
-// Embree as a second opinion on streams of rays. It traces the rounded rays in the rounded scene, so only its
-// own rounding may differ.
+// Embree as a second opinion on streams of rays. It traces the rounded rays in the rounded scene, so only
+// Embree's own rounding may cause differences.
 #include <catch2/catch.hpp>
 
 #include <cmath>

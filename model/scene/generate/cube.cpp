@@ -1,4 +1,4 @@
-// The scene of Vortex's test rt_raycast: a cube of 12 triangles, seen as that program frames its meshes.
+// The scene of Vortex's test rt_raycast: a cube of 12 triangles, with the camera that this test computes.
 #include <cmath>
 
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Requests at the ends of a unit's operands, with their answers.
+// Requests for tri with operands at the ends of their range, and their answers.
 #include <cstdint>
 #include <random>
 
@@ -7,7 +7,7 @@
 
 namespace rayclock {
 
-/// True if corner cases exist for tri on this chip: it tests triangles only, for camera rays.
+/// True if corner cases exist for tri on this chip: a chip without shading and instances.
 inline bool has_tri_corners(const Config& config) { return !config.shading && !config.has_instances(); }
 
 /// Replaces components of ray and triangle by values at the ends of their range, by zero, or by each other.

@@ -1,6 +1,6 @@
 #pragma once
-// Outputs that nobody reads: a unit of one's own may drive them as it likes. Elastic verification does not
-// compare them, and `rayclock template` lists them. One row for each rule.
+// Don't-care outputs: no unit reads them, so a replaced unit may drive them with any value. Elastic
+// verification does not compare them, and `rayclock template` lists them. The table has a row for each rule.
 #include <array>
 #include <cstdint>
 
@@ -37,7 +37,7 @@ constexpr bool is_free(Link link, const std::array<bool, unit_count>& free) {
     return false;
 }
 
-/// Makes the fields equal in both payloads that nobody reads. `wanted` decides which ones these are.
+/// Copies the don't-care fields of `wanted` to `got`. The values in `wanted` decide which fields these are.
 template <class P> void drop_dont_care(Link, const P&, P&) {}
 inline void drop_dont_care(Link, const TriRsp& wanted, TriRsp& got) {
     if (wanted.closer || got.closer) return;

@@ -118,8 +118,8 @@ private:
         compare_pixels();
     }
 
-    /// Clocks the RTL until its frame is done. Returns false if no ray moves any more, or if a wrong RTL
-    /// takes far longer than the model.
+    /// Clocks the RTL until its frame is done. Returns false if no ray moves any more, or if the RTL takes
+    /// far longer than the model after its first difference.
     bool clock_rtl(std::size_t pixels, FrameCollector& hits, const Progress& progress) {
         std::uint64_t give_up = 0;
         while (!rtl_.done() && !interrupted()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Elastic verification: RTL whose units may take other times than the model's. Compares values, not cycles.
+// Elastic verification: compares values, not cycles. The timing of the RTL may differ from the model's.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace rayclock {
 
-/// The units whose timing is not the model's. Only their don't-care outputs (dont_care.hpp) are left out of
-/// the comparison.
+/// The units that the user replaced. Their don't-care outputs (dont_care.hpp) are not compared; those of all
+/// other units are.
 using FreeUnits = std::array<bool, unit_count>;
 
 /// The result of an elastic verification. `model` and `rtl` are those of the last frame.
@@ -24,9 +24,9 @@ struct ElasticResult {
 };
 
 /// Runs frames on the model and then on the RTL. Judges every transfer of the RTL: rays one by one
-/// (ray_judge.hpp), memory lines by id (line_judge.hpp). Compares all pixels. If no ray of the RTL moves for
-/// patience() cycles, the frame ends, and the transfer that is due longest is the first difference. Throws
-/// std::runtime_error if the model hangs.
+/// (ray_judge.hpp), memory lines by id (line_judge.hpp). Compares all pixels. The frame ends if no ray of the
+/// RTL moves for patience() cycles. Then the transfer that has been due longest counts as a difference.
+/// Throws std::runtime_error if the model hangs.
 ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
                           Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 ElasticResult run_elastic(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);

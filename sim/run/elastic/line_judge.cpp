@@ -102,9 +102,10 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
 }
 
 void LineJudge::cycle(std::uint64_t now) {
-    // In a cycle a request may pass from a cache to memory, and an answer back. The first unit with a fault
-    // is to blame, so requests are judged from the caches on, and answers from memory on. An answer frees its
-    // id for a request of the same cycle. A cache without latency answers in the cycle of the request.
+    // In one cycle a request may pass from a cache to memory, and an answer back. The report must name the
+    // first faulty unit on the way. So requests are judged from the caches to memory, and answers from memory
+    // to the caches. An answer frees its id for a request of the same cycle. A cache without latency answers
+    // in the cycle of the request.
     std::vector<std::pair<Pair*, int>> early;
     for (Pair& pair : pairs_)
         for (int p = 0; p < int(pair.waits.size()); ++p)

@@ -10,8 +10,8 @@
 namespace rayclock {
 
 /// Checks every request for a line on its way from a cache to memory, and every answer. An id has one request
-/// in flight, each answer belongs to a request, and it carries the line at the requested address. *Which*
-/// lines a cache requests, how often and in which order are its own affair.
+/// in flight. Each answer belongs to a request and carries the line at the requested address. A cache may
+/// request any lines of the image, in any order and any number of times.
 class LineJudge {
 public:
     LineJudge(const Config& config, const RtlMachine& rtl, Findings& findings);
@@ -20,8 +20,8 @@ public:
     void start(const MemoryImage& image, bool forget);
     /// Judges the transfers of a cycle, after RtlMachine::settle().
     void cycle(std::uint64_t now);
-    /// Describes a request that waits for its answer, if there is one: the one nearest to memory that has
-    /// waited longest. Does not count those that wait for memory itself.
+    /// Describes a missing answer, if a request waits for one. Chooses the links nearest to memory, and there
+    /// the oldest request. Does not count requests that wait for memory itself.
     std::optional<Divergence> missing(std::uint64_t now) const;
 
 private:

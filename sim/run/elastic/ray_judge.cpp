@@ -1,4 +1,4 @@
-// Follows the RTL's rays through their scripts, and words what differs.
+// Follows the RTL's rays through their scripts, and describes each difference.
 #include "sim/run/elastic/ray_judge.hpp"
 
 #include <algorithm>

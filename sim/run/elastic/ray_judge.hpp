@@ -18,7 +18,7 @@ namespace rayclock {
 /// context until it gets another pixel.
 class RayJudge {
 public:
-    /// `free[unit]`: the outputs of this unit that nobody reads are not compared.
+    /// `free[unit]`: the don't-care outputs of this unit are not compared.
     RayJudge(const Config& config, const RtlMachine& rtl, const std::array<bool, unit_count>& free,
              Findings& findings);
 
@@ -27,9 +27,9 @@ public:
     /// Judges the transfers of a cycle, after RtlMachine::settle().
     void cycle(std::uint64_t now);
 
-    /// Returns the cycle of the last transfer that was right, or that of the start.
+    /// Returns the cycle of the last correct transfer, or of start() if there was none.
     std::uint64_t moved_at() const { return moved_at_; }
-    /// Returns the number of pixels that are not finished, without those with a wrong transfer.
+    /// Returns the number of unfinished pixels. Does not count pixels with a wrong transfer.
     std::size_t unfinished() const { return script_->size() - finished_ - wrong_; }
     /// Describes the transfer that has been due longest. Call it if unfinished() is not 0.
     Divergence missing(std::uint64_t now);
@@ -43,8 +43,8 @@ private:
         std::span<const std::uint8_t> links;
         std::size_t next = 0;   ///< position in `links` of the next transfer
         std::uint64_t since = 0;
-        bool done = false, pixel = false;   ///< the last ray's end has left the engine, the pixel list or
-                                            ///< shade
+        bool done = false, pixel = false;   ///< the end of the last ray has passed the engine's port `done`,
+                                            ///< and the port `pixel` of list or shade
     };
     /// A transfer of a pixel, as it should be.
     struct Wanted {

@@ -11,8 +11,8 @@
 
 namespace rayclock {
 
-/// The links on which each pixel of a frame makes its transfers, in order, from the model. A context is in
-/// one place at a time, so its transfers form one sequence. Takes one byte for each transfer.
+/// The sequence of links on which the rays of each pixel make their transfers in the model. A context is in
+/// one place at a time, so its transfers form one sequence. A transfer takes one byte.
 class Script {
 public:
     explicit Script(const Frame& frame) : width_(frame.width), pixels_(std::size_t(frame.pixels())) {}

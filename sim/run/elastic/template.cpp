@@ -73,7 +73,7 @@ std::string wrapper_text(const std::string& unit, const Ports& ports) {
     std::string connections;
     for (const std::string& port : ports.names) connections += (connections.empty() ? "." : ", .") + port;
     return fmt::format(
-        "// The unit {0} of one's own: at first the project's, unchanged. Change what lies between "
+        "// A unit {0} of your own. It contains the project's unit, unchanged. Add logic between "
         "the ports\n// and the instance.\n`default_nettype none\nmodule rc_{0} (\n{1});\n"
         "  rc_{0}_own u_own ({2});\nendmodule\n`default_nettype wire\n",
         unit, ports.text, connections);
@@ -118,12 +118,12 @@ These files are the start of a unit `{0}` of your own, for the chip `{1}`.
 - `wrapped_{0}.sv` is a module with the same ports that contains the project's module under the name
   `rc_{0}_own`. Use it to add registers, queues or faults around the unit.
 
-Both are judged by value, in the time that they take:
+These commands compare values and accept any timing:
 
     rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=rc_{0}.sv
     rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=wrapped_{0}.sv
 
-Without `--elastic` the same command compares every cycle too.
+Without `--elastic` the command also compares every cycle.
 {5}
 ## Ports
 
@@ -135,19 +135,21 @@ module rc_{0} (
 ## Links
 
 {3}
-Types and widths are in `rc_pkg.sv`: `rayclock export SCENE --config {1} -o FOLDER` writes the one of this
-chip. A payload's first field is the most significant.
+Types and widths are in `rc_pkg.sv`. `rayclock export SCENE --config {1} -o FOLDER` writes this file for
+the chip. A payload's first field is the most significant.
 
 ## Rules
 
 - *handshake*: a transfer happens in each cycle in which valid and ready are 1. Once valid is 1, valid and
-  payload stay until the transfer. *fires*: the receiver accepts in every cycle.
-- Each request gets one answer, with the `ray` or `id` of the request. Answers may come in any order across
-  rays, and after any time. A ray has one transfer in flight.
+  payload stay unchanged until the transfer. *fires*: the receiver accepts in every cycle.
+- An answer carries the `ray` or `id` of its request. A request has at most one answer. Answers may come
+  after any number of cycles, and in any order across rays. A ray has one transfer in flight.
 - Reset lasts at least four cycles. After it, valid is 0.
 - `cause`, `deed`, `rests` and `waits` outputs feed the counters only. They are not compared.
 
-## Outputs that nobody reads
+## Don't-care outputs
+
+No unit reads these outputs. Drive them with any value.
 
 {4})",
                        unit, config.name, ports.text, links_text(unit, config), dont_care_text(unit),

@@ -1,5 +1,5 @@
 #pragma once
-// The files with which a user starts a unit of his own.
+// The files from which a user starts a replacement of a unit.
 #include <string>
 #include <vector>
 

@@ -20,10 +20,10 @@ struct UnitAlone {
 /// True if the unit answers each request with one transfer: tri, xform, and the units that decide nodes.
 bool runs_alone(const std::string& unit);
 
-/// Records the requests of a frame with the answers of the unit's pure function, at most `most` of them. For
-/// tri on a chip that does not shade, adds as many requests at the corners of the operands. Then offers them
-/// to the unit with random valid and ready, under numbers of rays that are not in flight. Answers may come in
-/// any order. Don't-care outputs are not compared. Throws UserError unless runs_alone().
+/// Records at most `most` requests of a frame, with the answers of the unit's pure function. For tri, adds
+/// the same number of corner cases if has_tri_corners(). Then offers them to the unit with random valid and
+/// ready. Each request gets the number of a ray that is not in flight. Answers may come in any order.
+/// Don't-care outputs are not compared. Throws UserError unless runs_alone().
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed = 1,
                          std::uint64_t most = 1'000'000);
 

@@ -1,4 +1,4 @@
-// Words the result of an elastic verification.
+// Makes the text and the JSON of an elastic verification.
 #include "sim/view/report/elastic.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ std::string elastic_lines(const Config& config, int khz, const ElasticResult& r)
     const std::vector<UnitAccount> model = unit_accounts(config, r.model), rtl = unit_accounts(config, r.rtl);
     for (std::size_t u = 0; u < model.size(); ++u)
         table.add({model[u].unit, account_text(model[u]), account_text(rtl[u])});
-    return text + "  what it costs (of each unit: busy / starved / stalled)\n" + table.text(4);
+    return text + "  cost, with the shares busy / starved / stalled of each unit\n" + table.text(4);
 }
 
 nlohmann::ordered_json elastic_json(const Config& config, int khz, const std::string& units,

@@ -7,8 +7,8 @@
 
 namespace rayclock {
 
-/// Returns the comparison of values, and the RTL's cost beside the model's: cycles, frames per second, and
-/// the units whose accounts differ.
+/// Returns the comparison of values, and a table with the figures of model and RTL: cycles, frames per
+/// second, hit rates, and the account of every unit.
 std::string elastic_lines(const Config& config, int khz, const ElasticResult& result);
 
 /// Returns the report's object `elastic`; see docs/report.md. `units` is the list as typed.
