@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
+#include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/folder.hpp"
@@ -25,7 +26,9 @@ void declare_template(Parser& parser, TemplateOptions& o) {
 int run_template(const TemplateOptions& o) {
     const Config config = load_config(o.config);
     check_rtl(config);
-    const std::vector<TemplateFile> files = unit_template(o.unit, config);
+    std::string options = shell_word(o.config.name);
+    for (const std::string& item : o.config.set) options += " --set " + shell_word(item);
+    const std::vector<TemplateFile> files = unit_template(o.unit, config, options);
     NewFolder folder(o.output);
     for (const TemplateFile& file : files) folder.write(file.name, file.bytes);
     folder.publish();

@@ -168,8 +168,8 @@ std::string vortex_table(int threads, const Progress& progress) {
                    row.includes});
     }
     constexpr std::uint64_t pixels = 32 * 24;
-    for (const auto& [warps, cycles] : {std::pair{16, 51'652u}, {4, 156'410u}})
-        table.add({fmt::format("Vortex, {} threads", warps), grouped(cycles),
+    for (const auto& [threads_of_core, cycles] : {std::pair{16, 51'652u}, {4, 156'410u}})
+        table.add({fmt::format("Vortex, {} threads", threads_of_core), grouped(cycles),
                    fmt::format("{:.1f}", double(cycles) / pixels),
                    "start of the program, camera rays and colours in software, no shadow rays"});
     return table.markdown();

@@ -118,3 +118,12 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
     check_refused(run_program({"template", "tri", "-o", folder.name("empty.sv")}), {"empty.sv"});
     CHECK_FALSE(fs::exists(out));
 }
+
+TEST_CASE("the run lines of a template have the settings of the chip") {
+    const Folder folder;
+    REQUIRE(run_program(
+                {"template", "tri", "--config", "small", "--set", "contexts=16", "-o", folder.name("my_tri")})
+                .code == 0);
+    CHECK_THAT(bytes_of(folder.name("my_tri/README.md")),
+               Contains("verify gears:2 --size 48x36 --config small --set contexts=16 --elastic tri"));
+}

@@ -8,11 +8,7 @@
 
 namespace rayclock {
 
-namespace {
-
-std::vector<std::string> typed;
-
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
     constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
     std::string out = "'";
@@ -24,9 +20,13 @@ std::string quoted(const std::string& word) {
     return out + "'";
 }
 
+namespace {
+
+std::vector<std::string> typed;
+
 std::string shell_line(const std::vector<std::string>& words) {
     std::string line = "rayclock";
-    for (const std::string& word : words) line += " " + quoted(word);
+    for (const std::string& word : words) line += " " + shell_word(word);
     return line;
 }
 

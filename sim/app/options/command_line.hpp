@@ -6,6 +6,9 @@
 
 namespace rayclock {
 
+/// Returns a word in shell syntax.
+std::string shell_word(const std::string& word);
+
 /// Stores the arguments; main() calls it once.
 void keep_command_line(int argc, char** argv);
 

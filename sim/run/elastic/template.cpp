@@ -101,18 +101,19 @@ std::string dont_care_text(const std::string& unit) {
 }
 
 /// Returns the run line of the unit alone, if it can run alone.
-std::string alone_text(const std::string& unit, const Config& config) {
+std::string alone_text(const std::string& unit, const std::string& options) {
     if (!runs_alone(unit)) return {};
     return fmt::format(
         "\nThe unit alone, on the requests of a frame, with random valid and ready:\n\n    rayclock "
         "verify gears:2 --size 48x36 --config {1} --unit-only {0} --unit {0}=rc_{0}.sv\n",
-        unit, config.name);
+        unit, options);
 }
 
-std::string readme(const std::string& unit, const Ports& ports, const Config& config) {
+std::string readme(const std::string& unit, const Ports& ports, const Config& config,
+                   const std::string& options) {
     return fmt::format(R"(# The unit {0}
 
-These files are the start of a unit `{0}` of your own, for the chip `{1}`.
+These files are the start of a unit `{0}` of your own, for the chip `{6}`.
 
 - `rc_{0}.sv` is a copy of the project's module. Rewrite it.
 - `wrapped_{0}.sv` is a module with the same ports that contains the project's module under the name
@@ -152,13 +153,14 @@ the chip. A payload's first field is the most significant.
 No unit reads these outputs. Drive them with any value.
 
 {4})",
-                       unit, config.name, ports.text, links_text(unit, config), dont_care_text(unit),
-                       alone_text(unit, config));
+                       unit, options, ports.text, links_text(unit, config), dont_care_text(unit),
+                       alone_text(unit, options), printable(config.name));
 }
 
 }   // namespace
 
-std::vector<TemplateFile> unit_template(const std::string& unit, const Config& config) {
+std::vector<TemplateFile> unit_template(const std::string& unit, const Config& config,
+                                        const std::string& options) {
     std::optional<Unit> found;
     for (std::size_t u = 0; u < unit_count; ++u)
         if (unit == unit_infos[u].name) found = Unit(u);
@@ -173,7 +175,7 @@ std::vector<TemplateFile> unit_template(const std::string& unit, const Config& c
     const Ports ports = ports_of_module(source, "rc_" + unit);
     return {{"rc_" + unit + ".sv", source},
             {"wrapped_" + unit + ".sv", wrapper_text(unit, ports)},
-            {"README.md", readme(unit, ports, config)}};
+            {"README.md", readme(unit, ports, config, options)}};
 }
 
 }   // namespace rayclock
