@@ -127,3 +127,25 @@ TEST_CASE("the run lines of a template have the settings of the chip") {
     CHECK_THAT(bytes_of(folder.name("my_tri/README.md")),
                Contains("verify gears:2 --size 48x36 --config small --set contexts=16 --elastic tri"));
 }
+
+TEST_CASE("files that the cache cannot know, or that end the program, are refused") {
+    const Folder folder;
+    const auto refused = [&](const std::string& name, const std::string& text) {
+        const std::string file = folder.write(name, text);
+        const Outcome outcome =
+            run_program({"verify", "gears:1", "--size", "8x8", "--config", "small", "--elastic", "--unit",
+                         name.substr(0, name.find('.')) + "=" + file});
+        CHECK(outcome.code == 2);
+        return outcome.err;
+    };
+    CHECK_THAT(refused("tri.sv", "module rc_tri; `include \"part.svh\"\nendmodule\n"),
+               Contains("includes another one"));
+    CHECK_THAT(refused("tri.sv", "module rc_tri; initial $finish; endmodule\n"), Contains("has $finish"));
+    CHECK_THAT(refused("pipeline.sv", "module rc_pipeline; rc_pipeline_own u_own(); endmodule\n"),
+               Contains("hides the signals that are compared"));
+    for (const std::string list : {"tri,", "memory", ","}) {
+        INFO(list);
+        CHECK(run_program({"verify", "gears:1", "--size", "8x8", "--config", "small", "--elastic", list})
+                  .code == 2);
+    }
+}

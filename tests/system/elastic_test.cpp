@@ -167,6 +167,34 @@ TEST_CASE("don't-care outputs are ignored for a replaced unit, and compared for 
     }
 }
 
+TEST_CASE("transfers after the frame, early signals and invented requests are noticed", "[slow]") {
+    const Job job = small_job();
+    const auto first_with = [&](const std::string& unit, const std::string& file) {
+        INFO(file);
+        const OtherUnit other(unit, rtl_folder + file);
+        const ElasticResult result = run_elastic(job);
+        REQUIRE(result.first);
+        return std::pair(result.first->unit, result.first->link);
+    };
+    CHECK(first_with("tri", "again_tri.sv") == std::pair<std::string, std::string>("tri", "tri_rsp"));
+    CHECK(first_with("host", "early_host.sv") == std::pair<std::string, std::string>("host", "running"));
+    CHECK(first_with("arbiter", "inventive_arbiter.sv") ==
+          std::pair<std::string, std::string>("memport", "mem_req"));
+    const OtherUnit other("tri", rtl_folder + "again_tri.sv");
+    CHECK_FALSE(run_unit_alone(job, record_frame(job, job.frame), "tri").agrees());
+}
+
+TEST_CASE("a cache may prefetch, also between frames", "[slow]") {
+    const Job job = small_job({{"l2_sets", 4}});
+    const OtherUnit other("node_cache", rtl_folder + "prefetching_node_cache.sv");
+    std::vector<RecordedFrame> frames;
+    for (int i = 0; i < 3; ++i) frames.push_back(record_frame(job, job.frame));
+    const ElasticResult result = run_elastic(job, frames, parse_free_units("node_cache", job.config));
+    INFO((result.first ? result.first->unit + " " + result.first->link + " " + result.first->got : ""));
+    CHECK(result.agrees());
+    CHECK(result.rtl.memory.reads > result.model.memory.reads);
+}
+
 TEST_CASE("a unit alone gives the answers of the model's pure function, in any order", "[slow]") {
     const Job job = small_job();
     const RecordedFrame frame = record_frame(job, job.frame);

@@ -1,6 +1,7 @@
 // Runs the model, then the RTL under its judges.
 #include "sim/run/elastic/elastic.hpp"
 
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "model/machine/where.hpp"
 #include "sim/run/elastic/line_judge.hpp"
 #include "sim/run/elastic/ray_judge.hpp"
+#include "sim/run/gen/registers.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {
@@ -32,13 +34,18 @@ public:
           rtl_(job.image, job.config, job.khz, traffic, seed),
           image_(job.image),
           rays_(job_.config, rtl_, free, findings_),
-          lines_(job_.config, rtl_, findings_) {}
+          lines_(job_.config, rtl_, findings_) {
+        lines_.start(image_, true);
+        rtl_.watch([this] { judge(rtl_.cycle()); });
+    }
 
     ElasticResult run(const Progress& progress) {
         for (std::size_t f = 0; f < frames_.size() && !interrupted(); ++f) {
             run_frame(f, progress);
             if (broken_) break;
         }
+        result_.model.partial = result_.model.partial || result_.rtl.partial ||
+                                (interrupted() && result_.rtl_runs.size() < frames_.size());
         result_.events_compared = findings_.events_compared;
         result_.value_mismatches = findings_.value_mismatches;
         result_.first = std::move(findings_.first);
@@ -93,9 +100,10 @@ private:
         begins_ = first;
         const MemoryStats memory = rtl_.memory().stats();
         FrameCollector hits(frame.frame, job_.config.has_shade());
+        lines_.start(image_, upload.reset > 0);
         rtl_.start(frame.frame);
         rays_.start(frame.frame, image_, script);
-        lines_.start(image_, upload.reset > 0);
+        has_begun_ = true;
         bool hangs = false;
         try {
             hangs = !clock_rtl(script.size(), hits, progress);
@@ -107,12 +115,15 @@ private:
         }
         const std::uint64_t cycles = rtl_.cycle() - first;
         check_end(hangs);
-        tell_nonsense();
+        const bool is_done = !hangs && !broken_ && !interrupted();
+        if (is_done) check_counters(cycles);
         result_.rtl = frame_result(
             job_, frame.frame,
             {cycles, rtl_.hits(), broken_ ? Accounts{} : rtl_.accounts(), rtl_.memory().stats() - memory,
              watch.seconds(), interrupted() && !rtl_.done(), upload},
             work(frame), hits.hits(), hits.colours());
+        if (is_done && f + 1 == frames_.size()) drain();
+        tell_nonsense();
         broken_ = broken_ || hangs;
         result_.rtl_runs.push_back(frame_result(frame, result_.rtl));
         compare_pixels();
@@ -125,14 +136,60 @@ private:
         while (!rtl_.done() && !interrupted()) {
             const std::uint64_t now = rtl_.cycle();
             rtl_.settle();
-            rays_.cycle(now);
-            lines_.cycle(now);
+            judge(now);
+            check_face(now, true);
             if (findings_.first && give_up == 0) give_up = now + 4 * result_.model.cycles + limit_;
             if (now - rays_.moved_at() > limit_ || (give_up > 0 && now > give_up)) return false;
             rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
             if (progress && now % cycles_between_progress == 0) progress("rtl", rtl_.hits(), pixels);
         }
         return true;
+    }
+
+    void judge(std::uint64_t now) {
+        if (has_begun_) rays_.cycle(now);
+        lines_.cycle(now);
+    }
+
+    /// Clocks the RTL on after the last frame: nothing may follow a frame's last pixel.
+    void drain() {
+        for (std::uint64_t i = 0; i < limit_ && !findings_.first && !interrupted(); ++i) {
+            rtl_.settle();
+            judge(rtl_.cycle());
+            rtl_.clock([](const HitOut&) {});
+        }
+    }
+
+    /// Checks the chip's signals about its frame, after RtlMachine::settle().
+    void check_face(std::uint64_t now, bool runs) {
+        if (rtl_.says_running() == runs && rtl_.says_done() == !runs) return;
+        const bool is_done = rtl_.says_running() == runs;   // the signal that differs
+        const char* const texts[2][2] = {{"the frame does not run", "the frame runs"},
+                                         {"the frame is done", "the frame is not done"}};
+        findings_.add([&] {
+            return difference(now, "host", is_done ? "done" : "running", texts[is_done][runs],
+                              texts[is_done][!runs]);
+        });
+    }
+
+    /// Checks that the chip counted every cycle of the frame, and in each unit one cause for every cycle.
+    void check_counters(std::uint64_t cycles) {
+        const auto demand = [&](std::string unit, const char* counter, std::uint64_t wanted,
+                                std::uint64_t got) {
+            if (wanted != got)
+                findings_.add([&] {
+                    return difference(rtl_.cycle(), std::move(unit), counter,
+                                      fmt::format("{} cycles", wanted), fmt::format("{} cycles", got));
+                });
+        };
+        demand("host", "cycles", cycles, rtl_.counted_cycles());
+        for (std::size_t u = 0; u < pipeline_units + shared_units; ++u) {
+            if (!is_there(Unit(u), job_.config)) continue;
+            const CauseCounts& causes = rtl_.accounts().units[u];
+            const std::uint64_t copies = u < pipeline_units ? std::uint64_t(job_.config.pipelines) : 1;
+            demand(unit_infos[u].name, "counters", cycles * copies,
+                   std::accumulate(causes.begin(), causes.end(), std::uint64_t(0)));
+        }
     }
 
     /// Reports what is missing at the end of a frame, and the chip's signals if they are wrong.
@@ -148,10 +205,7 @@ private:
         }
         if (hangs) return;
         rtl_.settle();
-        if (!rtl_.says_running() && rtl_.says_done()) return;
-        const char* const signal = rtl_.says_running() ? "running" : "done";
-        findings_.add(
-            [&] { return difference(now, "host", signal, "the frame is done", "the frame is not done"); });
+        check_face(now, false);
     }
 
     void tell_nonsense() {
@@ -191,6 +245,7 @@ private:
     LineJudge lines_;
     std::uint64_t begins_ = 0;
     bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
+    bool has_begun_ = false;               // the first frame
     ElasticResult result_;
 };
 
@@ -216,13 +271,15 @@ std::string unit_names(const Config& config) {
 }
 
 FreeUnits parse_free_units(const std::string& text, const Config& config) {
-    if (text.empty()) throw UserError("--elastic: the list of units is empty");
+    if (text.empty() || text.back() == ',')
+        throw UserError(fmt::format("--elastic {}: a unit is missing in the list", printable(text)));
     FreeUnits free{};
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {
         bool found = word == "all";
         for (std::size_t u = 0; u < unit_count; ++u) {
-            if (word != "all" && word != unit_infos[u].name) continue;
+            const bool is_outside = unit_infos[u].place == UnitPlace::outside;
+            if (word != "all" && (word != unit_infos[u].name || is_outside)) continue;
             if (word != "all" && !is_there(Unit(u), config))
                 throw UserError(fmt::format("--elastic {}: the chip '{}' has no unit {}", printable(text),
                                             config.name, word));

@@ -9,7 +9,10 @@
 namespace rayclock {
 
 LineJudge::LineJudge(const Config& config, const RtlMachine& rtl, Findings& findings)
-    : config_(config), rtl_(rtl), findings_(findings) {
+    : config_(config),
+      rtl_(rtl),
+      findings_(findings),
+      passed_on_(is_there(Link::l2_req, config) ? Link::l2_req : Link::mem_req) {
     constexpr std::pair<Link, Link> all[] = {
         {Link::mem_req, Link::mem_rsp},     {Link::l2_req, Link::l2_rsp},
         {Link::node_miss, Link::node_fill}, {Link::prim_miss, Link::prim_fill},
@@ -33,6 +36,7 @@ LineJudge::LineJudge(const Config& config, const RtlMachine& rtl, Findings& find
 void LineJudge::start(const MemoryImage& image, bool forget) {
     image_ = &image;
     if (!forget) return;
+    asked_.clear();
     for (Pair& pair : pairs_)
         for (auto& waits : pair.waits) std::fill(waits.begin(), waits.end(), std::nullopt);
 }
@@ -97,6 +101,20 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
                     return d;
                 });
             place = Request{got.addr, now};
+            if (index(pair.req) < pipeline_links) {
+                asked_.insert(got.addr);
+            } else if (pair.req == passed_on_) {
+                const auto cause = asked_.find(got.addr);
+                if (cause != asked_.end())
+                    asked_.erase(cause);
+                else
+                    findings_.add([&] {
+                        Divergence d = at(now, pipeline, pair.req, got.id);
+                        d.expected = "a line that a cache requests";
+                        d.got = fmt::format("line {}", got.addr);
+                        return d;
+                    });
+            }
         }
     });
 }

@@ -2,6 +2,7 @@
 // Judges the RTL's requests for memory lines and their answers, by id.
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
@@ -11,7 +12,8 @@ namespace rayclock {
 
 /// Checks every request for a line on its way from a cache to memory, and every answer. An id has one request
 /// in flight. Each answer belongs to a request and carries the line at the requested address. A cache may
-/// request any lines of the image, in any order and any number of times.
+/// request any lines of the image, in any order and any number of times. The arbiter passes each request on
+/// once, and makes none of its own.
 class LineJudge {
 public:
     LineJudge(const Config& config, const RtlMachine& rtl, Findings& findings);
@@ -45,7 +47,10 @@ private:
     const RtlMachine& rtl_;
     Findings& findings_;
     const MemoryImage* image_ = nullptr;
-    std::vector<Pair> pairs_;   // from memory outwards to the caches
+    Link passed_on_;                       // the arbiter's output
+    std::vector<Pair> pairs_;              // from memory outwards to the caches
+    std::multiset<std::uint32_t> asked_;   // lines that caches of pipelines requested, and no arbiter passed
+                                           // on
 };
 
 }   // namespace rayclock

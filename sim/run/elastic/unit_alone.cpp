@@ -20,6 +20,8 @@ namespace rayclock {
 namespace {
 
 constexpr std::uint64_t longest_wait = 20'000;   // cycles without an answer
+/// Cycles after the last answer in which no further one may come.
+constexpr std::uint64_t after_the_end = 10'000;
 
 /// A unit with one link for requests and one for answers, and its port for answers.
 struct Shape {
@@ -130,6 +132,13 @@ public:
                 tell_missing();
                 break;
             }
+            module_.clock();
+        }
+        for (std::uint64_t i = 0; i < after_the_end && !findings_.first && !interrupted(); ++i) {
+            *req_.valid = 0;
+            if (rsp_.ready) *rsp_.ready = 1;
+            module_.settle();
+            if (*rsp_.valid) check();
             module_.clock();
         }
         result_.interrupted = interrupted();

@@ -80,11 +80,20 @@ bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value)
         rtl_.settle();
         good = is_set(*bus_.ack);
         answered = good || is_set(*bus_.err);
-        rtl_.clock();
+        clock_bus();
     }
     set_flag(*bus_.cyc, false);
     set_flag(*bus_.stb, false);
     return good;
+}
+
+/// Ends a cycle in which memory's time stands still.
+void RtlMachine::clock_bus() {
+    if (see_) {
+        look();
+        see_();
+    }
+    rtl_.clock();
 }
 
 void RtlMachine::write_register(std::uint32_t address, std::uint32_t value) { access(true, address, value); }
@@ -109,7 +118,7 @@ void RtlMachine::start(const Frame& frame) {
         rtl_.settle();
         if (is_set(*running_)) break;
         kept_done_ = kept_done_ || is_set(*done_);
-        rtl_.clock();
+        clock_bus();
     }
     width_ = frame.width;
     given_.assign(pixels_, 0);
@@ -157,6 +166,11 @@ void RtlMachine::drive() {
 void RtlMachine::settle() {
     drive();
     rtl_.settle();
+    look();
+}
+
+/// Reads which links offer and make a transfer.
+void RtlMachine::look() {
     moved_ = false;
     for (std::size_t p = 0; p < links_.size(); ++p) {
         LinkMask valid = 0, fire = 0;

@@ -1,7 +1,9 @@
 #pragma once
 // The whole chip under Verilator, driven by its registers.
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
@@ -19,6 +21,10 @@ class RtlMachine {
 public:
     RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1,
                Waves waves = Waves::no);
+
+    /// Calls `see` in every cycle of a bus access, and of the start of a frame, when its transfers are known.
+    /// The chip may make transfers then, although memory's time stands still.
+    void watch(std::function<void()> see) { see_ = std::move(see); }
 
     /// Starts a new frame; the caches keep their contents.
     void start(const Frame& frame);
@@ -89,6 +95,8 @@ public:
 
 private:
     void drive();
+    void look();
+    void clock_bus();
     void clock();
     std::optional<Memory::Answer> request();
     bool check_hit(int pipeline, HitOut& hit);
@@ -123,6 +131,7 @@ private:
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
     std::vector<LinkMask> valid_, fire_;
     LinkMask shared_valid_ = 0, shared_fire_ = 0;
+    std::function<void()> see_;
     bool moved_ = false, kept_done_ = false;   // kept_done_: `done` was set while the frame was prepared
     std::vector<std::uint8_t> under_way_;      // [id] of requests to memory
     std::vector<std::uint8_t> given_;          // [y * width + x] of the frame's pixels

@@ -52,7 +52,9 @@ std::map<std::string, Replacement>& replacements() {
 }
 
 /// Matches the head of a module, up to its name.
-std::regex head_of(const std::string& module) { return std::regex("\\bmodule\\s+" + module + "\\b"); }
+std::regex head_of(const std::string& module) {
+    return std::regex("\\bmodule\\s+(automatic\\s+|static\\s+)?" + module + "\\b");
+}
 
 std::string text_of(const fs::path& path) {
     if (!is_file(path)) throw UserError(path.string() + ": no ordinary file, and the RTL needs it");
@@ -126,11 +128,25 @@ void replace_module(const std::string& name, const fs::path& file) {
         throw UserError(option + ": " + error.what());
     }
     const std::string module = "rc_" + name;
+    std::error_code error;
+    if (fs::is_directory(file, error)) throw UserError(option + ": this is a folder, not a file");
     if (!is_file(file)) throw UserError(option + ": there is no such file");
     const std::string text = read_if_there(file);
     if (text.empty()) throw UserError(option + ": the file is empty, or cannot be read");
     if (!std::regex_search(text, head_of(module)))
         throw UserError(fmt::format("{}: the file has no module {}", option, module));
+    // The cache of built RTL knows the text of this file only.
+    if (text.find("`include") != text.npos)
+        throw UserError(option + ": the file includes another one; put that text into the file");
+    if (text.find("$finish") != text.npos)
+        throw UserError(option +
+                        ": the file has $finish, which would end the program; $error reports a fault");
+    for (const char* const outer : {"pipeline", "top", "chip"})
+        if (name == outer && text.find(module + "_own") != text.npos)
+            throw UserError(
+                fmt::format("{0}: a wrapper around {1} hides the signals that are compared; write the "
+                            "text of {1} anew",
+                            option, module));
     if (!replacements().emplace(module + ".sv", Replacement{name + "=" + file.string(), text}).second)
         throw UserError(option + ": this module is replaced twice");
 }
@@ -161,7 +177,7 @@ std::vector<RtlText> rtl_texts() {
         const std::string module = file.stem(), own = module + "_own";
         if (other->second.text.find(own) != std::string::npos)
             texts.push_back({safe_name(fs::path(name).parent_path() / (own + ".sv"), taken),
-                             std::regex_replace(text_of(file), head_of(module), "module " + own)});
+                             std::regex_replace(text_of(file), head_of(module), "module $1" + own)});
     }
     return texts;
 }
