@@ -92,7 +92,7 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
           std::string::npos);
     const Outcome idle = run_program({"simulate", "gears:1", "--rays", rays, "--set", "surf_sets=8"});
     CHECK(idle.code == 0);
-    CHECK(idle.err.find("surf_sets has no effect without shading=1 and source=camera") != std::string::npos);
+    CHECK(idle.err.find("surf_sets has no effect with source=stream") != std::string::npos);
     CHECK(run_program({"simulate", "gears:1", "--rays", rays, "--set", "coord_bits=20"}).code == 0);
     CHECK(refused({"simulate", "spheres", "--rays", rays}).find("meets triangles only") != std::string::npos);
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
