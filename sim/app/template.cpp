@@ -40,7 +40,7 @@ int run_template(const TemplateOptions& o) {
 }   // namespace
 
 Command template_command() {
-    return command("template", "write a unit's module, a wrapper and a README, to start a unit of your own",
+    return command("template", "write a unit's module, a wrapper and a README",
                    "rayclock template tri -o my_tri", declare_template, run_template);
 }
 
