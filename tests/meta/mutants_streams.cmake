@@ -47,9 +47,6 @@ mutant(stream_scale_is_doubled FILE model/compile/stream.cpp TEST system "hits o
 mutant(stream_hit_beyond_its_end FILE sim/run/stream/stream.cpp TEST system "hits of a stream*"
   OLD [[if (t > given.t_max)]]
   NEW [[if (t > 2 * given.t_max)]])
-mutant(stream_endless_segment_has_an_end FILE model/compile/stream.cpp TEST system "a request for any hit without*"
-  OLD [[in->to == ray.t_max && std::isfinite(ray.t_max)]]
-  NEW [[in->to == ray.t_max]])
 mutant(stream_segment_beyond_vertices_is_endless FILE model/compile/stream.cpp TEST system "a segment that ends*"
   OLD [[(beyond && !(x * ray.direction[k] > 0))]]
   NEW [[(beyond && x * ray.direction[k] < 0)]])
@@ -65,9 +62,9 @@ mutant(rays_of_a_seed_are_those_of_the_next FILE sim/run/stream/make_rays.cpp TE
 mutant(rays_lost_in_random_order FILE sim/run/stream/make_rays.cpp TEST system "Morton and random*"
   OLD [[std::swap(rays[i - 1], rays[dice.next() % i]);]]
   NEW [[rays[i - 1] = rays[dice.next() % i];]])
-mutant(stream_hits_are_as_short_as_pixels FILE model/mem/frame_buffer.hpp TEST system "hits that are written*"
-  OLD [[config.is_stream() ? hits_of_word : pixels_of_word]]
-  NEW [[config.is_stream() ? pixels_of_word : pixels_of_word]])
+mutant(stream_hits_are_as_short_as_pixels FILE model/mem/frame_buffer.cpp TEST system "hits that are written*"
+  OLD [[pixel_words_ += pixels_ / answers_of_word_;]]
+  NEW [[pixel_words_ += pixels_ / pixels_of_word;]])
 mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge of streams*"
   OLD [[if (!fault) continue;]]
   NEW [[if (fault == nullptr || judged.rays > 0) continue;]])

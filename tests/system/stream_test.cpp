@@ -298,6 +298,12 @@ TEST_CASE("a request for any hit without an end has no end, however short its di
             CHECK(ended->record.o[1] == 12 << config.origin_frac());
         }
     }
+    lattice.pitch = glm::dvec3(0x1p600);   // the ray leaves this lattice beyond the largest double
+    const auto endless =
+        on_lattice({{1, 2, 3}, {0, StreamRay::least_size, 0}, 0, inf, true}, lattice, config);
+    REQUIRE(endless);
+    CHECK(RayKind(endless->record.kind) == RayKind::away);
+    lattice.pitch = glm::dvec3(1);
     for (const double far : {StreamRay::most_size, -StreamRay::most_size}) {
         const auto made = on_lattice({{0, far, 0}, {0, -far, 0}, 0, inf, false}, lattice, config);
         REQUIRE(made);
