@@ -29,8 +29,8 @@ const Condition leaves{
     "bvh, spheres or octree"};
 const Condition levels{"levels", [](const Config& c) { return c.has_instances(); }, "levels=2"};
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};
-const Condition shade{"shading", [](const Config& c) { return c.has_shade(); },
-                      "shading=1 and source=camera"};
+const Condition shade{"source", [](const Config& c) { return c.has_shade(); }, "shading=1 and source=camera",
+                      &shading};
 const Condition stream{"source", [](const Config& c) { return c.is_stream(); }, "source=stream"};
 }   // namespace condition
 

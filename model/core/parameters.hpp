@@ -10,7 +10,8 @@ namespace rayclock {
 struct Condition {
     const char* decider;   ///< the parameter that decides; null if there is always an effect
     bool (*holds)(const Config& config);
-    const char* words;   ///< "with two levels"; empty if there is always an effect
+    const char* words;                  ///< "levels=2"; empty if there is always an effect
+    const Condition* first = nullptr;   ///< a condition that must hold too; null if there is none
 };
 
 /// One parameter as files, `--set` and reports know it.

@@ -86,6 +86,12 @@ struct MemoryImage {
         if (addr < lines()) return &words[std::size_t(addr) * 16];
         return addr >= rays && addr < end() ? &records[std::size_t(addr - rays) * 16] : nothing.data();
     }
+    /// True if some line of an aligned burst of `burst` lines around this one belongs to the scene or to the
+    /// rays.
+    bool holds(std::uint32_t addr, std::uint32_t burst) const {
+        const std::uint32_t first = addr / burst * burst;
+        return first < lines() || (!records.empty() && first + (burst - 1) >= rays && first < end());
+    }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
     const std::uint32_t* record(std::uint32_t ray) const { return &records[std::size_t(ray) * 8]; }
     std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }   ///< lines of the scene

@@ -4,6 +4,7 @@
 // counters that lockstep compares, the reports, and the table in rtl/README.md.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -112,11 +113,16 @@ constexpr std::size_t index(Unit u) { return std::size_t(u); }
 /// True if a chip of this configuration has the unit.
 constexpr bool is_there(Unit u, const Config& config) { return is_there(unit_infos[index(u)].when, config); }
 
+/// Returns the unit with this name, if there is one.
+constexpr std::optional<Unit> unit_called(std::string_view name) {
+    for (std::size_t u = 0; u < unit_count; ++u)
+        if (unit_infos[u].name == name) return Unit(u);
+    return {};
+}
 /// Returns the place of the unit with this name; an unknown name counts as outside the chip.
-constexpr UnitPlace place_of(std::string_view unit) {
-    for (const UnitInfo& info : unit_infos)
-        if (info.name == unit) return info.place;
-    return UnitPlace::outside;
+constexpr UnitPlace place_of(std::string_view name) {
+    const std::optional<Unit> unit = unit_called(name);
+    return unit ? unit_infos[index(*unit)].place : UnitPlace::outside;
 }
 constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= UnitPlace::engine; }
 

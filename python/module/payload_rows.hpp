@@ -5,8 +5,11 @@
 // bits.
 //
 // Reading a description takes longer than copying a payload. So Rows reads it once for many rows.
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>

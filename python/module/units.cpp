@@ -5,7 +5,7 @@
 
 #include "model/base/stopwatch.hpp"
 #include "model/engine/check.hpp"
-#include "model/engine/engines.hpp"
+#include "model/machine/links.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/xform/xform.hpp"
 #include "python/module/bindings.hpp"
@@ -87,17 +87,15 @@ template <class P> constexpr Side side_of{&row_fields<P>, &bits_of<P>, &pack_row
 
 /// A unit whose answer depends on nothing but its request.
 struct UnitRow {
-    const char* name;
-    bool (*is_there)(const Config&);   ///< the machine has the unit
-    const char* needs;                 ///< what a machine with the unit has
+    Unit unit;
+    const char* needs;   ///< what a machine with the unit has
     Side request, response;
     void (*answer)(const char*, char*, std::size_t, const Config&, int, const Progress&);
     double (*seconds_of_loop)(const char*, std::size_t, const Config&);
 };
 template <class Request, class Response, Response answer(const Request&, const Config&)>
-constexpr UnitRow row(const char* name, bool (*is_there)(const Config&), const char* needs) {
-    return {name,
-            is_there,
+constexpr UnitRow row(Unit unit, const char* needs) {
+    return {unit,
             needs,
             side_of<Request>,
             side_of<Response>,
@@ -105,27 +103,20 @@ constexpr UnitRow row(const char* name, bool (*is_there)(const Config&), const c
             &seconds_of_loop<Request, Response, answer>};
 }
 
-BoxRsp box_of(const BoxReq& request, const Config& config) { return box(request, config); }
-template <Structure by> bool walks(const Config& config) { return config.is_walked(by); }
-
-constexpr UnitRow units[] = {
-    row<TriReq, TriRsp, tri>(
-        "tri", [](const Config&) { return true; }, ""),
-    row<XformReq, Change, xform>(
-        "xform", [](const Config& c) { return c.has_instances(); }, "levels=2"),
-    row<BoxReq, BoxRsp, box_of>("box", walks<Structure::bvh>, "structure=bvh"),
-    row<TreeletReq, BoxRsp, treelet>("treelet", walks<Structure::kd>, "structure=kd or octree"),
-    row<GlobeReq, BoxRsp, globe>("globe", walks<Structure::spheres>, "structure=spheres"),
-    row<BihReq, BoxRsp, bih_answer>("bih", walks<Structure::bih>, "structure=bih"),
-    row<SlantReq, BoxRsp, slant>("slant", walks<Structure::bsp>, "structure=bsp"),
+constexpr UnitRow units[] = {row<TriReq, TriRsp, tri>(Unit::tri, ""),
+                             row<XformReq, Change, xform>(Unit::xform, "levels=2"),
+#define RAYCLOCK_ROW(with, structure, unit, Engine) \
+    row<Engine::Request, BoxRsp, Engine::answer>(Unit::unit, "structure=" #structure),
+                             RAYCLOCK_ENGINES(RAYCLOCK_ROW, )
+#undef RAYCLOCK_ROW
 };
 
 /// Returns the unit with this name in a machine whose values are legal together. Throws UserError.
 const UnitRow& unit_of(const std::string& name, const Config& config) {
     for (const UnitRow& unit : units) {
-        if (name != unit.name) continue;
+        if (name != unit_name(unit.unit)) continue;
         check_config(config, config.name);
-        if (!unit.is_there(config))
+        if (!is_there(unit.unit, config))
             throw UserError(fmt::format("'{}' has no unit {}: it needs {}", config.name, name, unit.needs));
         return unit;
     }
@@ -210,7 +201,7 @@ std::vector<std::tuple<std::string, int, int, bool>> described(const std::string
 void bind_units(py::module_& module) {
     module.def("unit_names", [] {
         std::vector<std::string> names;
-        for (const UnitRow& unit : units) names.emplace_back(unit.name);
+        for (const UnitRow& unit : units) names.emplace_back(unit_name(unit.unit));
         return names;
     });
     module.def("unit_dtype", &unit_dtype);

@@ -22,6 +22,9 @@ void elastic_options(Parser& parser, ElasticChoice& choice);
 /// `scene`. Throws UserError.
 void take_elastic(ElasticChoice& choice, std::string& scene);
 
+/// Throws UserError if `odd` names an option. The option has no meaning with --unit-only.
+void refuse_with_unit_only(const char* odd);
+
 /// Runs the unit of --unit-only on the requests of a film's first frame. Returns the exit code.
 int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int seed, const JsonOutput& json);
 

@@ -53,15 +53,12 @@ void refuse_with_rays(const char* odd) {
 void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
                             const FramesOptions& frames, const LimitsChoice& limits,
                             const std::string& output) {
-    const FramesOptions none;
     const char* odd = size != default_size ? "--size"
                       : finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
                       : view.is_asked()    ? "an option of the camera"
                       : view.ground        ? "--ground"
                       : view.material      ? "--material"
-                      : frames.frames != 1 || frames.pan != 0 || frames.fps || !frames.time.empty() ||
-                              frames.uploads != none.uploads || frames.rebuild != none.rebuild
-                          ? "an option of films"
+                      : frames.is_asked()  ? "an option of films"
                       : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
                       : !output.empty()                                               ? "--output"
                                                                                       : nullptr;

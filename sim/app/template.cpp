@@ -15,15 +15,18 @@ namespace {
 struct TemplateOptions {
     std::string unit, output;
     ConfigChoice config;
+    JsonOutput json;
 };
 
 void declare_template(Parser& parser, TemplateOptions& o) {
     parser.option("UNIT", o.unit, "a unit of the chip: tri, box, prim_cache, ...").required();
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder to write; it must be new or empty").required();
+    json_option(parser, o.json);
 }
 
 int run_template(const TemplateOptions& o) {
+    o.json.check();
     const Config config = load_config(o.config);
     check_rtl(config);
     std::string options = shell_word(o.config.name);
@@ -32,8 +35,12 @@ int run_template(const TemplateOptions& o) {
     NewFolder folder(o.output);
     for (const TemplateFile& file : files) folder.write(file.name, file.bytes);
     folder.publish();
-    fmt::print("unit {} of '{}' -> {}: README.md has the ports, the rules and the run lines\n", o.unit,
-               printable(config.name), printable(o.output));
+    if (!o.json.is_alone())
+        fmt::print("unit {} of '{}' -> {}: README.md has the ports, the rules and the run lines\n", o.unit,
+                   printable(config.name), printable(o.output));
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const TemplateFile& file : files) names.push_back(file.name);
+    o.json.write({{"unit", o.unit}, {"config", config.name}, {"folder", o.output}, {"files", names}});
     return 0;
 }
 

@@ -305,11 +305,7 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 /// Runs the command with a stream of rays. It draws no picture.
 int run_verify_stream(const VerifyOptions& o) {
     refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.torture         ? "--torture"
-                     : o.elastic.alone ? "--unit-only"
-                     : o.netlist       ? "--netlist"
-                     : o.no_wave       ? "--no-wave"
-                                       : nullptr);
+    refuse_with_rays(o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     return verify_stream(
         {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json, o.elastic.units});
@@ -321,6 +317,16 @@ int run_verify(const VerifyOptions& typed) {
     if (o.torture && (o.elastic.is_asked() || o.elastic.alone))
         throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
+    if (o.elastic.alone)
+        refuse_with_unit_only(o.elastic.is_asked()   ? "--elastic"
+                              : o.stream.is_asked()  ? "--rays"
+                              : o.netlist            ? "--netlist"
+                              : !o.output.empty()    ? "--output"
+                              : o.no_wave            ? "--no-wave"
+                              : o.frames.is_asked()  ? "an option of films"
+                              : o.traffic.jitter > 0 ? "--jitter"
+                              : o.traffic.stall > 0  ? "--stall"
+                                                     : nullptr);
     check_stream_options(o.stream);
     if (o.stream.is_asked()) return run_verify_stream(o);
     if (o.netlist) build_netlists();

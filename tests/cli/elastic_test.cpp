@@ -111,6 +111,15 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
     check_refused(verify({"--unit-only", "list"}), {"list", "cannot run alone"});
     check_refused(verify({"--unit-only", "woop"}), {"'woop'"});
     check_refused(run_program({"verify", "--torture", "--elastic"}), {"--torture", "--elastic"});
+    using Words = std::vector<std::string>;
+    for (const Words& odd :
+         {Words{"--elastic", "tri"}, Words{"--rays", "rays.npy"}, Words{"--netlist"},
+          Words{"--output", "out"}, Words{"--no-wave"}, Words{"--jitter", "10"}, Words{"--stall", "10"}}) {
+        Words words{"--unit-only", "tri"};
+        words.insert(words.end(), odd.begin(), odd.end());
+        check_refused(verify(words), {odd[0], "--unit-only"});
+    }
+    check_refused(verify({"--unit-only", "tri", "--frames", "2"}), {"films", "--unit-only"});
     const std::string out = folder.name("out");
     check_refused(run_program({"template", "bix", "-o", out}), {"'bix'"});
     check_refused(run_program({"template", "memport", "-o", out}), {"memport"});
@@ -126,6 +135,50 @@ TEST_CASE("the run lines of a template have the settings of the chip") {
                 .code == 0);
     CHECK_THAT(bytes_of(folder.name("my_tri/README.md")),
                Contains("verify gears:2 --size 48x36 --config small --set contexts=16 --elastic tri"));
+}
+
+TEST_CASE("a unit alone reports what it compared, and names what it left out") {
+    const Outcome outcome = run_program(
+        {"verify", "gears:1", "--size", "16x12", "--config", "small", "--unit-only", "tri", "--json", "-"});
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["events_compared"] > 0);
+    CHECK(report["value_mismatches"] == 0);
+    for (const char* key : {"pixels", "cycle_gap", "reference", "golden", "judge", "first_divergence"}) {
+        INFO(key);
+        REQUIRE(report.contains(key));
+        CHECK(report[key].is_null());
+    }
+}
+
+TEST_CASE("the run lines of a template for streams work") {
+    const Folder folder;
+    const Outcome outcome = run_program({"template", "tri", "--config", "small", "--set", "source=stream",
+                                         "--set", "shading=1", "-o", folder.name("my_tri"), "--json", "-"});
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["unit"] == "tri");
+    CHECK(report["files"] == json::array({"rc_tri.sv", "wrapped_tri.sv", "README.md"}));
+    std::istringstream lines(bytes_of(folder.name("my_tri/README.md")));
+    std::size_t runs = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::vector<std::string> arguments;
+        for (std::string word; words >> word;) {
+            if (word == "rays.npy") word = folder.name("rays.npy");
+            if (const std::size_t file = word.find("=rc_tri.sv"); file != word.npos)
+                word = "tri=" + folder.name("my_tri/rc_tri.sv");
+            arguments.push_back(word);
+        }
+        if (arguments.empty() || arguments[0] != "rayclock" || line.find("wrapped") != line.npos) continue;
+        if (arguments[1] == "export") continue;
+        arguments.erase(arguments.begin());
+        const Outcome run = run_program(arguments);
+        INFO(line << run.out << run.err);
+        CHECK(run.code == 0);
+        ++runs;
+    }
+    CHECK(runs == 2);   // the rays and one verification
 }
 
 TEST_CASE("files that the cache cannot know, or that end the program, are refused") {

@@ -7,6 +7,7 @@
 #include "sim/run/elastic/unit_alone.hpp"
 #include "tests/system/elastic/faulty.hpp"
 #include "tests/system/frames.hpp"
+#include "sim/view/report/lockstep.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -182,6 +183,61 @@ TEST_CASE("transfers after the frame, early signals and invented requests are no
           std::pair<std::string, std::string>("memport", "mem_req"));
     const OtherUnit other("tri", rtl_folder + "again_tri.sv");
     CHECK_FALSE(run_unit_alone(job, record_frame(job, job.frame), "tri").agrees());
+}
+
+TEST_CASE("counters that are off by one cycle are noticed", "[slow]") {
+    const Job job = small_job();
+    const auto first_with = [&](const std::string& unit, const std::string& text, const std::string& other) {
+        const OtherUnit changed(unit, {{text, other}});
+        const ElasticResult result = run_elastic(job);
+        REQUIRE(result.first);
+        CHECK(result.value_mismatches > 0);
+        return *result.first;
+    };
+    // The register's first cycle is counted twice, and the counters of causes see no first cycle.
+    const Divergence cycles =
+        first_with("host", "cycles_q <= cycles_q + 1'b1", "cycles_q <= cycles_q + (cycles_q == '0 ? 2 : 1)");
+    CHECK(cycles.unit == "host");
+    CHECK(cycles.link == "cycles");
+    CHECK_THAT(divergence_lines(cycles), Contains("unit host, register cycles"));
+}
+
+TEST_CASE("a failed assertion is a difference, in a frame and in a unit alone", "[slow]") {
+    const Job job = small_job();
+    const OtherUnit other("tri", {{"endmodule",
+                                   "  always_ff @(posedge clk_i)\n    if (rst_ni && rsp_valid_o) a_never: "
+                                   "assert (!rsp_o.back && !rsp_valid_o);\nendmodule"}});
+    const ElasticResult result = run_elastic(job);
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "rtl");
+    CHECK_THAT(divergence_lines(*result.first), Contains("unit rtl, assertion"));
+    CHECK_FALSE(result.agrees());
+    const UnitAlone alone = run_unit_alone(job, record_frame(job, job.frame), "tri");
+    REQUIRE(alone.first);
+    CHECK_THAT(divergence_lines(*alone.first), Contains("unit rtl, assertion"));
+}
+
+TEST_CASE("faults are named in later frames, and the judge outlives each frame", "[slow]") {
+    const Job job = small_job();
+    std::vector<RecordedFrame> frames;
+    for (int i = 0; i < 3; ++i) frames.push_back(record_frame(job, job.frame));
+    const OtherUnit other(FaultyUnit{"tri", "rsp", Fault::value, int(frames[0].trace.triangle_tests) + 20});
+    const ElasticResult result = run_elastic(job, frames, parse_free_units("tri", job.config));
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "tri");
+    CHECK(result.first->frame == 1);
+    CHECK(result.rtl_runs.size() == 3);
+}
+
+TEST_CASE("chips with a shared cache, two levels, or a stream of rays pass elastic verification", "[slow]") {
+    const auto check = [](const Job& job) {
+        const ElasticResult result = run_elastic(job);
+        INFO((result.first ? result.first->unit + " " + result.first->link + " " + result.first->got : ""));
+        CHECK(result.agrees());
+        CHECK(result.rtl.cycles == result.model.cycles);
+    };
+    check(small_job({{"l2_sets", 4}}));
+    check(make_shot("gearbox:1", {24, 18}, with(quick_config("small"), {{"levels", 2}})).job);
 }
 
 TEST_CASE("a cache may prefetch, also between frames", "[slow]") {

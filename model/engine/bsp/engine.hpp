@@ -39,6 +39,7 @@ struct Bsp : OfCells<Slant, WideSlant> {
                                 std::uint32_t* t_near) {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
+    static BoxRsp answer(const Request& request, const Config& config) { return slant(request, config); }
     static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
                              const Config& config) {
         return kd::build(pieces, prims, config);

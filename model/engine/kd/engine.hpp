@@ -21,6 +21,7 @@ struct Kd : OfBoxRay<Treelet>, OfCells<Treelet, WideTreelet> {
                                 std::uint32_t* t_near) {
         return treelet_exits(form, node, config, t_near);
     }
+    static BoxRsp answer(const Request& request, const Config& config) { return treelet(request, config); }
     static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
                              const Config& config) {
         return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, prims, config);

@@ -1,7 +1,6 @@
 // Moves recorded requests to corners.
 #include "sim/run/elastic/corners.hpp"
 
-#include "model/unit/isect/primitive.hpp"
 #include "model/unit/isect/sheared.hpp"
 
 namespace rayclock {
@@ -21,13 +20,6 @@ void to_corner(TriReq& request, const Config& config, std::mt19937_64& random) {
     for (Vec3i* v : {&request.o, &t.a, &t.b, &t.c}) move(*v, config.coord_bits);
     move(request.d, config.dir_bits);
     if (config.is_sheared()) request.shear = shear_of(request.d, config);
-}
-
-TriRsp tri_answer(const TriReq& request, const Config& config) {
-    TriRsp answer;
-    tri_test_of(config)(request.o, request.d, request.triangle, request.best, config, answer);
-    answer.ray = request.ray;
-    return answer;
 }
 
 }   // namespace rayclock

@@ -1,6 +1,5 @@
 #pragma once
-// Requests for tri with operands at the ends of their range, and their answers.
-#include <cstdint>
+// Requests for tri with operands at the ends of their range.
 #include <random>
 
 #include "model/core/payloads.hpp"
@@ -13,8 +12,5 @@ inline bool has_tri_corners(const Config& config) { return !config.shading && !c
 /// Replaces components of ray and triangle by values at the ends of their range, by zero, or by each other.
 /// Each component is replaced with a probability of 1/4.
 void to_corner(TriReq& request, const Config& config, std::mt19937_64& random);
-
-/// Returns the answer of the pure function of tri.
-TriRsp tri_answer(const TriReq& request, const Config& config);
 
 }   // namespace rayclock

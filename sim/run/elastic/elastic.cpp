@@ -2,13 +2,13 @@
 #include "sim/run/elastic/elastic.hpp"
 
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/split.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/machine.hpp"
 #include "model/machine/where.hpp"
@@ -53,6 +53,20 @@ public:
     }
 
 private:
+    /// Calls work() unless the RTL is broken. A failed assertion is a difference, after which it runs no
+    /// more.
+    template <class Work> void guarded(Work&& work) {
+        if (broken_) return;
+        try {
+            work();
+        } catch (const RtlAssertion& assertion) {
+            broken_ = true;
+            findings_.add([&] {
+                return difference(rtl_.cycle(), "rtl", "none", "no assertion fails", assertion.what());
+            });
+        }
+    }
+
     void run_frame(std::size_t f, const Progress& progress) {
         const RecordedFrame& frame = frames_[f];
         const Upload& upload = frame.upload;
@@ -62,7 +76,7 @@ private:
         }
         Script script(frame.frame);
         run_model_frame(f, script, progress);
-        run_rtl_frame(f, script, progress);
+        run_rtl_frame(f, std::move(script), progress);
         if (!findings_.first || told_) return;
         told_ = true;
         findings_.first->frame = f, findings_.first->frame_begins = begins_;
@@ -92,37 +106,38 @@ private:
         result_.runs.push_back(frame_result(frame, result_.model));
     }
 
-    void run_rtl_frame(std::size_t f, const Script& script, const Progress& progress) {
+    void run_rtl_frame(std::size_t f, Script script, const Progress& progress) {
         const RecordedFrame& frame = frames_[f];
         const Stopwatch watch;
-        const UploadTiming upload = bring(rtl_, f, std::span(frames_));
+        const std::uint64_t pixels = script.size();
+        UploadTiming upload;
+        guarded([&] { upload = bring(rtl_, f, std::span(frames_)); });
         const std::uint64_t first = rtl_.cycle();
         begins_ = first;
         const MemoryStats memory = rtl_.memory().stats();
         FrameCollector hits(frame.frame, job_.config.has_shade());
         lines_.start(image_, upload.reset > 0);
-        rtl_.start(frame.frame);
-        rays_.start(frame.frame, image_, script);
-        has_begun_ = true;
+        face_told_ = false;
         bool hangs = false;
-        try {
-            hangs = !clock_rtl(script.size(), hits, progress);
-        } catch (const RtlAssertion& assertion) {
-            broken_ = true;
-            findings_.add([&] {
-                return difference(rtl_.cycle(), "rtl", "none", "no assertion fails", assertion.what());
-            });
-        }
+        guarded([&] {
+            rtl_.start(frame.frame);
+            rays_.start(frame.frame, image_, std::move(script));
+            has_begun_ = true;
+            hangs = !clock_rtl(pixels, hits, progress);
+        });
         const std::uint64_t cycles = rtl_.cycle() - first;
-        check_end(hangs);
+        Accounts accounts;
         const bool is_done = !hangs && !broken_ && !interrupted();
-        if (is_done) check_counters(cycles);
-        result_.rtl = frame_result(
-            job_, frame.frame,
-            {cycles, rtl_.hits(), broken_ ? Accounts{} : rtl_.accounts(), rtl_.memory().stats() - memory,
-             watch.seconds(), interrupted() && !rtl_.done(), upload},
-            work(frame), hits.hits(), hits.colours());
-        if (is_done && f + 1 == frames_.size()) drain();
+        guarded([&] {
+            check_end(hangs);
+            if (is_done) check_counters(cycles);
+            accounts = rtl_.accounts();
+        });
+        result_.rtl = frame_result(job_, frame.frame,
+                                   {cycles, rtl_.hits(), accounts, rtl_.memory().stats() - memory,
+                                    watch.seconds(), interrupted() && !rtl_.done(), upload},
+                                   work(frame), hits.hits(), hits.colours());
+        if (is_done && f + 1 == frames_.size()) guarded([&] { drain(); });
         tell_nonsense();
         broken_ = broken_ || hangs;
         result_.rtl_runs.push_back(frame_result(frame, result_.rtl));
@@ -147,6 +162,7 @@ private:
     }
 
     void judge(std::uint64_t now) {
+        if (interrupted()) return;   // the frame ends early
         if (has_begun_) rays_.cycle(now);
         lines_.cycle(now);
     }
@@ -160,9 +176,11 @@ private:
         }
     }
 
-    /// Checks the chip's signals about its frame, after RtlMachine::settle().
+    /// Checks the chip's signals about its frame, after RtlMachine::settle(). Reports one difference in a
+    /// frame.
     void check_face(std::uint64_t now, bool runs) {
-        if (rtl_.says_running() == runs && rtl_.says_done() == !runs) return;
+        if (face_told_ || (rtl_.says_running() == runs && rtl_.says_done() == !runs)) return;
+        face_told_ = true;
         const bool is_done = rtl_.says_running() == runs;   // the signal that differs
         const char* const texts[2][2] = {{"the frame does not run", "the frame runs"},
                                          {"the frame is done", "the frame is not done"}};
@@ -194,7 +212,7 @@ private:
 
     /// Reports what is missing at the end of a frame, and the chip's signals if they are wrong.
     void check_end(bool hangs) {
-        if (broken_ || interrupted()) return;
+        if (interrupted()) return;
         const std::uint64_t now = rtl_.cycle();
         if (rays_.unfinished() > 0) {
             findings_.add([&] {
@@ -212,7 +230,9 @@ private:
         if (!rtl_.nonsense() || findings_.first) return;
         const RtlMachine::Nonsense& n = *rtl_.nonsense();
         findings_.add([&] {
-            Divergence d = difference(n.cycle, link_infos[index(n.link)].from, n.pipeline, n.link);
+            Divergence d =
+                difference(n.cycle, located(link_infos[index(n.link)].from, n.pipeline, n.link, job_.config),
+                           n.pipeline, n.link);
             d.expected = "a value in range";
             d.got = n.what;
             return d;
@@ -222,10 +242,8 @@ private:
     void compare_pixels() {
         if (result_.model.partial || result_.rtl.partial) return;
         for (std::size_t i = 0; i < result_.model.answers.size(); ++i) {
-            Closest a = result_.model.answers[i], b = result_.rtl.answers[i];
-            a.ray = b.ray = 0;
             findings_.value_mismatches +=
-                pack(a, job_.config) != pack(b, job_.config) ||
+                !same_answer(result_.model.answers[i], result_.rtl.answers[i]) ||
                 (job_.config.has_shade() && result_.model.colours[i] != result_.rtl.colours[i]);
         }
     }
@@ -245,6 +263,7 @@ private:
     LineJudge lines_;
     std::uint64_t begins_ = 0;
     bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
+    bool face_told_ = false;               // a wrong signal of this frame
     bool has_begun_ = false;               // the first frame
     ElasticResult result_;
 };
@@ -271,23 +290,22 @@ std::string unit_names(const Config& config) {
 }
 
 FreeUnits parse_free_units(const std::string& text, const Config& config) {
-    if (text.empty() || text.back() == ',')
-        throw UserError(fmt::format("--elastic {}: a unit is missing in the list", printable(text)));
     FreeUnits free{};
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) {
-        bool found = word == "all";
-        for (std::size_t u = 0; u < unit_count; ++u) {
-            const bool is_outside = unit_infos[u].place == UnitPlace::outside;
-            if (word != "all" && (word != unit_infos[u].name || is_outside)) continue;
-            if (word != "all" && !is_there(Unit(u), config))
-                throw UserError(fmt::format("--elastic {}: the chip '{}' has no unit {}", printable(text),
-                                            config.name, word));
-            free[u] = found = true;
+    for (const std::string& word : split(text, ',')) {
+        if (word.empty())
+            throw UserError(fmt::format("--elastic {}: a unit is missing in the list", shown(text)));
+        if (word == "all") {
+            free.fill(true);
+            continue;
         }
-        if (!found)
-            throw UserError(fmt::format("--elastic {}: no unit is called '{}'; this chip has {}",
-                                        printable(text), printable(word), unit_names(config)));
+        const std::optional<Unit> unit = unit_called(word);
+        if (!unit || unit_infos[index(*unit)].place == UnitPlace::outside)
+            throw UserError(fmt::format("--elastic {}: no unit is called {}; this chip has {}",
+                                        printable(text), shown(word), unit_names(config)));
+        if (!is_there(*unit, config))
+            throw UserError(fmt::format("--elastic {}: the chip '{}' has no unit {}", printable(text),
+                                        printable(config.name), word));
+        free[index(*unit)] = true;
     }
     return free;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Elastic verification: compares values, not cycles. The timing of the RTL may differ from the model's.
-#include <functional>
+#include <array>
 #include <optional>
 #include <vector>
 

@@ -88,8 +88,7 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
             const P got = get_data<P>(rtl_.link(pipeline, pair.req), config_);
             ++findings_.events_compared;
             auto& place = pair.waits[std::size_t(pipeline)][got.id];
-            const std::uint32_t line = std::uint32_t(config_.longest_line() / line_bytes);
-            const bool outside = got.addr / line > (image_->end() - 1) / line;
+            const bool outside = !image_->holds(got.addr, std::uint32_t(config_.longest_line() / line_bytes));
             if (place || outside)
                 findings_.add([&] {
                     Divergence d = at(now, pipeline, pair.req, got.id);
@@ -127,10 +126,10 @@ void LineJudge::cycle(std::uint64_t now) {
     std::vector<std::pair<Pair*, int>> early;
     for (Pair& pair : pairs_)
         for (int p = 0; p < int(pair.waits.size()); ++p)
-            if (fires(p, pair.rsp) && !answer(now, pair, p, false)) early.emplace_back(&pair, p);
+            if (rtl_.fires(p, pair.rsp) && !answer(now, pair, p, false)) early.emplace_back(&pair, p);
     for (Pair& pair : std::views::reverse(pairs_))
         for (int p = 0; p < int(pair.waits.size()); ++p)
-            if (fires(p, pair.req)) ask(now, pair, p);
+            if (rtl_.fires(p, pair.req)) ask(now, pair, p);
     for (const auto& [pair, p] : early) answer(now, *pair, p, true);
 }
 

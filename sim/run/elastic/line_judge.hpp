@@ -36,9 +36,6 @@ private:
         Link req, rsp;
         std::vector<std::vector<std::optional<Request>>> waits;
     };
-    bool fires(int pipeline, Link c) const {
-        return (index(c) < pipeline_links ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
-    }
     bool answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last);
     void ask(std::uint64_t now, Pair& pair, int pipeline);
     Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const;

@@ -20,15 +20,15 @@ RayJudge::RayJudge(const Config& config, const RtlMachine& rtl, const std::array
         if (link_infos[c].carries_ray && is_there(Link(c), config)) ray_links_ |= bit(Link(c));
 }
 
-void RayJudge::start(const Frame& frame, const MemoryImage& image, const Script& script) {
+void RayJudge::start(const Frame& frame, const MemoryImage& image, Script script) {
     frame_ = frame;
     image_ = &image;
-    script_ = &script;
+    script_ = std::move(script);
     witness_ = std::make_unique<Witness>(image, config_);
     witness_->start(frame);
     std::fill(contexts_.begin(), contexts_.end(), Context{});
-    begun_.assign(script.size(), false);
-    tiles_ = script.tiles();
+    begun_.assign(script_->size(), false);
+    tiles_ = script_->tiles();
     finished_ = wrong_ = 0;
     moved_at_ = rtl_.cycle();
 }

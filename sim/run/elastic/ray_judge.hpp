@@ -22,8 +22,8 @@ public:
     RayJudge(const Config& config, const RtlMachine& rtl, const std::array<bool, unit_count>& free,
              Findings& findings);
 
-    /// Begins a frame. Script and image must outlive it.
-    void start(const Frame& frame, const MemoryImage& image, const Script& script);
+    /// Begins a frame. The image must outlive it.
+    void start(const Frame& frame, const MemoryImage& image, Script script);
     /// Judges the transfers of a cycle, after RtlMachine::settle().
     void cycle(std::uint64_t now);
 
@@ -74,7 +74,7 @@ private:
     std::array<bool, unit_count> free_;
     Findings& findings_;
     const MemoryImage* image_ = nullptr;
-    const Script* script_ = nullptr;
+    std::optional<Script> script_;
     Frame frame_{};
     std::unique_ptr<Witness> witness_;
     std::vector<Context> contexts_;                             // [pipeline * contexts + ray]

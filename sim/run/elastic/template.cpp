@@ -5,7 +5,6 @@
 #include <optional>
 #include <regex>
 #include <sstream>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -100,9 +99,9 @@ std::string dont_care_text(const std::string& unit) {
     return text.empty() ? "None: every bit of every transfer is compared.\n" : text;
 }
 
-/// Returns the run line of the unit alone, if it can run alone.
-std::string alone_text(const std::string& unit, const std::string& options) {
-    if (!runs_alone(unit)) return {};
+/// Returns the run line of the unit alone, if it can run alone. It does not run alone on a stream of rays.
+std::string alone_text(const std::string& unit, const Config& config, const std::string& options) {
+    if (!runs_alone(unit) || config.is_stream()) return {};
     return fmt::format(
         "\nThe unit alone, on the requests of a frame, with random valid and ready:\n\n    rayclock "
         "verify gears:2 --size 48x36 --config {1} --unit-only {0} --unit {0}=rc_{0}.sv\n",
@@ -121,8 +120,8 @@ These files are the start of a unit `{0}` of your own, for the chip `{6}`.
 
 These commands compare values and accept any timing:
 
-    rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=rc_{0}.sv
-    rayclock verify gears:2 --size 48x36 --config {1} --elastic {0} --unit {0}=wrapped_{0}.sv
+{7}    rayclock verify gears:2 {8} --config {1} --elastic {0} --unit {0}=rc_{0}.sv
+    rayclock verify gears:2 {8} --config {1} --elastic {0} --unit {0}=wrapped_{0}.sv
 
 Without `--elastic` the command also compares every cycle.
 {5}
@@ -154,16 +153,16 @@ No unit reads these outputs. Drive them with any value.
 
 {4})",
                        unit, options, ports.text, links_text(unit, config), dont_care_text(unit),
-                       alone_text(unit, options), printable(config.name));
+                       alone_text(unit, config, options), printable(config.name),
+                       config.is_stream() ? "    rayclock rays gears:2 --size 48x36 -o rays.npy\n" : "",
+                       config.is_stream() ? "--rays rays.npy" : "--size 48x36");
 }
 
 }   // namespace
 
 std::vector<TemplateFile> unit_template(const std::string& unit, const Config& config,
                                         const std::string& options) {
-    std::optional<Unit> found;
-    for (std::size_t u = 0; u < unit_count; ++u)
-        if (unit == unit_infos[u].name) found = Unit(u);
+    const std::optional<Unit> found = unit_called(unit);
     if (!found)
         throw UserError(
             fmt::format("no unit is called {}; this chip has {}", shown(unit), unit_names(config)));

@@ -1,7 +1,9 @@
 // Drives the unit's ports, and compares its answers.
 #include "sim/run/elastic/unit_alone.hpp"
 
+#include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/witness.hpp"
+#include "model/unit/isect/tri.hpp"
 #include "sim/run/elastic/corners.hpp"
 #include "sim/run/elastic/dont_care.hpp"
 #include "sim/run/elastic/findings.hpp"
@@ -29,20 +32,26 @@ struct Shape {
     const char* answers;
 };
 
-Shape shape_of(const std::string& unit, const Config& config) {
-    const auto found = std::ranges::find_if(unit_infos, [&](const UnitInfo& u) { return unit == u.name; });
-    if (found == unit_infos.end())
-        throw UserError(fmt::format("--unit-only: no unit is called {}", shown(unit)));
-    if (!is_there(found->when, config))
-        throw UserError(fmt::format("--unit-only {}: the chip '{}' has no such unit", unit, config.name));
-    if (unit == "tri") return {Link::tri_req, Link::tri_rsp, "rsp"};
-    if (unit == "xform") return {Link::xform_req, Link::change, "change"};
+/// Returns the links of a unit that answers each request with one transfer; nothing for all other units.
+std::optional<Shape> shape_of(Unit unit) {
+    if (unit == Unit::tri) return Shape{Link::tri_req, Link::tri_rsp, "rsp"};
+    if (unit == Unit::xform) return Shape{Link::xform_req, Link::change, "change"};
     for (const NodeUnit& u : node_units)
-        if (unit == unit_name(u.unit)) return {u.req, u.rsp, "rsp"};
+        if (unit == u.unit) return Shape{u.req, u.rsp, "rsp"};
+    return {};
+}
+
+Shape required_shape(const std::string& name, const Config& config) {
+    const std::optional<Unit> unit = unit_called(name);
+    if (!unit) throw UserError(fmt::format("--unit-only: no unit is called {}", shown(name)));
+    if (!is_there(*unit, config))
+        throw UserError(
+            fmt::format("--unit-only {}: the chip '{}' has no such unit", name, printable(config.name)));
+    if (const std::optional<Shape> shape = shape_of(*unit)) return *shape;
     throw UserError(
         fmt::format("--unit-only {}: this unit does not answer each request with one transfer, so it "
                     "cannot run alone; use --elastic",
-                    unit));
+                    name));
 }
 
 std::uint32_t ray_in(Link c, const std::uint32_t* words, const Config& config) {
@@ -91,7 +100,7 @@ void add_tri_corners(std::vector<Pair>& pairs, const Config& config, int seed) {
     for (std::size_t i = 0; i < recorded; ++i) {
         TriReq request = unpack<TriReq>(pairs[i].request.data(), config);
         to_corner(request, config, random);
-        pairs.push_back({pack(request, config), pack(tri_answer(request, config), config)});
+        pairs.push_back({pack(request, config), pack(tri(request, config), config)});
     }
 }
 
@@ -113,6 +122,24 @@ public:
 
     UnitAlone run(std::vector<Pair> pairs) {
         const Stopwatch watch;
+        try {
+            drive(pairs);
+            drain();
+        } catch (const RtlAssertion& assertion) {
+            findings_.add([&] {
+                return difference(result_.cycles, "rtl", "none", "no assertion fails", assertion.what());
+            });
+        }
+        result_.interrupted = interrupted();
+        result_.value_mismatches = findings_.value_mismatches;
+        result_.first = findings_.first;
+        result_.seconds = watch.seconds();
+        return result_;
+    }
+
+private:
+    /// Offers all requests, and takes the answers.
+    void drive(std::vector<Pair>& pairs) {
         std::uint64_t quiet = 0;
         for (std::size_t next = 0; (next < pairs.size() || in_flight_ > 0) && !interrupted();
              ++result_.cycles) {
@@ -128,12 +155,12 @@ public:
             const bool answers = *rsp_.valid && (!rsp_.ready || *rsp_.ready);
             if (answers) check();
             quiet = answers ? 0 : quiet + 1;
-            if (quiet > longest_wait) {
-                tell_missing();
-                break;
-            }
+            if (quiet > longest_wait) return tell_missing();
             module_.clock();
         }
+    }
+    /// Takes what follows the last answer.
+    void drain() {
         for (std::uint64_t i = 0; i < after_the_end && !findings_.first && !interrupted(); ++i) {
             *req_.valid = 0;
             if (rsp_.ready) *rsp_.ready = 1;
@@ -141,14 +168,8 @@ public:
             if (*rsp_.valid) check();
             module_.clock();
         }
-        result_.interrupted = interrupted();
-        result_.value_mismatches = findings_.value_mismatches;
-        result_.first = findings_.first;
-        result_.seconds = watch.seconds();
-        return result_;
     }
 
-private:
     /// Offers a request under the number of a ray that is not in flight, if there is one.
     void offer(Pair& pair) {
         const std::uint32_t contexts = std::uint32_t(config_.contexts);
@@ -226,13 +247,13 @@ private:
 }   // namespace
 
 bool runs_alone(const std::string& unit) {
-    return unit == "tri" || unit == "xform" ||
-           std::ranges::any_of(node_units, [&](const NodeUnit& u) { return unit == unit_name(u.unit); });
+    const std::optional<Unit> found = unit_called(unit);
+    return found && shape_of(*found);
 }
 
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed,
                          std::uint64_t most) {
-    const Shape shape = shape_of(unit, job.config);
+    const Shape shape = required_shape(unit, job.config);
     std::vector<Pair> pairs = record(job, frame, shape, most);
     if (pairs.empty() && !interrupted())
         throw UserError(fmt::format("--unit-only {}: the frame has no request for this unit", unit));

@@ -22,6 +22,11 @@ struct FramesOptions {
     /// The tree of a deforming mesh is refitted while its cost is at most this multiple of the cost at its
     /// last build. Above that it is rebuilt.
     double rebuild = usual_rebuild;
+    bool is_asked() const {
+        const FramesOptions none;
+        return frames != 1 || pan != 0 || fps || !time.empty() || uploads != none.uploads ||
+               rebuild != none.rebuild;
+    }
 };
 
 /// The times of the frames in seconds of the scene, and the frame rate.

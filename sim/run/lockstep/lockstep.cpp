@@ -223,12 +223,8 @@ private:
         }
     }
 
-    bool rtl_fires(int pipeline, Link c) const {
-        return (index(c) < pipeline_links ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
-    }
-
     template <class P> void compare(std::uint64_t now, int pipeline, Link c, const P& payload) {
-        if (!rtl_fires(pipeline, c)) {
+        if (!rtl_.fires(pipeline, c)) {
             unmatched_.push_back({pipeline, c, pack(payload, job_.config)});
             return;
         }
@@ -356,7 +352,7 @@ private:
 
     void step_rtl(FrameCollector& hits) {
         rtl_.settle();
-        if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->link)) {
+        if (watched_ && !watched_->by_rtl && rtl_.fires(watched_->pipeline, watched_->link)) {
             const RcPort& port = rtl_.link(watched_->pipeline, watched_->link);
             if (port.bytes >= 4)
                 seen(rtl_.cycle(), port.data, port.bytes);

@@ -15,7 +15,8 @@ struct Divergence {
     std::string unit;   ///< the driver of the differing value (driver.hpp); the receiver of the link if only
                         ///< its acceptance differs; "host" for the frame's beginning and end; "rtl" for a
                         ///< failed assertion
-    std::string link;   ///< for the host "running" or "done", the chip's own signals
+    std::string link;   ///< without a link: "running" or "done" (signals), "cycles" (a register),
+                        ///< "counters", or "none" (an assertion)
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
     std::string expected;   ///< the model's value: differing fields, or whether it moved anything

@@ -8,29 +8,14 @@
 
 namespace rayclock {
 
-namespace {
-
-/// Returns the parameter for which a condition does not hold. If two decide, the words are
-/// "shading=1 and source=camera".
-std::string decider_of(const Condition& condition, const Config& config) {
-    constexpr std::string_view separator = " and ";
-    const std::string_view words = condition.words;
-    const std::size_t end = words.find(separator);
-    if (end == words.npos) return condition.decider;
-    const std::string_view first = words.substr(0, end), second = words.substr(end + separator.size());
-    const std::string_view key = first.substr(0, first.find('='));
-    const bool holds = value_text(config, parameter(key)) == first.substr(key.size() + 1);
-    return std::string(holds ? second.substr(0, second.find('=')) : key);
-}
-
-}   // namespace
-
 std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set) {
     std::vector<std::string> sentences;
     for (const std::string& item : set) {
         const Parameter& p = parameter(std::string_view(item).substr(0, item.find('=')));
         if (p.effect->holds(config)) continue;
-        const std::string decider = decider_of(*p.effect, config);
+        const Condition& first =
+            p.effect->first && !p.effect->first->holds(config) ? *p.effect->first : *p.effect;
+        const std::string decider = first.decider;
         sentences.push_back(std::string(p.key) + " has no effect with " + decider + "=" +
                             value_text(config, parameter(decider)));
     }

@@ -74,6 +74,10 @@ public:
     LinkMask fire_mask(int pipeline) const { return fire_[std::size_t(pipeline)]; }
     LinkMask shared_valid() const { return shared_valid_; }
     LinkMask shared_fire() const { return shared_fire_; }
+    /// True if a link makes a transfer in this cycle. Shared links ignore `pipeline`.
+    bool fires(int pipeline, Link c) const {
+        return (index(c) < pipeline_links ? fire_mask(pipeline) : shared_fire_) & bit(c);
+    }
     bool moved() const { return moved_; }
     /// Returns the packed payload that a link offers in this cycle. Shared links have pipeline 0.
     const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }

@@ -27,6 +27,14 @@ std::string counters_text(const LockstepResult& r) {
                                               : "not compared, since the machines parted";
 }
 
+/// Says where a difference lies.
+std::string place_text(const Divergence& d) {
+    if (d.on) return fmt::format("link {}, ray {}, pixel ({}, {})", d.link, d.ray, d.x, d.y);
+    if (d.link == "none") return "assertion";
+    if (d.link == "counters") return "counters";
+    return fmt::format("{} {}", d.link == "cycles" ? "register" : "signal", d.link);
+}
+
 }   // namespace
 
 std::string lockstep_lines(const LockstepResult& r) {
@@ -40,11 +48,7 @@ std::string lockstep_lines(const LockstepResult& r) {
 std::string divergence_lines(const Divergence& d) {
     std::string text =
         fmt::format("  FIRST DIVERGENCE at cycle {}: unit {}, {}\n    expected {}\n    got      {}\n",
-                    grouped(d.cycle), d.unit,
-                    d.on ? fmt::format("link {}, ray {}, pixel ({}, {})", d.link, d.ray, d.x, d.y)
-                    : d.unit == "host" ? fmt::format("signal {}", d.link)
-                                       : "assertion",
-                    d.expected, d.got);
+                    grouped(d.cycle), d.unit, place_text(d), d.expected, d.got);
     if (!d.later.empty()) text += fmt::format("    {}\n", d.later);
     return text;
 }
