@@ -92,11 +92,9 @@ void check_parameters(const Config& c, const std::string& where) {
     if (c.is_stream() && c.scan_out)
         refuse("scan_out=1 needs source=camera: a stream of rays draws no picture");
     constexpr int most_hit_bits = 128;
-    if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits();
+    if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits() + (c.has_homes() ? c.addr_bits : 0);
         c.is_stream() && c.pixel_writes && bits > most_hit_bits)
         refuse("pixel_writes=1 writes hits of 128 bits, and a hit of this chip has " + std::to_string(bits));
-    if (c.is_stream() && c.has_instances())
-        refuse("levels=2 needs source=camera: records of rays do not say from which instance a ray starts");
     if (c.is_stream() && c.spheres)
         refuse("spheres=1 needs source=camera: records of rays do not say which sphere a ray leaves");
     if (c.is_stream() && c.planes)

@@ -42,9 +42,10 @@ struct Slot {
 
 /// The home of a ray, with two levels: the instance from whose triangle the ray starts, or at which a shadow
 /// ray ends, and the ray in the space of the instance's mesh. That ray is not computed from o and d, which
-/// are rounded: it begins, or ends, exactly in the triangle (docs/motion.md). Camera rays have no home.
+/// are rounded: it begins, or ends, exactly in the triangle (docs/motion.md). Camera rays and
+/// rays of a stream have no home.
 struct Home {
-    std::uint32_t line = 0;   ///< Placement::here
+    std::uint32_t line = 0;   ///< Placement::here; 0 without a home
     Vec3i o{}, d{};           ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         if (!c.has_homes()) return;

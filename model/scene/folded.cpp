@@ -1,8 +1,6 @@
 // Scenes whose instances are not written out.
 #include "model/scene/folded.hpp"
 
-#include <algorithm>
-
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -27,14 +25,6 @@ std::uint64_t numbered_primitives(const Scene& scene) {
     return is_folded(scene) ? primitive_count(*scene.placed) : primitive_count(scene);
 }
 
-Unfolder::Unfolder(const PlacedScene& scene) : scene_(scene) {
-    std::uint64_t first = scene.own.triangles.size();
-    for (const Instance& instance : scene.instances) {
-        firsts_.push_back(first);
-        first += scene.meshes[instance.mesh].triangles.size();
-    }
-}
-
 PlacedTriangle Unfolder::operator()(std::uint32_t primitive) const {
     PlacedTriangle out;
     const auto take = [&](const auto& mesh, const Triangle& triangle) {
@@ -49,11 +39,10 @@ PlacedTriangle Unfolder::operator()(std::uint32_t primitive) const {
         take(scene_.own, scene_.own.triangles[primitive]);
         return out;
     }
-    const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), std::uint64_t(primitive));
-    const auto number = std::size_t(after - firsts_.begin()) - 1;
+    const std::uint32_t number = instances_.of(primitive);
     const Instance& instance = scene_.instances.at(number);
     const SharedMesh& mesh = scene_.meshes[instance.mesh];
-    take(mesh, mesh.triangles.at(primitive - firsts_[number]));
+    take(mesh, mesh.triangles.at(primitive - instances_.first(number)));
     if (instance.material) out.material = *instance.material;
     const glm::dmat3 linear(instance.place);
     const bool is_mirrored = glm::determinant(linear) < 0;

@@ -31,12 +31,12 @@ struct PlacedTriangle {
 /// Finds triangles of a folded scene by their numbers. The scene must outlive it.
 class Unfolder {
 public:
-    explicit Unfolder(const PlacedScene& scene);
+    explicit Unfolder(const PlacedScene& scene) : scene_(scene), instances_(scene) {}
     PlacedTriangle operator()(std::uint32_t primitive) const;
 
 private:
     const PlacedScene& scene_;
-    std::vector<std::uint64_t> firsts_;   ///< first numbers of the instances
+    InstanceNumbers instances_;
 };
 
 /// Throws UserError unless a folded scene can be drawn. It checks each mesh as check_scene() does. The scene

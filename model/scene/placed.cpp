@@ -82,6 +82,16 @@ std::uint64_t primitive_count(const PlacedScene& scene) {
     return count;
 }
 
+InstanceNumbers::InstanceNumbers(const PlacedScene& scene) : firsts_{scene.own.triangles.size()} {
+    for (const Instance& instance : scene.instances)
+        firsts_.push_back(firsts_.back() + scene.meshes[instance.mesh].triangles.size());
+}
+
+std::uint32_t InstanceNumbers::of(std::uint64_t primitive) const {
+    if (primitive < firsts_.front() || primitive >= firsts_.back()) return none;
+    return std::uint32_t(std::ranges::upper_bound(firsts_, primitive) - firsts_.begin() - 1);
+}
+
 Scene flat_copy(const PlacedScene& scene) {
     Scene flat = scene.own;
     for (const Instance& instance : scene.instances)

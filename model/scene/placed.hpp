@@ -42,6 +42,21 @@ struct PlacedScene {
 /// Returns the number of primitives of the flat scene.
 std::uint64_t primitive_count(const PlacedScene& scene);
 
+/// Finds the instance of a primitive by its number.
+class InstanceNumbers {
+public:
+    explicit InstanceNumbers(const PlacedScene& scene);
+    /// Returns the index in PlacedScene::instances; `none` for the scene's own primitives and unknown
+    /// numbers.
+    std::uint32_t of(std::uint64_t primitive) const;
+    static constexpr std::uint32_t none = 0xffff'ffffu;
+    /// Returns the number of the instance's first primitive.
+    std::uint64_t first(std::uint32_t instance) const { return firsts_[instance]; }
+
+private:
+    std::vector<std::uint64_t> firsts_;   ///< of the instances, then the number after the last one
+};
+
 /// Returns the scene with every instance as triangles. Without instances and motion it is the scene itself.
 /// Throws UserError beyond 2^32 - 1 vertices.
 Scene flattened(PlacedScene scene);

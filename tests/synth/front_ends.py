@@ -68,6 +68,7 @@ SHAPES = [
 
 STREAMS = [
     "default shading=1 source=stream",
+    "default shading=1 source=stream levels=2",
     "small shading=1 source=stream timing=fast pipelines=2 tile_bits=0 raygen_interval=4 structure=kd",
 ]
 

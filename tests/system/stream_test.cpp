@@ -73,6 +73,81 @@ TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") 
                    int(traffic.seed));
 }
 
+namespace {
+
+/// Requires that a stream on a chip of two levels has the same cycles in model and RTL, and right answers.
+void check_two_levels(const Values& more) {
+    Values values{{"levels", 2}, {"stack_depth", 64}};
+    values.insert(values.end(), more.begin(), more.end());
+    const Config config = streaming_config(quick_config("default"), values);
+    RandomStream random("gearbox:2", 1500, config, 11);
+    random.scene.camera = fit_camera(random.scene, 1);
+    const std::vector<Closest> answers = check_lockstep(random.stream.job).model.answers;
+    const StreamJudgement judged = judge_stream(random.stream, answers);
+    INFO(judged.first);
+    CHECK(judged.wrong == 0);
+    std::set<std::uint32_t> places;
+    for (const Closest& answer : answers) places.insert(answer.place);
+    CHECK(places.size() > 2);
+}
+
+}   // namespace
+
+TEST_CASE("a stream walks two levels, alike in model and RTL", "[stream]") { check_two_levels({}); }
+
+TEST_CASE("a stream walks two structures, alike in model and RTL", "[stream][slow]") {
+    check_two_levels(
+        {{"structure", int(Structure::kd)}, {"mesh_structure", int(MeshStructure::bvh)}, {"pipelines", 2}});
+    check_two_levels({{"raygen_interval", 4}, {"timing", int(Timing::fast)}, {"pixel_writes", 1}});
+}
+
+TEST_CASE("with two levels, the stream of a picture's camera rays has the picture's hits and instances",
+          "[stream]") {
+    const FrameSize size{48, 36};
+    Scene scene = load_scene("gearbox:2");
+    REQUIRE(scene.placed);
+    const Config drawn =
+        fitted_config(scene, {}, with(quick_config("default"), {{"levels", 2}, {"stack_depth", 64}}));
+    scene.camera = fit_camera(scene, 4.0 / 3);
+    const Job picture = make_job(scene, *scene.camera, size, drawn);
+    const RecordedFrame frame = record_frame(picture, picture.frame);
+
+    RayStreamPlan plan;
+    plan.size = size;
+    const ListedRays rays("camera rays", make_rays(scene, plan, drawn));
+    const StreamJob stream = make_stream_job(scene, rays, streaming(drawn), Outside::refuse);
+    const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
+    REQUIRE(answers.size() == frame.trace.hits.size());
+    std::size_t found = 0;
+    std::set<std::uint32_t> met;
+    const std::string bytes = hits_npy(stream, answers, std::vector<std::uint64_t>(answers.size()));
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        Closest drawn_hit = frame.trace.hits[i], traced = answers[i];
+        drawn_hit.place = traced.place = 0;   // a picture without shading does not tell the instance
+        REQUIRE(same_answer(drawn_hit, traced));
+        std::uint32_t instance;
+        std::memcpy(&instance, &bytes[bytes.size() - (answers.size() - i) * 42 + 6], sizeof instance);
+        if (!traced.found) {
+            CHECK(instance == InstanceNumbers::none);
+            continue;
+        }
+        ++found;
+        met.insert(instance);
+        if (instance == InstanceNumbers::none) {
+            CHECK(traced.prim < scene.placed->own.triangles.size());
+            continue;
+        }
+        std::uint64_t first = scene.placed->own.triangles.size();   // counted anew
+        for (std::uint32_t k = 0; k < instance; ++k)
+            first += scene.placed->meshes[scene.placed->instances.at(k).mesh].triangles.size();
+        CHECK(traced.prim >= first);
+        CHECK(traced.prim <
+              first + scene.placed->meshes[scene.placed->instances.at(instance).mesh].triangles.size());
+    }
+    CHECK(found > 300);
+    CHECK(met.size() > 1);
+}
+
 TEST_CASE("hits that are written to the memory take their share of it, alike in model and RTL", "[stream]") {
     const auto run = [](int writes) {
         const Config config = streaming_config(quick_config("default"), {{"pixel_writes", writes}});
@@ -196,7 +271,7 @@ TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
     CHECK(*std::min_element(retired.begin(), retired.end()) > 0);
     CHECK(*std::max_element(retired.begin(), retired.end()) == cycles - 1);
     const std::string bytes = hits_npy(stream, answers, retired);
-    constexpr std::size_t head = 192, bytes_of_hit = 38;
+    constexpr std::size_t head = 256, bytes_of_hit = 42;
     REQUIRE(bytes.size() == head + bytes_of_hit * given.size());
     const auto field = [&]<class T>(std::size_t i, std::size_t at, T) {
         T value;
@@ -211,10 +286,11 @@ TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
         CHECK(field(i, 0, std::uint8_t()) == hit.hit);
         CHECK(field(i, 1, std::uint8_t()) == hit.back);
         CHECK(field(i, 2, std::uint32_t()) == hit.primitive);
-        CHECK(is_same(field(i, 6, double()), hit.t));
-        CHECK(is_same(field(i, 14, double()), hit.u));
-        CHECK(is_same(field(i, 22, double()), hit.v));
-        CHECK(field(i, 30, std::uint64_t()) == retired[i]);
+        CHECK(field(i, 6, std::uint32_t()) == InstanceNumbers::none);
+        CHECK(is_same(field(i, 10, double()), hit.t));
+        CHECK(is_same(field(i, 18, double()), hit.u));
+        CHECK(is_same(field(i, 26, double()), hit.v));
+        CHECK(field(i, 34, std::uint64_t()) == retired[i]);
         CHECK(hit.hit == expected[i]);
         if (!hit.hit || given[i].any_hit) {
             CHECK(hit.primitive == no_primitive);
@@ -360,7 +436,7 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
 TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
     const Config config = streaming_config(quick_config("default"));
     for (const std::string item : {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "spheres=1",
-                                   "planes=1", "levels=2", "scan_out=1"}) {
+                                   "planes=1", "scan_out=1"}) {
         INFO(item);
         CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
                           Catch::Matchers::Contains(item + " needs source=camera"));

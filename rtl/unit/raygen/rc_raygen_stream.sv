@@ -76,11 +76,20 @@ module rc_raygen_stream (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:1]), .there_i(valid[Latency-1:1]),
     .data_i(s1_q), .data_o(end_record));
 
-  // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals.
+  // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
+  // without a home: with two levels no recorded ray starts from an instance.
+  localparam int unsigned HomeW = rc_pkg::RayW - RecordW - 3 * R1 - 3 * E;
+
   logic                    queue_ready;
   logic [rc_pkg::RayW-1:0] queue_data, ray_data;
 
-  assign queue_data = {end_record, recip, len};
+  if (HomeW > 0) begin : gen_homes
+    rc_pkg::record_t record;
+    assign record     = end_record;
+    assign queue_data = {record.ray, record.kind, {HomeW{1'b0}}, record.o, record.d, recip, len};
+  end else begin : gen_no_homes
+    assign queue_data = {end_record, recip, len};
+  end
 
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),

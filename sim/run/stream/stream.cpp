@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 
@@ -18,6 +20,7 @@
 #include "sim/files/npy.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/judge/paths/answer.hpp"
+#include "sim/judge/paths/placed.hpp"
 #include "sim/judge/paths/world.hpp"
 #include "sim/judge/reference/tiles.hpp"
 
@@ -101,10 +104,13 @@ StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer
 std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
                      const std::vector<std::uint64_t>& cycles) {
     std::string bytes = npy_head(
-        "[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('t', '<f8'), ('u', '<f8'), "
+        "[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('instance', '<u4'), ('t', '<f8'), ('u', "
+        "'<f8'), "
         "('v', '<f8'), ('cycle', '<u8')]",
         {answers.size()});
-    constexpr std::size_t bytes_of_hit = 38;
+    constexpr std::size_t bytes_of_hit = 42;
+    std::optional<InstanceNumbers> instances;
+    if (stream.scene.placed) instances.emplace(*stream.scene.placed);
     bytes.reserve(bytes.size() + answers.size() * bytes_of_hit);
     const auto add = [&](const auto& value) {
         char raw[sizeof value];
@@ -114,6 +120,7 @@ std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answer
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const StreamHit hit = hit_of(stream, i, answers[i]);
         add(std::uint8_t(hit.hit)), add(std::uint8_t(hit.back)), add(hit.primitive);
+        add(instances ? instances->of(hit.primitive) : InstanceNumbers::none);
         add(hit.t), add(hit.u), add(hit.v), add(cycles[i]);
     }
     return bytes;
@@ -137,15 +144,42 @@ std::vector<std::uint64_t> retirements(const Config& config, int khz, const Reco
     return retired;
 }
 
+namespace {
+
+/// Returns the judge of a ray's answer. With two levels a fault of an instance's map is the fault of every
+/// ray.
+std::function<const char*(const Ray&, const Closest&)> judge_of(const StreamJob& stream) {
+    const MemoryImage& image = stream.job.image;
+    const Config& config = stream.job.config;
+    if (config.has_instances()) {
+        const auto asked = std::make_shared<const Asked>(
+            Asked{stream.scene, *stream.scene.camera, stream.job.frame, image.lattice, config});
+        const auto world = std::make_shared<const PlacedWorld>(*asked, image);
+        if (!world->faults().empty())
+            return [](const Ray&, const Closest&) {
+                return "an instance has another map in memory than its place";
+            };
+        return [asked, world, &config](const Ray& ray, const Closest& answer) {
+            return judge_answer(*world, config, ray, answer);
+        };
+    }
+    const std::optional<Scene> moved = aligned(stream.scene, image.lattice);
+    const auto primitives = std::make_shared<const std::vector<oracle::Solid>>(
+        solids_of(moved ? *moved : stream.scene, image.lattice, config.coord_bits));
+    const auto solids = std::make_shared<const oracle::Solids>(*primitives);
+    return [primitives, solids, &config](const Ray& ray, const Closest& answer) {
+        return judge_answer(*solids, config, ray, answer);
+    };
+}
+
+}   // namespace
+
 StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads,
                              const Progress& progress) {
     const Stopwatch watch;
     const MemoryImage& image = stream.job.image;
     const Config& config = stream.job.config;
-    const std::optional<Scene> moved = aligned(stream.scene, image.lattice);
-    const std::vector<oracle::Solid> primitives =
-        solids_of(moved ? *moved : stream.scene, image.lattice, config.coord_bits);
-    const oracle::Solids solids(primitives);
+    const std::function<const char*(const Ray&, const Closest&)> fault_of = judge_of(stream);
     StreamJudgement judged{answers.size(), 0, {}, 0};
     std::size_t first_wrong = answers.size();
     std::mutex mutex;
@@ -154,8 +188,8 @@ StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>
                   [&](const PixelTile& tile) {
                       for (int i = tile.cols().begin(); i < tile.cols().end(); ++i) {
                           const auto record = unpack<RayRecord>(image.record(std::uint32_t(i)), config);
-                          const char* fault = judge_answer(solids, config, recorded_ray(record, 0, config),
-                                                           answers[std::size_t(i)]);
+                          const char* fault =
+                              fault_of(recorded_ray(record, 0, config), answers[std::size_t(i)]);
                           if (!fault) continue;
                           const std::lock_guard lock(mutex);
                           ++judged.wrong;

@@ -42,8 +42,8 @@ struct StreamHit {
 /// Returns the answer to a ray in scene units. A closest hit beyond t_max counts as a miss.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
 
-/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), t, u, v (f8),
-/// cycle (u8). `cycles`: when each ray's answer left the chip.
+/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), instance
+/// (u4), t, u, v (f8), cycle (u8). `cycles`: when each ray's answer left the chip.
 std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
                      const std::vector<std::uint64_t>& cycles);
 
@@ -58,7 +58,8 @@ struct StreamJudgement {
     std::string first;   ///< the first fault: its ray and what is wrong
     double seconds = 0;
 };
-/// Judges every ray against all triangles of the scene, in exact arithmetic (judge_answer()).
+/// Judges every ray against all triangles of the scene, in exact arithmetic (judge_answer()). With two levels
+/// the rays are rounded for each instance, and a wrong map in memory makes every answer wrong.
 StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads = 0,
                              const Progress& progress = {});
 
