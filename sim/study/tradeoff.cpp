@@ -299,7 +299,8 @@ void write_tradeoff(const std::string& path, const Tradeoff& what, const std::st
             };
         Outcome outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
         if (outcome.partial)
-            throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+            throw Interrupted(
+                "interrupted: no page was written; the same command continues where it stopped");
         const std::string plot = std::filesystem::path(plot_path(path, name)).filename().string();
         scenes.push_back({scene.name, scene.triangles.size(), what.size, std::move(outcome), plot});
     }

@@ -78,7 +78,7 @@ TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on afte
         run_and_stop(FakeNextpnr::words({"--seeds", "1,2", "-o", fake.folder().name("out")}),
                      fake.environment(), SIGINT, [&] { return fake.routed() == 2; });
     CHECK(stopped.code == 1);
-    CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("goes on after"));
+    CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("continues after"));
     CHECK(fake.kept("chip-route-") == 1);
     CHECK(fake.kept("yosys-") == 0);   // working folders
     CHECK_FALSE(fs::exists(fake.folder().name("out/report.txt")));
@@ -214,7 +214,7 @@ TEST_CASE("a chip that is stopped while it is placed once more goes on after the
     const Outcome stopped = run_and_stop(FakeNextpnr::words(placed), fake.environment(), SIGINT,
                                          [&] { return fake.routed() == 2; });
     CHECK(stopped.code == 1);
-    CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("goes on after"));
+    CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("continues after"));
     CHECK(fake.kept("chip-sites-") == 1);
     fake.replace("true");
     REQUIRE(fake.run(placed).code == 0);
@@ -344,7 +344,7 @@ TEST_CASE("chip refuses what makes no sense") {
     check_refused(chip({"--placer", "statik"}), {"--placer", "'statik'", "did you mean 'static'"});
     check_refused(chip({"--router", "3"}), {"--router", "'3'"});
     check_refused(chip({"--placements", "0"}), {"--placements", "0", "1..9"});
-    check_refused(chip({"--placements", "1"}), {"--placements", "mixed needs two"});
+    check_refused(chip({"--placements", "1"}), {"--placements", "mixed needs at least two"});
     check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
     check_refused(chip({"--fast", "--placements", "2"}), {"--fast", "leave out --placements"});
     check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});

@@ -104,7 +104,7 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     refused({one, two, p.folder.write("bad.json", "{\"scene\": ")}, {"bad.json"});
     refused({one, two, p.folder.write("other.json", "{}")},
             {"other.json", "not a report of sweep", "'scene'"});
-    refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "goes on"});
+    refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "continues"});
     refused({two, three, p.changed(1, "/shard/of", 4)},
             {"changed.json", "not of one sweep", "how many parts"});
     refused({two, three, p.changed(1, "/shard/part", 4)}, {"changed.json", "no part 4/3"});

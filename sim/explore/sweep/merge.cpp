@@ -70,7 +70,7 @@ Part read_part(const std::string& file) {
         if (!checked.is_object() || !checked.contains(key))
             refuse(file, fmt::format("is not a report of sweep: it has no key '{}'", key));
     if (checked["partial"] != false)
-        refuse(file, "was interrupted before its end; the command that wrote it goes on where it was");
+        refuse(file, "was interrupted before its end; the command that wrote it continues where it stopped");
     const Shard shard = shard_of(JsonValue(checked, file).at("shard"));
     return {file, ordered_json::parse(text), shard};   // parsed again to keep the order of keys
 }

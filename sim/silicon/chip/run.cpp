@@ -32,7 +32,7 @@ using nlohmann::ordered_json;
 namespace {
 
 [[noreturn]] void stopped() {
-    throw Interrupted("interrupted: finished steps are kept, and the same command goes on after them");
+    throw Interrupted("interrupted: finished steps are kept, and the same command continues after them");
 }
 
 /// Runs Yosys in a temporary folder.
