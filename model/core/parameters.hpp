@@ -13,7 +13,7 @@ struct Condition {
     const char* words;   ///< "with two levels"; empty if there is always an effect
 };
 
-/// One parameter as files, `--set` and reports know it.
+/// One parameter, in the form that files, `--set` and reports use.
 struct Parameter {
     enum class Type { number, power, flag, choice };
     const char* key;
