@@ -79,7 +79,7 @@ public:
         }
         if (result.fits() && result.routes.empty())
             result.misfit = fmt::format(
-                "'{}' cannot be routed on {}: {}; another seed may do, another placer, or more placements",
+                "'{}' cannot be routed on {}: {}; another seed, another placer or more placements may help",
                 printable(request_.config.name), request_.device.name, stuck_);
         return result;
     }
