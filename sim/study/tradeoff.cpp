@@ -255,8 +255,8 @@ std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes,
     text += "\n## In short\n\n" + page.knee_table();
     text += "\n## One width at a time\n";
     for (const Series& series : study.series) text += page.series_text(series);
-    text += fmt::format("\n## Two at once: {} and {}\n\nA point's label is {} / {}.\n", study.grid[0].key,
-                        study.grid[1].key, study.grid[0].key, study.grid[1].key);
+    text += fmt::format("\n## Two widths together: {} and {}\n\nA point's label is {} / {}.\n",
+                        study.grid[0].key, study.grid[1].key, study.grid[0].key, study.grid[1].key);
     for (const SceneStudy& scene : scenes) text += page.grid_text(scene);
     for (const SceneStudy& scene : scenes)
         if (!scene.outcome.netlist_note.empty()) return text + "\n" + scene.outcome.netlist_note + ".\n";
