@@ -50,12 +50,13 @@ std::string table(const char* key, int Config::*member, const std::vector<int>& 
 }
 
 std::string measured() {
-    return "\nMore node visits of the machine than with exact tests of the same boxes, R = 16:\n\n" +
+    return "\nAdditional node visits of the machine, compared with exact tests of the same boxes, R = "
+           "16:\n\n" +
            table("N", &Config::coord_bits, {12, 14, 16, 18, 20}, &ExtraVisits::rounding) +
            "\nThe same, N = 18:\n\n" +
            table("R", &Config::recip_bits, {8, 9, 10, 11, 12, 13, 14, 15, 16}, &ExtraVisits::rounding) +
-           "\nMore visits with exact tests of quantised boxes than with exact tests of the real ones, N = "
-           "18:\n\n" +
+           "\nAdditional visits with exact tests of quantised boxes, compared with exact tests of the real "
+           "boxes, N = 18:\n\n" +
            table("B", &Config::box_bits, {4, 5, 6, 7, 8}, &ExtraVisits::quantisation);
 }
 

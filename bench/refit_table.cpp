@@ -70,7 +70,7 @@ Walk walk_of(const Refit& tree, const Lattice& lattice, const Config& config) {
 }
 
 void times(const Config& config) {
-    fmt::print("| triangles | built anew, ms | refitted, ms | ratio |\n|---|---|---|---|\n");
+    fmt::print("| triangles | rebuilt, ms | refitted, ms | ratio |\n|---|---|---|---|\n");
     for (const int n : {24, 75, 240, 480}) {
         const Scene rest = tube(n, 0);
         const Lattice lattice = lattice_of(rest, config);
@@ -95,7 +95,7 @@ void times(const Config& config) {
 
 void spoiling(const Config& config) {
     fmt::print(
-        "\n| twist, degrees | cost over that when built | visits, refitted over built anew | tests "
+        "\n| twist, degrees | cost relative to the built tree | visits, refitted over rebuilt | tests "
         "|\n|---|---|---|---|\n");
     constexpr int n = 75;
     const Lattice lattice = lattice_of(tube(n, 0), config);

@@ -1,4 +1,5 @@
-// One pipeline: wires its units in the order in which a ray meets them, and reports what each did.
+// One pipeline: wires its units in the order in which a ray meets them, and reports each unit's
+// cause.
 //
 // It accepts tiles of the picture and returns one hit per pixel, in the order in which rays end. It
 // reads nodes and primitives through two caches. A chip that shades reads surfaces through a third

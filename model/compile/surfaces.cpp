@@ -305,7 +305,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
         refuse("depth " + std::to_string(settings.depth) + " was asked for", config.bounces, "bounces",
                settings.depth);
     if ((samples > 1 || settings.jitter) && !config.supersampling)
-        refuse(std::to_string(samples) + " samples a pixel were asked for", 1, "supersampling", 1);
+        refuse(std::to_string(samples) + " samples per pixel were requested", 1, "supersampling", 1);
     const double one = 1 << unit_bits;
     ShadeFrame frame;
     frame.surfaces = image.surfaces;

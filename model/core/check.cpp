@@ -56,20 +56,20 @@ void check_parameters(const Config& c, const std::string& where) {
     const bool boxes_only = (c.is_list() || c.engine() == Structure::bvh) && c.lower_engine() == c.engine();
     if (!boxes_only && c.test() != PrimitiveTest::exact && !c.is_sheared())
         refuse("structure=" + name_of(c.structure) +
-               " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
-               "its primitive");
+               " needs primitive_test=exact or sheared: only these bound the distance between a hit and its "
+               "primitive");
     if (c.has_octree() && c.straddlers == Straddlers::stop)
         refuse(
-            "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
-            "bsp");
+            "structure=octree has straddlers=leaves or inner: its planes are fixed, and only bsp has stop");
     if (c.is_walked(Structure::bsp) && c.straddlers == Straddlers::inner)
         refuse(
-            "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
-            "(inner)");
+            "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep primitives that a "
+            "plane "
+            "cuts (inner)");
     if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
         refuse(
             "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "
-            "and of other tests it is not known how far a hit may lie from its primitive");
+            "and other tests do not bound the distance between a hit and its primitive");
     if (c.has_instances() && (c.is_list() || c.test() != PrimitiveTest::exact))
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "

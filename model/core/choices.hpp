@@ -1,6 +1,6 @@
 #pragma once
-// Parameters that are one of several named values. A row defines the enum and the names that files and --set
-// know.
+// Parameters that are one of several named values. A row defines the enum, and the names in files and in
+// --set.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -71,7 +71,7 @@ RAYCLOCK_CHOICE(Splits, off, on)
 /// The source of rays: the camera and shade, or records in memory (docs/streams.md).
 RAYCLOCK_CHOICE(RaySource, camera, stream)
 
-/// How short the paths of the RTL are cut: model/core/stages.hpp.
+/// The length of paths in the RTL: model/core/stages.hpp.
 RAYCLOCK_CHOICE(Timing, relaxed, fast)
 
 /// Memories outside the chip: model/core/dram_presets.hpp.

@@ -101,7 +101,7 @@ struct Config {
     Structure lower_engine() const { return engine_of(lower_structure()); }
     /// True if one unit decides the nodes of the scene's tree and another those of meshes.
     bool has_two_engines() const { return engine() != lower_engine(); }
-    /// Returns one level as a configuration with only that level's structure. has_boxes() and its kind, true
+    /// Returns a configuration with only one level's structure. Functions such as has_boxes(), which are true
     /// if any level has such nodes, then describe this level alone.
     Config upper() const;
     Config lower() const;

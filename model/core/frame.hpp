@@ -16,7 +16,7 @@ using Vec3l = std::array<std::int64_t, 3>;
 /// - bounce: reflected or refracted, from a point of a surface;
 /// - shadow: from the light to such a point, which it would reach at t = 2^-B;
 /// - away: from such a point towards a light beyond the lattice, without end. It is a bounce for which any
-///   hit will do, as for a shadow ray.
+///   hit suffices, as for a shadow ray.
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
 constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
 /// Returns the distance to beat when a ray starts: that of the surface for a shadow ray, all ones for the
@@ -81,9 +81,9 @@ struct ShadeFrame {
 ///
 /// So d is an integer direction with all the bits that M allows. It is only longer by a power of two than
 /// without s. The host also keeps max |V_k| >= 2^(M-2+g-most_shift) at every point, so max |d_k| >= 2^(M-2).
-/// Hence t of a hit inside the lattice never saturates. On the axis of the largest component the ray advances
-/// by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half
-/// of the range of t.
+/// So t of a hit inside the lattice never saturates. On the axis of the largest component the ray advances by
+/// |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of
+/// the range of t.
 struct Frame {
     std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `ray_count`
                                            ///< rays take

@@ -14,7 +14,7 @@ struct Condition {
     const Condition* first = nullptr;   ///< a condition that must hold too; null if there is none
 };
 
-/// One parameter as files, `--set` and reports know it.
+/// One parameter, in the form that files, `--set` and reports use.
 struct Parameter {
     enum class Type { number, power, flag, choice };
     const char* key;

@@ -1,6 +1,6 @@
 #pragma once
 // The engines that walk a ray through an acceleration structure: one row each. Higher layers iterate over
-// these rows, or ask for the descriptor of an engine. A new engine needs no other change there.
+// these rows, or look up the descriptor of an engine. A new engine needs no other change there.
 //
 // A descriptor has
 // - structure: the value of the parameter that selects the engine;

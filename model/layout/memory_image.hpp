@@ -31,8 +31,9 @@ struct Lattice {
     Vec3i snap(const glm::dvec3& point) const;   ///< nearest lattice point, halves away from zero
 };
 /// Returns a lattice that has the eye as a point. `cubic`: the same pitch along all axes, as spheres and
-/// shading require. A plane counts with its point nearest to the middle of the rest. With planes the lattice
-/// is `room` times as large as necessary, and the squares of the first plane are a whole number of pitches.
+/// shading require. A plane counts with its point nearest to the middle of the other primitives. With planes
+/// the lattice is `room` times as large as necessary, and the squares of the first plane are a whole number
+/// of pitches.
 Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic = false,
                     double room = 1);
 

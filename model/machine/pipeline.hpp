@@ -101,7 +101,7 @@ public:
     }
 
     Accounts accounts() const;
-    /// Returns the queue or unit that holds a ray, for people.
+    /// Returns the queue or unit that holds a ray, for messages.
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
@@ -234,7 +234,7 @@ private:
     CacheDeed node_deed_{}, prim_deed_{}, third_deed_{CacheDeed::starved};
     bool asleep_ = false;
 
-    // Codes of units.hpp, by the progress of the thing that the unit waits for: absent, on offer, accepted.
+    // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
     // Before that, sched's pixel must be valid. For box and tri it also matters whether memory has a request
     // in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates (2 more).
     // Recirculation counts as work, or as a stall if a step waits.

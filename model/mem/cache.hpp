@@ -96,7 +96,7 @@ public:
     bool answers() const { return !answers_.empty(); }   ///< now or in the next cycle
     bool loaded() const { return loaded_; }              ///< a request has just reached its look-up
     bool waits() const { return busy_ > 0; }             ///< lines are in flight
-    /// Returns the place of a request, for people; empty if it is not here.
+    /// Returns the place of a request, for messages; empty if it is not here.
     std::string where(std::uint32_t id) const;
 
 private:

@@ -70,7 +70,7 @@ public:
 
     std::uint64_t scanned() const { return scanned_; }   ///< words of the screen requested
     std::uint64_t written() const { return written_; }   ///< words of pixels written
-    /// Most words that were due and had not arrived: the least buffer that a screen needs.
+    /// Most words that were due and had not arrived: the smallest buffer that a screen needs.
     std::uint32_t backlog() const { return backlog_; }
 
 private:

@@ -28,7 +28,8 @@ struct MemoryStats {
     std::uint64_t refreshes = 0;
     std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels
     std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels
-    std::uint32_t backlog = 0;   ///< most words for which the screen waited at once, since the beginning
+    std::uint32_t backlog = 0;   ///< most words for which the screen waited at the same time, since the
+                                 ///< beginning
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
         return {a.reads - b.reads,
                 a.row_hits - b.row_hits,

@@ -37,7 +37,7 @@ public:
 
     /// One clock edge, with the accepted request or null. An answer on offer leaves.
     void clock(const Answer* request);
-    /// Performs a write, which has no answer and is done at once. Call it before clock(nullptr), in place of
+    /// Performs a write, which has no answer and ends immediately. Call it before clock(nullptr), in place of
     /// a request.
     void write() { next_free_ = now_ + interval_; }
 

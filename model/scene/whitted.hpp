@@ -21,16 +21,16 @@ struct Whitted {
     std::uint32_t seed = 1;   ///< of the jitter
 };
 
-/// True if a weight is not below the threshold, so that its ray is traced. Both stand for the decimal numbers
-/// as written. Products of those may come out low by a few units of 2^-53, so 2^-46 is forgiven.
+/// True if a weight is not below the threshold, so that its ray is traced. Both represent the decimal numbers
+/// as written. Their products may be low by a few units of 2^-53, so a relative error of 2^-46 is allowed.
 inline bool weighs_enough(double weight, double threshold) { return weight >= threshold * (1 - 0x1p-46); }
 
 /// The purpose of a ray.
 enum class RayPurpose : std::uint8_t { camera, shadow, reflection, refraction };
 constexpr std::array<const char*, 4> purpose_names{"camera", "shadow", "reflection", "refraction"};
 
-/// Numbers of rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule
-/// 6).
+/// Numbers of rays sent, with and without hits. A total reflection counts as a refracted ray (spd.md 6.2,
+/// rule 6).
 struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t primary_hits = 0;

@@ -6,8 +6,8 @@
 namespace rayclock {
 
 /// A ray in the space of the instance that it entered last. For the walk an instance's line is a node with
-/// one child, the root of its mesh, which every ray meets at once. A later node's line determines its space,
-/// whatever the ray did before. So a ray that returns from an instance needs no restoring.
+/// one child, the root of its mesh, which every ray meets immediately. A later node's line determines its
+/// space, regardless of the ray's earlier visits. So a ray that returns from an instance needs no restoring.
 struct InsideRay {
     Change change;
     RayForms forms;

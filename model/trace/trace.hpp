@@ -15,7 +15,7 @@
 namespace rayclock {
 
 /// A frame's rays as recorded: for every pixel the nodes visited, the triangles tested and the hit. It is
-/// valid for every configuration of the same format, node width and leaf size, whatever its caches, memory,
+/// valid for every configuration of the same format, node width and leaf size, with any caches, memory,
 /// clock, contexts and pipelines.
 ///
 /// A visit is a word: bits 0..23 the node's line, then the flags below, then the number of groups that trav

@@ -1,4 +1,4 @@
-// First-in first-out queue of Depth entries, that also reports its next head. Depth is a power of
+// First-in first-out queue of Depth entries that also reports its next head. Depth is a power of
 // two, at least 2. Latency 1.
 //
 // ready_o and valid_o come from registers only, so the queue cuts every combinational path between

@@ -6,10 +6,10 @@
 // (16 words) cannot hold the ring. Block RAM reads the next entry in the cycle in which work
 // leaves. So the entry is ready in the next cycle, as with LUT RAM.
 //
-// With Parts above 1, data wider than a block RAM lies in one as narrow as a part (rc_ram_parts).
-// It is written in the last Parts cycles up to the cycle of come_i; data_i must stay stable for
-// them. The next entry is in registers Parts + 2 cycles after work leaves. Narrower data in block
-// RAM then is in a register one cycle later than with Parts 1.
+// With Parts above 1, data wider than a block RAM lies in a block RAM of a part's width
+// (rc_ram_parts). It is written in the last Parts cycles up to the cycle of come_i; data_i must
+// stay stable in these cycles. The next entry is in registers Parts + 2 cycles after work leaves.
+// Narrower data in block RAM reaches its register one cycle later than with Parts 1.
 `default_nettype none
 module rc_stage_delay #(
   parameter  int unsigned Width   = 1,

@@ -1,5 +1,5 @@
 // Products of several pairs that come together, like rc_mul_shared, but each b is split into two
-// parts. So half as many multipliers make a product in two cycles.
+// parts. So half as many multipliers suffice, and each computes a product in two cycles.
 //
 // Products * 2 parts share the multipliers. All products are ready rc_pkg::MulStages + Share - 1 +
 // rc_pkg::Cut cycles after the operands. Proof: tests/formal/mul_shared.sv.

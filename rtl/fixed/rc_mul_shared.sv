@@ -1,8 +1,8 @@
-// Products of several pairs that come together. Each multiplier makes Share of them, one after the
-// other.
+// Products of several pairs that come together. Each multiplier computes Share of them, one after
+// the other.
 //
 // All products are ready together, rc_pkg::MulStages + Share - 1 cycles after the operands. No
-// other operands may come in the Share - 1 cycles after operands. Multiplier i / Share makes
+// other operands may come in the Share - 1 cycles after operands. Multiplier i / Share computes
 // product i, in its cycle i % Share. Proof: tests/formal/mul_shared.sv.
 `default_nettype none
 module rc_mul_shared #(

@@ -15,8 +15,8 @@
 // what happened in a cycle.
 //
 // With Cut the latency is two cycles longer. Tags are read when a request comes to the head. The
-// head is compared with them in a cycle of its own, and waits for its look-up in a register. The
-// data passes through another register.
+// head is compared with them in a separate cycle, and waits for its look-up in a register. The data
+// passes through another register.
 //
 // The user holds reset for at least Sets cycles (rc_tags). It reuses an id only after the answer
 // was accepted, and sends each requested word once. Memory never changes. Model:

@@ -1,14 +1,14 @@
 // Tags of a cache, and the replacement order of each set (tree-PLRU). Part of rc_cache.
 //
-// Finds the way of a line. If the line is missing, names the way that it may take: the set's
-// pseudo-least-recently-used way. If that way waits for a line, the lowest way that does not wait
-// is named. The look-up takes one cycle, and the next cycle sees the changes of touch_i and take_i.
+// Finds the way of a line. If the line is missing, gives the way that it may take: the set's
+// pseudo-least-recently-used way. If that way waits for a line, gives the lowest way that does not
+// wait. The look-up takes one cycle, and the next cycle sees the changes of touch_i and take_i.
 //
 // With Cut the tags come from a block RAM. They are read when a request comes ahead (next_*,
 // accepted with next_load_i) and compared one cycle before the look-up (ahead_*, accepted with
 // load_i). The comparison includes the changes that earlier requests make in these cycles.
 //
-// Each way's tags are a memory of their own, so a new line writes one memory. Reset clears the sets
+// Each way's tags are in a separate memory, so a new line writes one memory. Reset clears the sets
 // one by one: the user must hold it for at least Sets cycles. Model: look_up(), victim() and
 // touch() in model/mem/cache.cpp. Proof: tests/formal/tags.sv.
 `default_nettype none

@@ -37,17 +37,16 @@ struct ChipOptions {
 
 void declare_chip(Parser& parser, ChipOptions& o) {
     config_options(parser, o.config);
-    parser.option("--unit", o.units, "route each of these units alone, separated by commas; all: every one")
+    parser.option("--unit", o.units, "route each of these units alone, separated by commas; all: every unit")
         .by_commas();
     parser.option("--device", o.device, "lfe5u-25, lfe5u-45 or lfe5u-85").with_default();
-    parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest counts")
+    parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest result counts")
         .with_default();
     method_options(parser, o.methods, "Place and route");
     parser.flag("--fast", o.fast,
-                "do not route, but estimate the chip from its units, which were routed before with --unit");
-    parser.option(
-        "--scene", o.scene,
-        "build the optional units that this scene needs and no others, and tell its frames per second");
+                "estimate the chip from its units instead of routing it; route them first with --unit");
+    parser.option("--scene", o.scene,
+                  "build only the optional units that this scene needs, and print its frames per second");
     size_option(parser, o.size);
     parser.option("-o,--output", o.output, "folder for the report and pictures of the placement");
     fresh_option(parser, o.fresh);
@@ -159,7 +158,7 @@ double frames_per_second(const ChipRequest& asked, double mhz, const Progress& p
     std::vector<RecordedFrame> traces;
     const std::vector<FrameTiming> timings = record_and_replay(job, khz, traces, {}, 0, progress);
     if (interrupted())
-        throw Interrupted("interrupted: the chip is kept, and the same command goes on after it");
+        throw Interrupted("interrupted: the chip is kept, and the same command continues after it");
     return per_second(timings[0], khz);
 }
 
@@ -194,7 +193,7 @@ int run_chip(const ChipOptions& o) {
     const chip::Device& device = chip::device_of(o.device);
     const std::vector<int> seeds = seeds_of(o.seeds);
     if (o.fast && !o.units.empty())
-        throw UserError("--fast: an estimate is of the whole chip; leave out --unit");
+        throw UserError("--fast: an estimate covers the whole chip; leave out --unit");
     if (o.fast && !o.output.empty())
         throw UserError("--fast: an estimate has no pictures; leave out --output");
     if (o.fast && !o.methods.first().empty())

@@ -28,10 +28,10 @@ std::vector<int> clocks_of(const std::string& typed, const Config& config) {
         if (item != "fmax") continue;
         const std::optional<chip::RoutedClock> routed = chip::routed_clock(config);
         if (!routed)
-            throw UserError(fmt::format(
-                "--clock fmax: '{0}' was not routed as it is; rayclock chip --config {0} does it, "
-                "with the same --set",
-                printable(config.name)));
+            throw UserError(
+                fmt::format("--clock fmax: '{0}' was not routed with these parameters; "
+                            "rayclock chip --config {0} with the same --set routes it",
+                            printable(config.name)));
         item = fmt::format("{:.3f}", routed->khz() / 1e3);
     }
     return parse_clocks(fmt::format("{}", fmt::join(items, ",")));
@@ -57,8 +57,7 @@ void mark_clock(nlohmann::ordered_json& clock, const Config& config, int khz) {
 std::string clock_line(const Config& config, const std::vector<int>& khz) {
     const std::optional<chip::RoutedClock> routed = chip::routed_clock(config);
     if (!routed)
-        return fmt::format("  no clock of '{}' was shown by routing it; these are assumed\n",
-                           printable(config.name));
+        return fmt::format("  '{}' was not routed, so these clocks are assumed\n", printable(config.name));
     std::vector<std::string> assumed;
     for (const int clock : khz)
         if (!is_routed(routed, clock)) assumed.push_back(fmt::format("{:g} MHz", clock / 1e3));

@@ -29,16 +29,16 @@ void declare_compare(Parser& parser, CompareOptions& o) {
         .option("REPORT", o.reports,
                 "reports that simulate or verify wrote with --json, or simulate with --report; two or more")
         .required();
-    parser.flag("--all", o.all, "print every figure that differs, and not only the thirty largest changes");
+    parser.flag("--all", o.all, "print every figure that differs, not only the thirty largest changes");
     parser.option("--max-worse", o.max_worse,
                   "exit code 1 if the last report is worse than the first by more than this percentage: 2%");
     parser.option(
         "--figure", o.figures,
-        "a figure that --max-worse looks at, with all below it; * is any one key; may be repeated. "
+        "a figure that --max-worse checks, with all figures below it; * stands for any key; may be repeated. "
         "Without it: cycles and bytes of every clock, pixels with another primitive, PSNR, wrong pixels");
     parser.option(
         "--report", o.report,
-        "one HTML file: effects, and of pages of simulate the cycles that each pixel gained or lost");
+        "one HTML file: effects; for pages of simulate also the cycles that each pixel gained or lost");
     json_option(parser, o.json);
 }
 
@@ -92,7 +92,7 @@ int run_compare(const CompareOptions& o) {
 }   // namespace
 
 Command compare_command() {
-    return command("compare", "compare reports: what is better, what is worse",
+    return command("compare", "compare reports: which figures are better, which are worse",
                    "rayclock compare before.json after.json --max-worse 1%", declare_compare, run_compare);
 }
 

@@ -37,7 +37,7 @@ struct Part {
 constexpr const char* no_rtl =
     "no RTL: verify, rtl, bench, and --engine rtl do not work; model and reference do";
 constexpr const char* no_new_rtl =
-    "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
+    "no new RTL: verify, rtl, bench, and --engine rtl work only with RTL in the cache";
 
 /// The cure names a package, not a script, because an installed program has no sources next to it.
 Part tool(const char* name, const std::string& version, const char* package) {
@@ -66,7 +66,7 @@ Part cache_part() {
         std::error_code error;
         fs::create_directories(place.folder, error);
         if (error)
-            part.problem = fmt::format("{} cannot be made ({})", place.folder.string(), error.message());
+            part.problem = fmt::format("{} cannot be created ({})", place.folder.string(), error.message());
         else if (access(place.folder.c_str(), W_OK) != 0)
             part.problem = place.folder.string() + " cannot be written";
         else
@@ -75,15 +75,14 @@ Part cache_part() {
         part.problem = e.what();
     }
     if (!part.problem.empty())
-        part.problem += fmt::format(": {}; sweep, tradeoff and area keep nothing", no_new_rtl);
+        part.problem += fmt::format(": {}; sweep, tradeoff and area cannot cache results", no_new_rtl);
     return part;
 }
 
 Part sources_part() {
     const std::string problem = rtl_sources_problem();
     return {"RTL sources", "rtl_sources", problem.empty() ? rtl_sources().string() : "",
-            problem.empty() ? "" : problem + ": " + no_rtl,
-            "the RTL sources: set RAYCLOCK_RTL, or set it no more"};
+            problem.empty() ? "" : problem + ": " + no_rtl, "the RTL sources: set RAYCLOCK_RTL, or unset it"};
 }
 
 std::vector<Part> parts() {
@@ -145,7 +144,7 @@ int run_doctor(const DoctorOptions& o) {
     json["yosys"] = yosys.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(yosys);
     const fs::path film = find_program(film_program);
     table.add({film_program,
-               film.empty() ? "none: films are left as frames (apt-get install apngasm)" : film.string()});
+               film.empty() ? "none: films stay separate frames (apt-get install apngasm)" : film.string()});
     const fs::path pdf = find_program(plot::pdf_program);
     table.add({plot::pdf_program,
                pdf.empty() ? "none: plots are SVG only (apt-get install librsvg2-bin)" : pdf.string()});

@@ -198,13 +198,12 @@ std::string film_table(const Config&, const std::vector<FramesAtClock>& runs, co
         return t.upload.refitted + t.upload.rebuilt > 0;
     });
     return fmt::format(
-        "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, and not the "
-        "time that "
-        "it takes the host\n  to make {}\n{}",
+        "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, but not its\n"
+        "  time to {}\n{}",
         runs[0].khz / 1e3,
-        is_whole  ? "everything anew"
-        : deforms ? "its trees anew, or to refit them"
-                  : "the scene's tree anew",
+        is_whole  ? "rebuild everything"
+        : deforms ? "refit or rebuild its trees"
+                  : "rebuild the scene's tree",
         table.text());
 }
 

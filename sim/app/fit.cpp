@@ -47,11 +47,11 @@ void declare_fit(Parser& parser, FitOptions& o) {
         .option("--max-error", o.max_error,
                 "percentage of pixels that may hold another primitive than the reference's")
         .with_default();
-    parser.option("--min-psnr", o.min_psnr, "the least PSNR of the picture against the reference's, in dB");
+    parser.option("--min-psnr", o.min_psnr, "smallest PSNR of the picture against the reference's, in dB");
     parser
-        .option(
-            "--max-work", o.max_work,
-            "percentage of nodes and triangles more that narrow boxes, reciprocals and distances may cost")
+        .option("--max-work", o.max_work,
+                "percentage of additional nodes and triangles that narrow boxes, reciprocals and distances "
+                "may cost")
         .with_default();
     size_option(parser, o.size);
     config_options(parser, o.config);
@@ -82,7 +82,7 @@ std::string name_of(const std::string& scene) {
 std::string goal_text(const Goal& b) {
     return fmt::format(
         "at most {:g} % of the pixels on another primitive than the reference's{}, and {:g} % more nodes and "
-        "triangles than at best",
+        "triangles than with the widest fields",
         b.max_error, b.min_psnr ? fmt::format(", PSNR {:g} dB", *b.min_psnr) : "", b.max_work);
 }
 
@@ -100,7 +100,7 @@ std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, 
     const std::optional<Dominant> part = dominant_part(measure.scene());
     if (!part)
         return sentence + (measure.scene().triangles.empty() ? "; " : "; its extents are even, so ") +
-               "only a larger bound or a camera that sees less of it at once would help";
+               "only a larger bound or a camera that sees less of the scene would help";
     sentence += fmt::format(
         "; because of {} the scene is {} times as large as the rest", part->what,
         part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
@@ -112,9 +112,8 @@ std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, 
 }
 
 constexpr const char* no_proof =
-    "  no ranges are proven: the proof knows one picture of camera rays in a flat scene; rayclock verify "
-    "judges "
-    "every ray of this one";
+    "  no ranges are proven: the proof covers one picture of camera rays in a flat scene; rayclock verify "
+    "judges every ray of this picture";
 
 /// Returns the options of the picture as typed, for the command that verifies it.
 std::string picture_words(const FitOptions& o) {
@@ -234,7 +233,7 @@ int run_fit(const FitOptions& o) {
                         ": only exact decisions make the primitives depend on N and M alone");
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + name_of(base.structure) +
-                        ": the widths that it looks for are those of boxes");
+                        ": fit searches the widths of boxes");
     Measure measure(scene, size, o.threads, picture);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);

@@ -24,8 +24,8 @@ constexpr const char* device_group = "Device (without --device only formats are 
 std::string no_machine(const DeviceFit& fit) {
     const balance::Machine& first = fit.found.first;
     if (!first.fps || !first.use)
-        return fmt::format("{}: the least machine cannot draw the scene", fit.goal.device.name);
-    return fmt::format("no machine with these formats fits {}: the least needs {}", fit.goal.device.name,
+        return fmt::format("{}: the smallest machine cannot draw the scene", fit.goal.device.name);
+    return fmt::format("no machine with these formats fits {}: the smallest needs {}", fit.goal.device.name,
                        balance::excess(*first.use, fit.goal.room));
 }
 
@@ -45,16 +45,15 @@ void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, cons
 void device_options(Parser& parser, DeviceOptions& o) {
     parser
         .option("--device", o.device,
-                "then look for the fastest machine that fits lfe5u-25, lfe5u-45 or lfe5u-85")
+                "then find the fastest machine that fits this FPGA: lfe5u-25, lfe5u-45 or lfe5u-85")
         .under(device_group);
-    parser.option("--fill", o.fill, "the part of the device that may be filled, 90% by default")
+    parser.option("--fill", o.fill, "share of the device that the machine may fill, 90% by default")
         .under(device_group);
     parser.option("--clock", o.clock, "clock at which machines are compared, in MHz; 66 by default")
         .under(device_group);
     method_options(parser, o.methods, device_group);
-    parser.flag("--no-route", o.no_route, "do not place and route what was found").under(device_group);
-    parser.flag("--fresh", o.fresh, "work everything out again, and take no finished result from the cache")
-        .under(device_group);
+    parser.flag("--no-route", o.no_route, "do not place and route the result").under(device_group);
+    parser.flag("--fresh", o.fresh, "compute everything again, without cached results").under(device_group);
 }
 
 std::optional<DeviceGoal> device_goal(const DeviceOptions& o) {
@@ -90,7 +89,7 @@ DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size,
     balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress, picture);
     const std::optional<balance::Found> found = balance::search(formats, goal.room, doors.doors());
     if (!found)
-        throw Interrupted("interrupted: nothing is written, and the same command goes on where it was");
+        throw Interrupted("interrupted: nothing is written; the same command continues where it stopped");
     fit.found = *found;
     const balance::Machine& best = fit.found.best();
     if (!best.fps || !best.use || !balance::fits(*best.use, goal.room))
@@ -104,7 +103,7 @@ std::string text(const DeviceFit& fit) {
     std::string text = fmt::format("on {}, compared at {:g} MHz, an assumed clock; {} machines\n\n{}\n",
                                    fit.goal.device.name, fit.goal.khz / 1e3, fit.found.machines,
                                    balance::text(fit.found, fit.goal.room));
-    if (!fit.routed) return text + "  not routed: rayclock chip does it\n";
+    if (!fit.routed) return text + "  not routed; rayclock chip routes it\n";
     text += chip::text(*fit.routed);
     if (fit.routed_fps)
         text += fmt::format("\n  {:.2f} frames per second at the routed {:.1f} MHz\n", *fit.routed_fps,

@@ -55,7 +55,8 @@ void declare_config(Parser& parser, ConfigChoice& config) {
         .option("NAME", config.name,
                 "default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, or a JSON file")
         .with_default();
-    parser.option("--set", config.set, "key=value: one parameter over the configuration; may be repeated");
+    parser.option("--set", config.set,
+                  "key=value: change one parameter of the configuration; may be repeated");
 }
 
 int print_config(const ConfigChoice& config) {
@@ -86,7 +87,7 @@ Command config_command() {
 }
 
 Command rtl_command() {
-    return command("rtl", "build the RTL of a configuration, and say where it is kept",
+    return command("rtl", "build the RTL of a configuration, and print its place in the cache",
                    "rayclock rtl --config small", config_options, build_now);
 }
 

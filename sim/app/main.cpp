@@ -51,7 +51,7 @@ const std::vector<Group>& groups() {
     return all;
 }
 
-/// A command, and where the parser keeps what it found out about it.
+/// A command and its state in the parser.
 struct Added {
     Command command;
     CLI::App* parsed;
@@ -71,7 +71,7 @@ std::vector<Added> add_commands(CLI::App& app) {
             CLI::App* const sub = (group.is_study ? study : &app)->add_subcommand(command.name, command.what);
             sub->group(group.heading);
             sub->footer(std::string("Example: ") + command.example);
-            // The other commands' options are never made.
+            // Declares the options only of the command that is used.
             sub->preparse_callback([sub, declare = command.declare](std::size_t) {
                 Parser parser(*sub);
                 declare(parser);
@@ -82,7 +82,7 @@ std::vector<Added> add_commands(CLI::App& app) {
     return all;
 }
 
-/// All commands as people type them: those of study with its name before theirs.
+/// Returns all commands as typed. The names of study's commands begin with "study".
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const Group& group : groups())
@@ -105,10 +105,11 @@ constexpr const char* manual_footer =
     "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock "
     "or ~/.cache/rayclock\n"
     "  RAYCLOCK_CXXFLAGS  options for the C++ compiler that builds RTL, after rayclock's own (-O2)\n"
-    "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
+    "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise the one from ./bootstrap chip, or from "
+    "PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
-    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's libjs-vega\n"
-    "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete";
+    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise the folder of Debian's libjs-vega\n"
+    "For packages: rayclock --print man, bash, zsh or fish prints the manual page or a shell's completions";
 
 /// Prints one sentence to standard error, and returns the exit code. A sentence about user input is
 /// truncated, and its control characters are escaped.
@@ -142,20 +143,20 @@ int complain_of_exception() {
         return complain(error.path1().string() + ": " + error.code().message(), 2);
     } catch (const std::exception& error) {
         if (is_lack_of_threads(error))
-            return complain("not enough threads: the system gives no more (ulimit -u shows how many)", 2);
+            return complain("not enough threads: the system provides no more (ulimit -u shows the limit)", 2);
         if (std::ferror(stdout)) return 2;   // finish() says so
         if (dynamic_cast<const std::runtime_error*>(&error)) return complain(error.what(), 1);   // our own
-        return complain("a fault of rayclock's own has ended this run; please report it with the command", 1);
+        return complain("an internal error of rayclock ended this run; please report it with the command", 1);
     }
 }
 
-/// What is printed and does not arrive is an error, whatever else came of the run.
+/// Returns the exit code. Lost output is always an error.
 int finish(int code) {
     const std::string lost = finish_output();
     return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
-/// The first word that looks like an option and is not one of `app`'s; empty if there is none.
+/// Returns the first word that looks like an option but is not an option of `app`; empty if there is none.
 std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i], name = word.substr(0, word.find('='));
@@ -184,14 +185,14 @@ bool has_subcommand(const CLI::App& app, const std::string& word) {
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-/// The text typed behind a word, if it is not an option.
+/// Returns the word typed after `word`, if it is not an option.
 std::string word_after(std::string_view word, int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i)
         if (argv[i] == word && argv[i + 1][0] != '-') return argv[i + 1];
     return {};
 }
 
-/// What the parser found wrong, in one sentence that names what was typed.
+/// Returns the parser's error as one sentence that quotes the user's words.
 std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
                         char** argv) {
     const CLI::App& root = *commands.front().parsed->get_parent();
@@ -232,7 +233,7 @@ int print_manual(const char* form) {
     }
 }
 
-/// Runs what was asked for; the exit code.
+/// Runs the command. Returns the exit code.
 int run(int argc, char** argv) {
     CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer", "rayclock"};
     app.footer(help_footer);
@@ -267,7 +268,8 @@ int run(int argc, char** argv) {
     if (std::current_exception())
         code = complain_of_exception();
     else
-        complain("not enough memory or threads: the system gives no more (ulimit -a shows the limits)", code);
+        complain("not enough memory or threads: the system provides no more (ulimit -a shows the limits)",
+                 code);
     remove_scratch();
     std::_Exit(code);
 }

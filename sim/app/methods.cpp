@@ -23,16 +23,15 @@ void check_method(const char* option, const std::string& name, const std::vector
 
 void method_options(Parser& parser, MethodOptions& o, const char* group) {
     parser
-        .option(
-            "--placer", o.placer,
-            "nextpnr's placer, heap or static, or mixed: static, and at last heap; mixed for a chip, heap "
-            "for a unit alone")
+        .option("--placer", o.placer,
+                "nextpnr's placer: heap, static, or mixed (static, then heap); mixed by default for a chip, "
+                "heap for a unit alone")
         .under(group);
     parser.option("--router", o.router, "nextpnr's router, router1 or router2").under(group);
     parser
         .option("--placements", o.placements,
-                "how often it is placed, each time after the first with multipliers and block memories "
-                "where the one before wants them; 2 for a chip, 1 for a unit alone")
+                "number of placements; each after the first starts with multipliers and block memories at "
+                "better sites; 2 by default for a chip, 1 for a unit alone")
         .under(group);
 }
 
@@ -46,7 +45,7 @@ chip::Methods methods_of(const MethodOptions& o, const std::string& top) {
     if (methods.placements < 1 || methods.placements > 9)
         throw UserError(fmt::format("--placements: {} does not lie in 1..9", methods.placements));
     if (methods.placer == "mixed" && methods.placements == 1)
-        throw UserError("--placements: the placer mixed needs two placements at least, not 1");
+        throw UserError("--placements: the placer mixed needs at least two placements, not 1");
     return methods;
 }
 

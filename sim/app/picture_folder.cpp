@@ -16,7 +16,7 @@ void check_picture_folder(const std::string& folder, const std::vector<std::stri
         throw UserError(printable(folder) + ": is a file, not a folder for pictures");
     const std::string ending = fs::path(folder).extension().string();
     if (!fs::exists(folder, error) && (ending == ".png" || ending == ".exr"))
-        throw UserError("-o: " + shown(folder) + " is the name of a picture, and a folder is asked for");
+        throw UserError("-o: " + shown(folder) + " names a picture, but a folder is required");
     fs::path there = fs::absolute(folder);
     while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
     for (const std::string& name : names) check_writable((there / name).string());

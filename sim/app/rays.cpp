@@ -39,7 +39,7 @@ void declare_rays(Parser& parser, RaysOptions& o) {
         .with_default();
     parser.option("--samples", o.samples, "for ao and diffuse: rays from each hit, 1 to 1024").with_default();
     parser.option("--radius", o.radius,
-                  "for ao: longest distance, in scene units; else a tenth of the scene's diagonal");
+                  "for ao: longest distance, in scene units; a tenth of the scene's diagonal if not given");
     parser.option("--order", o.order, "recorded: pixel by pixel; morton: by origin and direction; random")
         .with_default();
     parser.option("--seed", o.seed, "seed of random directions and of the random order").with_default();

@@ -56,7 +56,7 @@ void declare_render(Parser& parser, RenderOptions& o) {
     parser
         .option(
             "-o,--output", o.output,
-            "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
+            "picture to write: .png, or .exr with depth and primitive number; for several frames, a folder")
         .required();
     parser.flag("--compare", o.compare, "compare the picture of the model or the RTL with the reference's");
     limits_options(parser, o.limits);
@@ -145,7 +145,7 @@ int run_render(const RenderOptions& o) {
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
     if (o.compare && o.engine == "reference")
-        throw UserError("--compare needs --engine model or rtl: the reference is what it compares with");
+        throw UserError("--compare needs --engine model or rtl: it compares with the reference");
     const Limits limits = limits_of(o.limits);
     o.json.check();
     const Progress progress = stopping(terminal_progress());   // shows progress also while the scene loads

@@ -37,7 +37,7 @@ void declare_stress(Parser& parser, StressOptions& o) {
     parser.option("-o,--output", o.output,
                   "page to write (Markdown), with a picture of each family in a folder next to it");
     parser.option("--state", o.state,
-                  "file that keeps what is done; if it is there, the run goes on from it");
+                  "file that stores the progress; if it exists, the run continues from it");
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -65,7 +65,7 @@ stress::Plan make_plan(const StressOptions& o) {
     const auto twice = [](auto list, const char* option) {
         std::sort(list.begin(), list.end());
         const auto at = std::adjacent_find(list.begin(), list.end());
-        if (at != list.end()) throw UserError(fmt::format("{}: {} stands there twice", option, *at));
+        if (at != list.end()) throw UserError(fmt::format("{}: {} is given twice", option, *at));
     };
     twice(plan.tests, "--test");
     twice(plan.families, "--family");
@@ -93,8 +93,8 @@ int run_stress(const StressOptions& o) {
 
 Command stress_command() {
     return command("stress", "test numerical hard cases against the exact oracle",
-                   "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started "
-                   "again, it goes on)",
+                   "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (continues after an "
+                   "interruption)",
                    declare_stress, run_stress);
 }
 

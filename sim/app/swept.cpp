@@ -21,10 +21,10 @@ namespace rayclock {
 
 void sweep_outputs(Parser& parser, SweepOutputs& o) {
     parser.option("-o,--output", o.table, "table as CSV");
-    parser.option("--plot", o.plots,
-                  "NAME, NAME.svg or NAME.pdf: error against cost and against speed, with the fronts and the "
-                  "knee; X,Y=NAME: one column of the table against another; X,Y writes X-Y.svg; may be "
-                  "repeated");
+    parser.option(
+        "--plot", o.plots,
+        "NAME, NAME.svg or NAME.pdf: plots error against cost and against speed, with the fronts and the "
+        "knee; X,Y=NAME: plots column Y of the table against column X; X,Y writes X-Y.svg; may be repeated");
     parser.option("--report", o.report,
                   "one HTML file: all points in linked charts, fronts, each axis alone");
     limits_options(parser, o.limits);
@@ -66,7 +66,7 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
                     throw UserError("--plot: the table has no column " + shown(column) +
                                     did_you_mean(column, known));
                 if (sweep::has_words(axes, column))
-                    throw UserError("--plot: the column " + shown(column) + "  holds words, not numbers");
+                    throw UserError("--plot: the column " + shown(column) + " holds words, not numbers");
             }
 }
 
@@ -93,7 +93,7 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
         write_output(fmt::format("{}, {}x{}: {}\n{}", printable(scene), swept.size.width, swept.size.height,
                                  how, sweep::text(axes, swept.outcome, front)));
         if (swept.outcome.partial)
-            write_output("  PARTIAL: interrupted; the same command goes on where it was\n");
+            write_output("  PARTIAL: interrupted; the same command continues where it stopped\n");
     }
     if (!o.table.empty()) write_file(o.table, sweep::csv(axes, results, front));
     for (const std::string& typed : o.plots) {

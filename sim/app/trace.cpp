@@ -33,10 +33,10 @@ struct TraceOptions {
 
 void declare_trace(Parser& parser, TraceOptions& o) {
     scene_option(parser, o.scene).required();
-    parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, the last one not included");
+    parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, LAST excluded");
     parser.option("--pixels", o.pixels, "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included");
     parser.option("--rays", o.rays,
-                  "only rays for these: camera, shadow, reflection, refraction, with commas");
+                  "only rays of these kinds, separated by commas: camera, shadow, reflection, refraction");
     parser
         .option("-o,--output", o.output,
                 "the file: .kanata for Konata, .pftrace for Perfetto, .fst for GTKWave, which opens the "
@@ -45,7 +45,8 @@ void declare_trace(Parser& parser, TraceOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
-    parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
+    parser.option("--clock", o.clock, "the clock in MHz; fmax: the clock that rayclock chip routed")
+        .with_default();
     config_options(parser, o.config);
     frames_options(parser, o.frames);
     threads_option(parser, o.threads);
@@ -78,7 +79,7 @@ void choose_pixels(TimelineChoice& choice, const std::string& typed, FrameSize s
     choice.x1 = std::uint32_t(last) % width, choice.y1 = std::uint32_t(last) / width;
     if (choice.x1 < choice.x0 || choice.y1 < choice.y0)
         throw UserError("--pixels: " + shown(typed) +
-                        " holds no pixel; the first corner is the upper left one");
+                        " holds no pixel; the first corner must be the upper left one");
 }
 
 void choose_rays(TimelineChoice& choice, const std::string& typed) {
@@ -121,7 +122,7 @@ int run_trace(const TraceOptions& o) {
     const Progress progress = terminal_progress();
     Request asked = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
     if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
-        throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
+        throw UserError("--rays: this picture has only camera rays; use --depth for a picture with others");
     Film film(std::move(asked), o.frames, o.view.is_asked(), size, stopping(progress));
     std::vector<RecordedFrame> traces;
     while (traces.size() < film.frames()) {

@@ -15,9 +15,8 @@ template <class Read> auto understood(const std::string& file, Read read) {
     try {
         return read();
     } catch (const nlohmann::json::exception&) {
-        throw UserError(
-            printable(file) +
-            " has not the form that it should have: a key is missing, or a value has another type");
+        throw UserError(printable(file) +
+                        " is not in the expected form: a key is missing, or a value has another type");
     }
 }
 

@@ -49,8 +49,7 @@ std::string_view without_mark(std::string_view text);
 /// Returns the text in lower case (ASCII only).
 std::string lower(std::string_view text);
 
-/// Throws UserError if a line holds control characters: it is not text, whatever the file's extension
-/// promises.
+/// Throws UserError if a line holds control characters: the file is not text, even if its extension says so.
 void check_text(std::string_view line, const SourcePosition& at, std::string_view kind);
 
 }   // namespace rayclock

@@ -75,7 +75,7 @@ private:
 /// Returns a count with its noun: "1 triangle", "2 triangles", "2 vertices".
 std::string counted(std::uint64_t count, std::string_view what);
 
-/// Counts what the reader of one file repairs or leaves out. Each kind makes one sentence, whatever its
+/// Counts what the reader of one file repairs or leaves out. Each kind gives one sentence, independent of its
 /// count: "a.obj: 3 lines skipped that are no statements of OBJ (the first: line 7, 'foo')". Call say() at
 /// the end of a file that is drawn.
 class Warnings {

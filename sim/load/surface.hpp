@@ -38,7 +38,7 @@ bool is_out_of_range(const GltfSurface& surface);
 /// The continuation of a warning about a "material" for which add_emission() returns false.
 constexpr const char* mixed_emission =
     "giving off light of a colour other than that of the surface, which is not drawn";
-/// Makes the surface show its own colour, whatever light falls on it.
+/// Makes the surface show its own colour, independent of the light.
 void make_unlit(Material& material);
 /// Adds emission to a material. Rayclock expresses emission as ambient light, which has the surface's colour.
 /// So it returns false and adds nothing if the surface also scatters light and the colours differ.

@@ -94,8 +94,8 @@ constexpr const char* counts_intro = R"(# Rays of the Standard Procedural Databa
 
 Made by `{}`. This page compares the rays that the reference and the model trace in Haines' scenes with his
 counts ("A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and his package, version
-3.14). It checks that a whole ray tracer follows its rays as others do. He expects a ray tracer to stay
-within about 10 % of each count.
+3.14). The counts show whether a ray tracer follows the same rays as others. Haines expects a ray
+tracer to stay within about 10 % of each count.
 
 Rules:
 

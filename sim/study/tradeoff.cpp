@@ -255,8 +255,8 @@ std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes,
     text += "\n## In short\n\n" + page.knee_table();
     text += "\n## One width at a time\n";
     for (const Series& series : study.series) text += page.series_text(series);
-    text += fmt::format("\n## Two at once: {} and {}\n\nA point's label is {} / {}.\n", study.grid[0].key,
-                        study.grid[1].key, study.grid[0].key, study.grid[1].key);
+    text += fmt::format("\n## Two widths together: {} and {}\n\nA point's label is {} / {}.\n",
+                        study.grid[0].key, study.grid[1].key, study.grid[0].key, study.grid[1].key);
     for (const SceneStudy& scene : scenes) text += page.grid_text(scene);
     for (const SceneStudy& scene : scenes)
         if (!scene.outcome.netlist_note.empty()) return text + "\n" + scene.outcome.netlist_note + ".\n";
@@ -299,7 +299,8 @@ void write_tradeoff(const std::string& path, const Tradeoff& what, const std::st
             };
         Outcome outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
         if (outcome.partial)
-            throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+            throw Interrupted(
+                "interrupted: no page was written; the same command continues where it stopped");
         const std::string plot = std::filesystem::path(plot_path(path, name)).filename().string();
         scenes.push_back({scene.name, scene.triangles.size(), what.size, std::move(outcome), plot});
     }

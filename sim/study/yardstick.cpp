@@ -179,10 +179,10 @@ constexpr const char* intro = R"(# Yardstick: comparison with SaarCOR, RPU and V
 
 Made by `rayclock study yardstick -o docs/yardstick.md`. All figures of this machine are simulated.
 
-**The scenes differ**, except in the section on Vortex. The scenes of SaarCOR and RPU cannot be shipped. Each of
-ours is a procedural scene with about the same number of triangles, seen by its own camera. The published figures include the effects that the
-papers name (shadows, textures, several lights). Ours are of **primary rays with shading outside the chip**,
-except in the table of finished pictures. So this page shows the range of such a machine, not which machine
+**The scenes differ**, except in the section on Vortex. The scenes of SaarCOR and RPU cannot be shipped. This
+page replaces them by procedural scenes with about the same number of triangles, each with its own camera. The
+published figures include the effects that the papers name (shadows, textures, several lights). This page's
+figures are for **primary rays with shading outside the chip**, except in the table of finished pictures. So this page shows the range of such a machine, not which machine
 is faster.
 
 **The machines differ.** Both chips computed in 24-bit floating point with packets of four rays. This machine

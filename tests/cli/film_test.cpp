@@ -94,7 +94,7 @@ TEST_CASE("without the program that makes films there are frames, and a sentence
     CHECK(left.count("film/frame_0002.png") == 1);
     CHECK(left.count("film/film.png") == 0);
     CHECK_THAT(run_program({"doctor"}, {"PATH=" + folder.name("nothing")}).out,
-               Catch::Contains("films are left as frames"));
+               Catch::Contains("films stay separate frames"));
 }
 
 TEST_CASE("a film that is not whole leaves the old one and its frames") {
@@ -182,7 +182,7 @@ TEST_CASE("the report tells of every frame which trees were refitted and which w
     }
     const Outcome said = run_program({"simulate", scene, "--frames", "2", "--fps", "2", "--size", "8x6",
                                       "--no-reference", "--clock", "66"});
-    CHECK_THAT(said.out, Catch::Contains("refitted") && Catch::Contains("its trees anew, or to refit them"));
+    CHECK_THAT(said.out, Catch::Contains("refitted") && Catch::Contains("refit or rebuild its trees"));
 }
 
 TEST_CASE("options of a film that make no sense") {

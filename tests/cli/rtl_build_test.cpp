@@ -90,7 +90,7 @@ TEST_CASE("a missing tool is one sentence, and the doctor knows it") {
     check_refused(tools.rtl(), {"c++ is not installed"});
     check_refused(run_program({"verify", "tetra:1", "--size", "8x8"}, tools.environment()),
                   {"c++ is not installed"});
-    CHECK_THAT(doctor(), Contains("c++: apt-get install g++") && Contains("no RTL that is not built yet"));
+    CHECK_THAT(doctor(), Contains("c++: apt-get install g++") && Contains("no new RTL"));
     tools.replace("c++", "exit 1");
     check_refused(tools.rtl(), {"c++ does not run"});
     tools.replace("c++", FakeTools::compiler());

@@ -104,16 +104,16 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     refused({one, two, p.folder.write("bad.json", "{\"scene\": ")}, {"bad.json"});
     refused({one, two, p.folder.write("other.json", "{}")},
             {"other.json", "not a report of sweep", "'scene'"});
-    refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "goes on"});
+    refused({two, three, p.changed(1, "/partial", true)}, {"changed.json", "interrupted", "continues"});
     refused({two, three, p.changed(1, "/shard/of", 4)},
-            {"changed.json", "not of one sweep", "how many parts"});
+            {"changed.json", "do not belong to one sweep", "how many parts"});
     refused({two, three, p.changed(1, "/shard/part", 4)}, {"changed.json", "no part 4/3"});
     refused({two, three, p.changed(1, "/shard/part", "x")}, {"changed.json", "shard.part", "a whole number"});
     refused({two, three, p.changed(1, "/shard/program", "x")},
             {"changed.json", "the program that made them"});
     refused({two, three, p.changed(1, "/shard/scene_digest", "x")}, {"changed.json", "the scene's content"});
     refused({two, three, p.changed(1, "/config/contexts", 8)}, {"changed.json", "differ in config"});
-    refused({two, three, p.changed(1, "/sweep/axes/0/values/0", "44")}, {"what was asked for (axes)"});
+    refused({two, three, p.changed(1, "/sweep/axes/0/values/0", "44")}, {"the request (axes)"});
     refused({two, three, p.changed(1, "/shard/points/0", 5)}, {"changed.json", "other points"});
     refused({two, three, p.changed(1, "/points/0/values/clock", "<b>")}, {"changed.json", "another grid"});
     refused({two, three, p.changed(1, "/points/0", 3)}, {"changed.json", "not all of its figures"});

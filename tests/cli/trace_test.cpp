@@ -52,7 +52,7 @@ TEST_CASE("trace refuses what it cannot show") {
     refused({"--pixels", "40,0"}, {"40,0", "39,29"});
     refused({"--pixels", "5,5..4,6"}, {"upper left"});
     refused({"--cycles", "5:9", "--rays", "primary"}, {"primary", "reflection"});
-    refused({"--cycles", "5:9", "--rays", "shadow,refraction"}, {"--rays", "camera rays only", "--depth"});
+    refused({"--cycles", "5:9", "--rays", "shadow,refraction"}, {"--rays", "only camera rays", "--depth"});
     check_refused(run_program({"trace", "gears:1", "--cycles", "5:9", "-o", folder.name("a.vcd")}),
                   {"a.vcd", ".kanata", ".pftrace", ".fst"});
     CHECK(folder.contents().empty());

@@ -358,7 +358,7 @@ TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     CHECK(result.first->link == "prim_miss");
     CHECK(result.first->expected == "a transfer");
     CHECK(result.first->got == "an offer that is not accepted");
-    CHECK(result.first->later == "the RTL makes none there any more");
+    CHECK(result.first->later == "the RTL makes no further transfer there");
     CHECK_FALSE(result.counters_compared);
     CHECK(lockstep_lines(result).find("counters not compared") != std::string::npos);
     CHECK(result.cycle_gap > 0);

@@ -162,7 +162,7 @@ TEST_CASE("glTF: a single place without motion is copied as ever, and cycles of 
     CHECK(file.load().own.triangles.size() == 8);
     file.json["nodes"] = {{{"children", {1}}}, {{"mesh", 0}, {"children", {0}}}};
     file.json["scenes"] = {{{"nodes", {0}}}};
-    CHECK_THAT(file.says(), Catch::Contains("nodes[0]") && Catch::Contains("met twice"));
+    CHECK_THAT(file.says(), Catch::Contains("nodes[0]") && Catch::Contains("appears twice"));
 }
 
 TEST_CASE("glTF: bad animations are refused with the accessor and the value", "[motion]") {
@@ -187,7 +187,7 @@ TEST_CASE("glTF: bad animations are refused with the accessor and the value", "[
     Animated twice;
     twice.channel(0, "translation", {0, 1}, two);
     twice.channel(0, "translation", {0, 1}, two);
-    CHECK_THAT(twice.says(), Catch::Contains("before this one"));
+    CHECK_THAT(twice.says(), Catch::Contains("earlier channel"));
     Animated matrix;
     matrix.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     matrix.channel(0, "translation", {0, 1}, two);

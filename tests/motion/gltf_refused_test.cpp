@@ -91,7 +91,7 @@ TEST_CASE("glTF: bad morph targets are refused with the node and the value", "[m
                     [](Morphed& f) {
                         for (int i = 0; i < 2; ++i) f.channel(0, "weights", {0, 1}, {0, 0, 1, 1});
                     }),
-               {"channels[1].target", "before this one"});
+               {"channels[1].target", "earlier channel"});
     check_says(says(Morphed{}, [](Morphed& f) { f.json["nodes"][0]["weights"] = {1}; }),
                {"nodes[0].weights", "1 weights for 2 morph targets"});
     check_says(says(Morphed{},

@@ -189,7 +189,7 @@ TEST_CASE("a material is given to what has none, and to nothing else") {
     CHECK_THAT(says("mirror=0.5,glass"), Catch::Contains("'glass' is not key=value"));
     CHECK_THAT(says("colour=1:0"), Catch::Contains("--material: colour"));
     CHECK_THAT(says(""), Catch::Contains("--material needs a name or key=value"));
-    CHECK_THAT(says("glass", "brass"), Catch::Contains("everything in") && Catch::Contains("has one"));
+    CHECK_THAT(says("glass", "brass"), Catch::Contains("every surface of") && Catch::Contains("has one"));
 }
 
 TEST_CASE("a setting without effect is told with what decides it") {

@@ -206,7 +206,7 @@ TEST_CASE("a search as text and JSON") {
     REQUIRE(!made["next"].empty());
     for (const auto& next : made["next"]) CHECK(next["fits"] == false);
     const std::string told = text(*found, rooms[4]);
-    CHECK_THAT(told,
-               Catch::Contains("all else at its least") && Catch::Contains(steps_text(found->path[0].steps)));
+    CHECK_THAT(told, Catch::Contains("all other parameters at their smallest") &&
+                         Catch::Contains(steps_text(found->path[0].steps)));
     CHECK_THAT(told, Catch::Contains(" of 50 multipliers"));
 }

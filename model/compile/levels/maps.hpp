@@ -42,8 +42,9 @@ struct CornerReach {
 
 /// Instances of one mesh that share a lattice, and therefore a lower structure. No member sees the scene's
 /// lattice more than twice as large as another on any axis. If corner normals count, all members stretch them
-/// alike, to 2^-12 of a length. A class may instead be one instance that no map could place well. That
-/// instance is written out: its mesh is moved to its place beforehand, and its map is the identity.
+/// by the same amount, to 2^-12 of a length. A class may instead be one instance that no map could place
+/// well. That instance is written out: its mesh is moved to its place beforehand, and its map is the
+/// identity.
 struct MeshClass {
     std::uint32_t mesh = 0;
     glm::dmat4 before{1};   ///< the identity, or the place of a written-out instance
@@ -88,7 +89,7 @@ Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_
 /// rotates, moves and scales uniformly has at most 24.
 constexpr double most_stretch = 32;
 
-/// Returns the lattices and maps of a scene that stands still.
+/// Returns the lattices and maps of a scene that does not move.
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config);
 
 /// The places of all instances of LevelParts at one time.

@@ -10,8 +10,8 @@ namespace rayclock {
 
 class RefittedScene {
 public:
-    /// `scene` in the shape of any frame; `bounds` of its triangles over all frames, and the eye of each
-    /// frame. The first eye is a lattice point. Throws UserError as compile_scene() does.
+    /// `scene`: in the shape of any frame. `bounds`: of its triangles over all frames. `eyes`: one for each
+    /// frame; the first is a lattice point. Throws UserError as compile_scene() does.
     RefittedScene(const Scene& scene, Bounds bounds, std::span<const glm::dvec3> eyes, double rebuild,
                   const Config& config);
 

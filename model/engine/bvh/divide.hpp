@@ -1,5 +1,5 @@
 #pragma once
-// One step of building a tree of boxes: the choice of those that go to the left.
+// One step of building a tree of boxes: the choice of the boxes that go to the left.
 #include <span>
 
 #include "model/layout/tree.hpp"

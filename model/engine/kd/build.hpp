@@ -10,7 +10,7 @@ namespace rayclock::kd {
 /// empty space is a tenth cheaper. More than 16 primitives count as fewer tests (split.hpp), since they will
 /// be cut again. A level costs O(n), and the tree O(n log n).
 ///
-/// The builder goes deeper than is good. A pass from the leaves up then decides which cuts remain
+/// The builder cuts deeper than is useful. A pass from the leaves up then decides which cuts remain
 /// (treelets.hpp).
 ///
 /// Config::references bounds the references. Every primitive brings that many, and a cut distributes them in
@@ -19,7 +19,7 @@ namespace rayclock::kd {
 ///
 /// The cell of a treelet is the box in its line, so no plane is spent on the space around it.
 ///
-/// Infinite planes fill all of space. They are walked next to the tree, in a part of their own.
+/// Infinite planes fill all of space. They are walked next to the tree, in a separate part.
 CellPtr build(const std::vector<PrimData>& prims, const Config& config);
 /// Builds a tree over any pieces. `prims`, in the same order, offer planes in any direction; without prims
 /// there are none.

@@ -1,5 +1,5 @@
 #pragma once
-// Cells of space and the primitives in them: the material of every structure of planes.
+// Cells of space and the primitives in them, from which every structure of planes is made.
 #include <memory>
 #include <vector>
 

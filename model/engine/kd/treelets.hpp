@@ -7,13 +7,13 @@ namespace rayclock::kd {
 
 /// The chip visits treelets, so the planes that share one are a choice. Dynamic programming from the leaves
 /// up makes it, as for the box tree (collapse.hpp). Under a treelet's root, each cell that is met as one of
-/// its exits has three options. It is a leaf, or a treelet of its own, or, while the treelet has planes left,
-/// cut by one of them.
+/// its exits has three options. It is a leaf, it begins a new treelet, or, while the treelet has planes left,
+/// one of them cuts it.
 ///
 /// Planes of a treelet are free. A visit costs 17 per level of planes, a test 20. Each is weighted by the
-/// probability that a ray that meets the tree's root also meets the cell. The surface that the planes leave
-/// of the treelet's box measures it. So treelets near the leaves are full, and a plane that is not worth a
-/// visit is taken back.
+/// probability that a ray that meets the tree's root also meets the cell. This probability is estimated by
+/// the surface that the planes leave of the treelet's box. So treelets near the leaves are full, and a plane
+/// that is not worth a visit is taken back.
 class Treelets {
 public:
     explicit Treelets(const Config& config);

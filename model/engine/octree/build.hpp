@@ -4,14 +4,15 @@
 
 namespace rayclock::octree {
 
-/// Builds an octree: the box of all primitives, halved on three axes at once where it holds more than
-/// `leaf_size` of them, down to a depth of `most_depth` (Meagher 1980; Glassner 1984, "Space subdivision for
-/// fast ray tracing"). Halves meet at a lattice plane. An axis on which a cell is thinner than two steps is
-/// not halved.
+/// Builds an octree: the box of all primitives, halved on all three axes where it holds more than `leaf_size`
+/// of them, down to a depth of `most_depth` (Meagher 1980; Glassner 1984, "Space subdivision for fast ray
+/// tracing"). Halves meet at a lattice plane. An axis on which a cell is thinner than two steps is not
+/// halved.
 ///
 /// A primitive that straddles a plane has a reference in every leaf that it reaches, by exact clipping, and
 /// references are bounded (kd/build.hpp). With `straddlers` inner it stays in the inner node instead. A node
-/// with primitives of its own is walked in two parts that no plane divides: those primitives and its octants.
+/// that holds primitives itself is walked in two parts that no plane divides: these primitives and its
+/// octants.
 kd::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
 kd::CellPtr build(const kd::Pieces& pieces, const Config& config);
 constexpr int most_depth = 12;

@@ -1,5 +1,5 @@
 #pragma once
-// The least globe (bounding sphere) around primitives on the lattice.
+// The smallest globe (bounding sphere) around primitives on the lattice.
 #include <span>
 #include <vector>
 
@@ -23,10 +23,10 @@ struct Bead {
 /// hit a triangle within a step of a ray, so its corners have that radius.
 void add_beads(const PrimData& prim, const Config& config, std::vector<Bead>& out);
 
-/// Returns the least globe around the beads, by pivoting as in Gaertner 1999, "Fast and robust smallest
-/// enclosing balls". It starts with the globe of a few beads and adds the bead farthest outside until none
-/// is. Around corners the globe is minimal except for rounding. The relevant points of a sphere are found one
-/// by one, so with spheres the globe is larger by at most 2^-10.
+/// Returns the smallest globe around the beads, by pivoting as in Gaertner 1999, "Fast and robust smallest
+/// enclosing balls". It starts with the globe of a few beads and adds the bead farthest outside until no bead
+/// is outside. Around corners the globe is minimal except for rounding. The relevant points of a sphere are
+/// found one by one, so with spheres the globe is larger by at most 2^-10.
 Globe enclose(std::span<const Bead> beads);
 
 }   // namespace rayclock

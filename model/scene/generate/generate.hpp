@@ -7,9 +7,9 @@
 
 namespace rayclock {
 
-// The generators of the built-in scenes, which builtin.cpp lists; most have a file of their own. Each offers
-// the exact number of primitives by formula, and the scene itself for a size >= 1. Memory and time grow only
-// with the result, and a size always gives the same bits.
+// The generators of the built-in scenes, which builtin.cpp lists; most have a separate file. Each offers the
+// exact number of primitives by formula, and the scene itself for a size >= 1. Memory and time grow only with
+// the result, and a size always gives the same bits.
 //
 // Curved shapes have the default cut of Haines' package (tessellation factor 3) with smooth normals. A scene
 // without curved triangles has no normals. Lights have strength 1/sqrt(their number). Three or more still

@@ -42,7 +42,7 @@ constexpr RayWidths shadow_widths(int coord_bits, int frac_bits) {
             3 * coord_bits + 2};
 }
 
-/// Weights of b and c in units of 2^-B. The weight of a is the rest to 2^B. All three are at least 1.
+/// Weights of b and c in units of 2^-B. The weight of a is 2^B minus both. All three are at least 1.
 struct Weights {
     std::uint32_t u = 0, v = 0;
 };
@@ -82,7 +82,7 @@ bool nearer(const OriginHit& one, const OriginHit& other);
 /// Returns the direction of a shadow ray from a light to O: 2^B (O - light), N + B + 1 bits. The ray reaches
 /// O at t = 2^-B. Send it only if the light lies strictly on the side of the surface from which it was seen.
 Vec3l shadow_direction(const Vec3i& light, const SurfacePoint& o);
-/// True if the triangle stands between the light and O: 0 < t < 2^-B, that is 0 < num 2^B < det. A triangle
+/// True if the triangle lies between the light and O: 0 < t < 2^-B, that is 0 < num 2^B < det. A triangle
 /// that holds O or the light does not count.
 bool shadow_test(const Vec3i& light, const Vec3l& d, int frac_bits, const PrimData& triangle);
 

@@ -46,8 +46,8 @@ public:
     /// True while it is still busy with the first stage of a pass and accepts no other.
     bool rests() const { return rest_ > 0; }
     bool ready() const { return pass_.ready() & !rests(); }   ///< can accept a surface
-    /// Returns the cause of this cycle, a code of units.hpp. `surface`: one arrived. `surface_waits`: memory
-    /// owes one.
+    /// Returns the cause of this cycle, a code of units.hpp. `surface`: one arrived. `surface_waits`: a
+    /// surface is requested and has not arrived.
     std::uint32_t code(bool surface, bool surface_waits) const {
         if (rests()) return 0;
         return offers(surface) ? (pass_.ready() ? 0 : 3) : surface_waits ? 1 : 2;

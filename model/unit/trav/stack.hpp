@@ -29,8 +29,8 @@ struct Decision {
 ///
 /// The ray visits the nearest inner child, and the stack keeps its siblings as one group. Without a child
 /// that can still matter, the stack is popped. Each group holds `below`, the smallest t_near of all groups
-/// under it. So a ray for which nothing there matters is done at once. A group whose nearest child is too far
-/// is dropped, one per decision. A stop empties the stack, and the ray is done. Mirror of
+/// under it. So a ray for which no group there matters ends immediately. A group whose nearest child is too
+/// far is dropped, one per decision. A stop empties the stack, and the ray is done. Mirror of
 /// rtl/unit/trav/rc_stack.sv.
 ///
 /// `Order` defines distances and the order of children; the machine's is ByDistance.

@@ -11,7 +11,7 @@ namespace rayclock {
 ///
 /// Rays without leaves wait in a queue; those that list has tested have priority. There are two stages. The
 /// first accepts a step of one ray and reads the top of its stack. The second decides the next node, or the
-/// ray's end. A dropped group costs the ray another turn through both stages (recirculation, which has
+/// ray's end. After a dropped group the ray passes through both stages again (recirculation, which has
 /// priority over new steps).
 ///
 /// New rays start at the root when no step waits. With two levels, rays that xform has changed go to their

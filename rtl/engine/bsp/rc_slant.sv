@@ -1,10 +1,10 @@
-// The exits of a slant (a treelet whose planes lie in any direction) that a ray meets,
-// conservative, and their order.
+// Finds and sorts the exits that a ray meets in a slant, which is a treelet whose planes lie in any
+// direction.
 //
 // Latency rc_pkg::SlantLatency + 1 (result queue), throughput 1 slant per cycle, answers in order.
 //
-// No exit is left out whose cell holds a point of the ray, and an exit's t_near is never beyond
-// such a point. Model: model/engine/bsp/slant.hpp, which has the formulas.
+// Conservative: it reports every exit whose cell holds a point of the ray, and t_near never exceeds
+// the time of such a point. Model: model/engine/bsp/slant.hpp, which has the formulas.
 `default_nettype none
 module rc_slant (
   input  logic                 clk_i,

@@ -1,10 +1,10 @@
-// Conservative slab test of all children of a node, and their order.
+// Slab test of all children of a node. Sorts the children that a ray meets.
 //
 // Latency rc_pkg::BoxLatency + 1 (result queue), throughput 1 node every rc_pkg::BoxInterval
 // cycles, answers in order.
 //
-// No box is left out that holds a point of the ray, and a child's t_near is never beyond such a
-// point. Model: model/engine/bvh/box.hpp, which has the formulas.
+// Conservative: it reports every box that holds a point of the ray, and t_near never exceeds the
+// time of such a point. Model: model/engine/bvh/box.hpp, which has the formulas.
 //
 // If a node has more children than there are lanes, its children are tested in beats, one child per
 // lane in each beat. The node stays in the front stage until its last beat, and its planes shift by

@@ -1,5 +1,6 @@
-// The exits that a ray meets, and from which time on. For each exit: the latest entry and the
-// earliest end of the planes on its path and of the box. Part of rc_cell_answer.
+// Finds the exits that a ray meets, and the time from which it may be in each. For each exit it
+// compares the latest entry with the earliest end of the planes on its path and of the box. Part of
+// rc_cell_answer.
 //
 // The planes' results come in the cycle of valid_i, the box's (rc_bounds) 1 + Cut cycles later. The
 // answer comes 1 + 2 Cut cycles later.

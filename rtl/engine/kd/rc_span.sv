@@ -1,8 +1,7 @@
 // The intersection of three intervals of a ray: the latest start, the earliest end, and whether all
 // three exist. Part of rc_bounds and rc_exits.
 //
-// Latency 1. In a fast chip it is 2: the comparison of the first two intervals is a stage of its
-// own.
+// Latency 1. In a fast chip it is 2: the comparison of the first two intervals is a separate stage.
 `default_nettype none
 module rc_span #(
   localparam int unsigned T = rc_pkg::TBits

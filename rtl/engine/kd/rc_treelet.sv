@@ -1,10 +1,10 @@
-// The exits of a treelet that a ray meets, conservative, and their order.
+// Finds and sorts the exits of a treelet that a ray meets.
 //
 // Latency rc_pkg::TreeletLatency + 1 (result queue), throughput 1 treelet per cycle, answers in
 // order.
 //
-// No exit is left out whose cell holds a point of the ray, and an exit's t_near is never beyond
-// such a point. Model: model/engine/kd/treelet.hpp, which has the formulas.
+// Conservative: it reports every exit whose cell holds a point of the ray, and t_near never exceeds
+// the time of such a point. Model: model/engine/kd/treelet.hpp, which has the formulas.
 `default_nettype none
 module rc_treelet (
   input  logic                 clk_i,

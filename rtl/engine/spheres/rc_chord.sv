@@ -1,6 +1,6 @@
-// Whether a ray meets a globe, and the earliest time at which it may, conservative. Rounding makes
-// each component of the distance from the centre to the ray's line at most too small. It makes the
-// radius and half the chord at most too large.
+// Decides whether a ray meets a globe, and gives the earliest time at which it may. Both are
+// conservative. Rounding makes each component of the distance from the centre to the ray's line at
+// most too small. It makes the radius and half the chord at most too large.
 //
 // Part of rc_globe. A globe comes with stage 0, the results of rc_sight at the stages that it
 // documents. The answer is ready before the last register of rc_pkg::GlobeStages. Model:

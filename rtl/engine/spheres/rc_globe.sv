@@ -1,9 +1,9 @@
-// The globes (bounding spheres) of a node that a ray meets, conservative, and their order.
+// Finds and sorts the globes (bounding spheres) of a node that a ray meets.
 //
 // Latency rc_pkg::GlobeLatency + 1 (result queue), throughput 1 node per cycle, answers in order.
 //
-// No globe is left out that holds a point of the ray, and a globe's t_near is never beyond such a
-// point. Model: model/engine/spheres/globe.hpp, which has the formulas.
+// Conservative: it reports every globe that holds a point of the ray, and t_near never exceeds the
+// time of such a point. Model: model/engine/spheres/globe.hpp, which has the formulas.
 `default_nettype none
 module rc_globe (
   input  logic               clk_i,

@@ -1,6 +1,6 @@
 // Shortens a number to its Kept highest bits, by the smallest sufficient even shift. Returns the
-// shortened number, half of the shift, and whether a set bit was lost. So a square root of many
-// bits becomes one of few bits, to be shifted back. Part of rc_sphere.
+// shortened number, half of the shift, and whether a set bit was lost. So a root of few bits,
+// shifted back, can replace a root of many bits. Part of rc_sphere.
 //
 // It has Levels stages. Each of them shifts by a power of two of bit pairs if necessary. Latency
 // Levels * rc_pkg::Cut cycles.

@@ -1,12 +1,12 @@
-// Ray and sphere: whether they meet is decided exactly. The distance includes a square root,
-// rounded so that t is never too small. Then the comparison with the best hit.
+// Ray-sphere test. It decides exactly whether the ray meets the sphere. The distance includes a
+// square root, rounded so that t is never too small. Then the hit is compared with the best hit.
 //
 // Part of rc_tri, which delays the best hit. Formulas, rules, the error bound and the proof of the
 // widths: model/unit/isect/any.hpp. Model: sphere_test() in model/unit/isect/any.cpp.
 //
 // Latency rc_pkg::SphereStages, throughput 1 every rc_pkg::TriInterval cycles. With an interval
 // above 1, products share multipliers, and steps of the root and of the division share a stage.
-// model/core/stages.cpp counts its stages as well. A stage's prefix is its content:
+// model/core/stages.cpp counts its stages in the same way. A signal's prefix names its stage:
 // - s1: the vector from the centre; s2: the products; s3: products of these; s4: the decision;
 // - s5: the shortened discriminant; r: its root; w: the way along the ray (WayW bits);
 // - t: the distance; p: the products with the best hit.

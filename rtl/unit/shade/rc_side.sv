@@ -1,7 +1,7 @@
 // The exact sign of n . d. Latency two stages.
 //
 // Part of rc_pass, which has the valid bits of both stages. If a pass stays long in a stage, the
-// operands get registers of their own first.
+// operands first pass through additional registers.
 `default_nettype none
 module rc_side #(
   localparam int unsigned NB = rc_pkg::NormalBits,

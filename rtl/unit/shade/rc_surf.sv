@@ -1,5 +1,5 @@
-// Where a ray has hit a surface, and the surface's look there. Part of rc_pass, which has the valid
-// bits: valid_i[i] is set if stage i holds a pass for a surface.
+// The point where a ray has hit a surface, and the surface's appearance there. Part of rc_pass,
+// which has the valid bits: valid_i[i] is set if stage i holds a pass for a surface.
 //
 // o, n, far, lost and the vector along the normal are in the registers of s5. The albedo is in
 // those of s6, the ambient light in those of s7. Model: model/unit/shade/surf.hpp.

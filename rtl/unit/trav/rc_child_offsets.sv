@@ -1,9 +1,10 @@
-// The places of a node's children in its block, computed from their kinds alone: inner children
-// first, two lines each, then the triangles of leaves. Part of rc_node_answer.
+// The offsets of a node's children in its block, in half lines, computed only from their kinds:
+// inner children first, two half lines each, then the triangles of leaves, one each. Part of
+// rc_node_answer.
 //
 // Two stages, in parallel with the test of the planes. The first adds the inner children's lines,
-// and the triangles of the first four children. The second adds what comes before each child.
-// Model: place_child() in model/engine/bvh/box.cpp.
+// and the triangles of the first four children. The second adds the sizes before each child. Model:
+// place_child() in model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_child_offsets #(
   parameter  bit          Exits = 1'b0,   // cells: only existing exits have lines

@@ -4,8 +4,9 @@
 // Part of rc_node_answer. Hits, distances and places come with valid_i[0]; sorted entries come
 // rc_pkg::RankStages later.
 //
-// A bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has three
-// levels in a stage, a fast chip one. Model: the end of box_children() in model/engine/bvh/box.cpp.
+// It is a bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has
+// three levels in a stage, a fast chip one. Model: the end of box_children() in
+// model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
   localparam int unsigned W      = rc_pkg::NodeWidth,

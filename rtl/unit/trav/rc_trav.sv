@@ -5,13 +5,13 @@
 // Otherwise it pops the stack.
 //
 // An answer of box is accepted in every cycle. Its leaves go to list in the same cycle, and list
-// always accepts them. Rays without leaves wait in a queue of their own; rays that list has tested
-// go first.
+// always accepts them. Rays without leaves wait in a separate queue; rays that list has tested go
+// first.
 //
 // Stage 0 accepts a step and reads the top of the ray's stack. Stage 1 decides the next node or the
-// ray's end. A popped group whose nearest child is too far costs another turn through both stages,
-// before new steps. `below`, the nearest t_near of all groups under it, ends the ray instead if
-// nothing there can matter.
+// ray's end. A popped group whose nearest child is too far passes through both stages again, before
+// new steps. `below` is the smallest t_near of all groups under it. If it is too far, the ray ends
+// instead.
 //
 // A new ray starts at the root when no other node waits. A node from memory goes on to box, with
 // its ray, in the same cycle.

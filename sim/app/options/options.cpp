@@ -23,7 +23,9 @@ void size_option(Parser& parser, std::string& size) {
 }
 
 void clock_option(Parser& parser, std::string& clocks) {
-    parser.option("--clock", clocks, "clock rates in MHz, separated by commas; fmax: what chip has routed")
+    parser
+        .option("--clock", clocks,
+                "clocks in MHz, separated by commas; fmax: the clock that rayclock chip routed")
         .with_default();
 }
 
@@ -37,21 +39,25 @@ void config_options(Parser& parser, ConfigChoice& config) {
             "--config", config.name,
             "hardware configuration: default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, or a JSON file")
         .with_default();
-    parser.option("--set", config.set, "key=value: one parameter over the configuration; may be repeated");
+    parser.option("--set", config.set,
+                  "key=value: change one parameter of the configuration; may be repeated");
 }
 
 void finished_options(Parser& parser, Finish& o) {
     constexpr const char* group = "Finished picture (shadows, reflection, refraction, made by the chip)";
     parser
         .option("--depth", o.depth,
-                "the most bounces of a camera ray, 0..15; 5 if only other options of this group are given")
+                "most bounces of a camera ray, 0..15; 5 if only other options of this group are given")
         .under(group);
     parser
         .option("--threshold", o.threshold,
-                "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are traced")
+                "smallest weight of a reflected or refracted ray that is traced, 0..1; 0: all are traced")
         .under(group);
     parser.option("--aa", o.aa, "N x N samples in a pixel, 1..8").under(group);
-    parser.flag("--jittered", o.jittered, "each sample lies anywhere in its cell, by the seed").under(group);
+    parser
+        .flag("--jittered", o.jittered,
+              "move each sample at random within its cell; the seed selects the pattern")
+        .under(group);
     parser
         .option(
             "--contrast", o.contrast,
@@ -65,16 +71,15 @@ void finished_options(Parser& parser, Finish& o) {
 
 void view_options(Parser& parser, ViewChoice& o) {
     constexpr const char* group = "View (without these: the scene's own camera, or one that shows all of it)";
-    parser.option("--eye", o.eye, "where the camera is: x,y,z").under(group);
+    parser.option("--eye", o.eye, "position of the camera: x,y,z").under(group);
     parser.option("--at", o.at, "the point in the middle of the picture: x,y,z").under(group);
     parser.option("--fov", o.fov, "angle between the picture's upper and lower edge, degrees").under(group);
-    parser.option("--orbit", o.orbit, "turn the camera about that point, around the up axis, degrees")
+    parser.option("--orbit", o.orbit, "turn the camera about the point of --at, around the up axis, degrees")
         .under(group);
     parser
-        .option(
-            "--material", o.material,
-            "NAME|key=value,...: the material of what has none in its file, by the name of one of the scene "
-            "spheres (mirror, glass, gold, blue, chalk), or by keys of a JSON material (mirror=0.5)")
+        .option("--material", o.material,
+                "NAME|key=value,...: material of surfaces without one in their file: a material of the scene "
+                "spheres (mirror, glass, gold, blue, chalk), or keys of a JSON material (mirror=0.5)")
         .under(group);
     parser.flag("--ground", o.ground, "lay a grey square under the scene, four times as wide as the scene")
         .under(group);
@@ -89,12 +94,13 @@ void limits_options(Parser& parser, LimitsChoice& o) {
     constexpr const char* group = "Limits (a picture beyond one of them is FAR FROM THE REFERENCE)";
     constexpr Limits usual;
     static const std::string other = fmt::format(
-        "most pixels that hold another primitive than the reference's; {:g}% if not given", usual.max_other);
+        "largest share of pixels that hold another primitive than the reference's; {:g}% if not given",
+        usual.max_other);
     static const std::string psnr = fmt::format(
-        "least PSNR of the picture against the reference's, in dB; {:g} if not given", usual.min_psnr);
+        "smallest PSNR of the picture against the reference's, in dB; {:g} if not given", usual.min_psnr);
     static const std::string depth = fmt::format(
-        "most that the depth of a pixel with the right primitive may be off, as a share of the "
-        "reference's depth; {:g}% if not given",
+        "largest depth error of a pixel with the right primitive, as a share of the reference's depth; "
+        "{:g}% if not given",
         usual.max_depth_error);
     parser.option("--max-other", o.max_other, other.c_str()).under(group);
     parser.option("--min-psnr", o.min_psnr, psnr.c_str()).under(group);
@@ -120,13 +126,13 @@ std::string typed_limits(const LimitsChoice& o) {
 }
 
 void fresh_option(Parser& parser, bool& fresh) {
-    parser.flag("--fresh", fresh,
-                "work everything out again, and take no finished result of an earlier run from the cache");
+    parser.flag("--fresh", fresh, "compute everything again, without cached results of earlier runs");
 }
 
 void netlist_option(Parser& parser, bool& no_netlist) {
-    parser.flag("--no-netlist", no_netlist,
-                "do not count multipliers and flip-flops (Yosys needs some ten seconds for a configuration)");
+    parser.flag(
+        "--no-netlist", no_netlist,
+        "do not count multipliers and flip-flops (Yosys needs about ten seconds for each configuration)");
 }
 
 void frames_options(Parser& parser, FramesOptions& o) {
@@ -136,20 +142,19 @@ void frames_options(Parser& parser, FramesOptions& o) {
         .with_default();
     parser.option("--pan", o.pan, "degrees that the camera turns from frame to frame");
     parser.option("--fps", o.fps,
-                  "frames in a second of the scene's time, if something moves in it: 25 if it is not given");
+                  "frames per second of the scene's time, for a scene that moves; 25 if not given");
     parser.option("--time", o.time,
-                  "the scene's time of the first frame, or two times, A:B, with a colon: seconds");
+                  "scene time of the first frame in seconds; or A:B, from A up to B (B excluded)");
     parser
         .option(
             "--uploads", o.uploads,
-            "when the host writes the moved parts: between the frames, or (double) during the previous frame "
-            "into a second buffer")
+            "when the host writes the moved parts: between frames (between), or during the previous frame "
+            "into a second buffer (double)")
         .with_default();
     parser
-        .option(
-            "--rebuild", o.rebuild,
-            "the tree of a mesh that deforms is refitted, and built anew once its surface-area cost is more "
-            "than this many times what it was when it was built; 0: for every frame")
+        .option("--rebuild", o.rebuild,
+                "rebuild the tree of a deforming mesh when refitting raises its surface-area cost above this "
+                "multiple of the cost when built; 0: rebuild in every frame")
         .with_default();
 }
 
@@ -157,7 +162,7 @@ void traffic_options(Parser& parser, TrafficOptions& o) {
     parser.option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")
         .within(1, 1 << 30);
     parser.option("--jitter", o.jitter, "random extra latency of the memory, up to this many cycles");
-    parser.option("--stall", o.stall, "percentage of cycles in which memory and output accept nothing");
+    parser.option("--stall", o.stall, "percentage of cycles in which memory and output do not accept");
 }
 
 Traffic traffic_of(const TrafficOptions& o) {

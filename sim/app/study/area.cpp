@@ -32,9 +32,9 @@ void declare_area(Parser& parser, AreaOptions& o) {
     config_options(parser, o.config);
     parser
         .option("--unit", o.units,
-                "count only these units, separated by commas; then there is no page and no speed")
+                "count only these units, separated by commas, without a page and without speeds")
         .by_commas();
-    parser.option("-o,--output", o.output, "Markdown file to write, with the speed of simulation as well");
+    parser.option("-o,--output", o.output, "Markdown file to write; it also has the speed of simulation");
     fresh_option(parser, o.fresh);
     threads_option(parser, o.threads);
     json_option(parser, o.json);
@@ -68,7 +68,7 @@ int run_area(const AreaOptions& o) {
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
     if (areas.partial)
-        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command continues where it stopped");
     const std::vector<area::Speed> speeds =
         o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);
     if (!o.json.is_alone()) {
@@ -84,7 +84,7 @@ int run_area(const AreaOptions& o) {
 }   // namespace
 
 Command area_command() {
-    return command("area", "docs/area.md: what each unit takes of an ECP5",
+    return command("area", "docs/area.md: the ECP5 resources of each unit",
                    "rayclock study area -o docs/area.md", declare_area, run_area);
 }
 

@@ -56,7 +56,7 @@ int run_counts(const CountsOptions& o) {
 }   // namespace
 
 Command counts_command() {
-    return command("counts", "docs/spd.md: rays of Haines' scenes and the published counts",
+    return command("counts", "docs/spd.md: rays of Haines' scenes, compared with the published counts",
                    "rayclock study counts -o docs/spd.md", declare_counts, run_counts);
 }
 

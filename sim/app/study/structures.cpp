@@ -36,7 +36,9 @@ void declare_structures(Parser& parser, StructuresOptions& o) {
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder for structures.md and its picture").required();
     parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
-    parser.option("--round", o.round, "of these, the ones whose camera rays meet true spheres as well")
+    parser
+        .option("--round", o.round,
+                "those of --scenes whose camera rays meet true spheres instead of triangles")
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
@@ -68,7 +70,7 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStruc
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
     if (areas.partial)
-        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command continues where it stopped");
     std::vector<structures::Areas> counts;
     for (std::size_t i = 0; i < candidates.size(); ++i)
         counts.push_back({area::pipeline_count(areas, 2 * i), area::pipeline_count(areas, 2 * i + 1)});

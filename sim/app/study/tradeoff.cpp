@@ -55,7 +55,7 @@ int run_tradeoff(const TradeoffOptions& o) {
 }   // namespace
 
 Command tradeoff_command() {
-    return command("tradeoff", "docs/speed-against-error.md: what each bit costs and gains",
+    return command("tradeoff", "docs/speed-against-error.md: the cost and the effect of each bit",
                    "rayclock study tradeoff -o docs/speed-against-error.md", declare_tradeoff, run_tradeoff);
 }
 

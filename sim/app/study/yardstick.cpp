@@ -38,7 +38,8 @@ int run_yardstick(const YardstickOptions& o) {
 }   // namespace
 
 Command yardstick_command() {
-    return command("yardstick", "docs/yardstick.md: this machine and the published SaarCOR and RPU",
+    return command("yardstick",
+                   "docs/yardstick.md: this machine compared with published figures of SaarCOR and RPU",
                    "rayclock study yardstick -o docs/yardstick.md", declare_yardstick, run_yardstick);
 }
 

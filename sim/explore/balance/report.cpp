@@ -61,7 +61,8 @@ std::string excess(const chip::Use& use, const chip::Use& room) {
 
 std::string text(const Found& found, const chip::Use& room) {
     Table path({"step", "fps", "LUT", "FF", "MULT18X18D", "DP16KD"});
-    add(path, fmt::format("pipelines = {}, all else at its least", found.first.config.pipelines),
+    add(path,
+        fmt::format("pipelines = {}, all other parameters at their smallest", found.first.config.pipelines),
         found.first);
     for (const Machine& machine : found.path) add(path, steps_text(machine.steps), machine);
     add(path, "room", {{}, {}, {}, room});

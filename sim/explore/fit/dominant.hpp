@@ -12,7 +12,7 @@ namespace rayclock::fit {
 struct Dominant {
     std::string what;   ///< "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12
                         ///< first)"
-    Scene without;      ///< the scene without them; primitives are numbered anew
+    Scene without;      ///< the scene without them; its primitives are renumbered
     std::size_t triangles = 0;   ///< number of removed triangles
     double ratio = 1;            ///< extent of the whole scene with its eye, over the extent without them
 };

@@ -83,10 +83,10 @@ std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges)
     std::string fixed;
     if (!ranges.signals.empty())
         for (const Constant& c : constants(ranges))
-            fixed +=
-                fmt::format("{} {} {} of {}",
-                            fixed.empty() ? "  constants of the machine, bits needed of those there:" : ",",
-                            c.name, c.needed, c.there);
+            fixed += fmt::format(
+                "{} {} {} of {}",
+                fixed.empty() ? "  constants of the machine, bits needed of the bits present:" : ",", c.name,
+                c.needed, c.there);
     return fmt::format(
         "  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups "
         "of siblings\n{}{}\n{}",
@@ -97,8 +97,8 @@ std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges)
 std::string units_text(const Config& config) {
     if (config.shading) return "  units: those that the finished picture of this scene needs\n";
     return fmt::format(
-        "  units: triangles and camera rays need all there are{}; those for spheres, planes and finished "
-        "pictures are left out\n",
+        "  units: triangles and camera rays need all units of the machine{}; those for spheres, planes and "
+        "finished pictures are left out\n",
         config.l2_sets > 0 ? "" : " except the shared cache, which is left out");
 }
 

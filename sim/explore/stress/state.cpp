@@ -39,11 +39,11 @@ Counts counts_of(const JsonValue& in, std::uint64_t rays) {
         in.expected(fmt::format("{} whole numbers", count_fields.size()));
     Counts c;
     for (std::size_t i = 0; i < count_fields.size(); ++i) c.*count_fields[i] = in[i].whole(most);
-    if (c.rays != rays) in.refuse(fmt::format("has {} rays; so many batches have {}", c.rays, rays));
+    if (c.rays != rays) in.refuse(fmt::format("has {} rays; this number of batches has {}", c.rays, rays));
     const bool is_possible = c.leaks <= rays && c.double_hits <= rays && c.oracle_mismatches <= rays &&
                              c.walked <= rays && c.boxes_extra <= c.boxes &&
                              c.false_shadows <= c.shadow_rays && c.light_leaks <= c.shadow_rays;
-    if (!is_possible) in.refuse("has counts that cannot have come of so many rays");
+    if (!is_possible) in.refuse("has counts that this number of rays cannot give");
     return c;
 }
 
@@ -75,7 +75,7 @@ std::uint64_t parse_state(const Plan& plan, std::string_view text, std::vector<C
     const std::vector<std::uint64_t> rays = rays_after(batches);
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i].counts = counts_of(counts[i], rays[i]);
     if (in.at("check").string() != check_of(in.at("batches").raw(), counts.raw()))
-        in.refuse("was changed since it was written: its check does not fit");
+        in.refuse("was changed after it was written: its checksum is wrong");
     return batches;
 }
 

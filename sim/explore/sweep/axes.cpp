@@ -91,8 +91,8 @@ std::vector<std::string> keys_of(const std::vector<Axis>& axes) {
                 throw UserError("--axis: " + shown(key) + " is given twice");
             if (key == "shading")
                 throw UserError(
-                    "--axis: shading decides what is drawn, so its values are two sweeps: one as it is, and "
-                    "one with --depth");
+                    "--axis: shading changes the picture, so it needs two sweeps: one without and one with "
+                    "--depth");
             if (key == "source")
                 throw UserError("--axis: source=stream has no camera, and a sweep draws what a camera sees");
             keys.push_back(key);

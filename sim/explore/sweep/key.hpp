@@ -1,5 +1,5 @@
 #pragma once
-// Digests for cache keys: everything besides the configuration that figures depend on.
+// Digests for cache keys: everything except the configuration that affects figures.
 #include <string>
 #include <vector>
 
@@ -7,7 +7,8 @@
 
 namespace rayclock::sweep {
 
-/// Returns a digest of everything in a scene that affects its picture at rest, as 16 hexadecimal digits.
+/// Returns a digest of everything in a scene that affects its picture without motion, as 16 hexadecimal
+/// digits.
 std::string scene_digest(const Scene& scene);
 /// Returns a digest that includes the pose of everything that moves at these times. Throws UserError as
 /// pose() does.

@@ -37,7 +37,7 @@ Shard shard_of(const JsonValue& in) {
     constexpr std::uint64_t most = std::uint64_t(1) << 31;
     const Shard shard{int(in.at("part").whole(most)), int(in.at("of").whole(most))};
     if (shard.of < 1 || shard.part < 1 || shard.part > shard.of)
-        in.refuse(fmt::format("is none: there is no part {}", name_of(shard)));
+        in.refuse(fmt::format("is not a part of a sweep: there is no part {}", name_of(shard)));
     for (const char* key : {"scene_digest", "program"})
         if (const auto text = in.find(key)) text->string();
     return shard;
@@ -70,7 +70,7 @@ Part read_part(const std::string& file) {
         if (!checked.is_object() || !checked.contains(key))
             refuse(file, fmt::format("is not a report of sweep: it has no key '{}'", key));
     if (checked["partial"] != false)
-        refuse(file, "was interrupted before its end; the command that wrote it goes on where it was");
+        refuse(file, "was interrupted before its end; the command that wrote it continues where it stopped");
     const Shard shard = shard_of(JsonValue(checked, file).at("shard"));
     return {file, ordered_json::parse(text), shard};   // parsed again to keep the order of keys
 }
@@ -78,7 +78,7 @@ Part read_part(const std::string& file) {
 /// Throws UserError unless both files agree in everything that determines their figures.
 void check_same(const Part& first, const Part& other) {
     const auto differ = [&](const char* what) {
-        throw UserError(fmt::format("{} and {} are not of one sweep: they differ in {}",
+        throw UserError(fmt::format("{} and {} do not belong to one sweep: they differ in {}",
                                     printable(first.file), printable(other.file), what));
     };
     if (first.shard.of != other.shard.of) differ("how many parts there are");
@@ -87,7 +87,7 @@ void check_same(const Part& first, const Part& other) {
     for (const auto& [key, value] : first.report["sweep"].items())
         if (!other.report["sweep"].is_object() || !other.report["sweep"].contains(key) ||
             other.report["sweep"][key] != value)
-            differ(("what was asked for (" + printable(key, 40) + ")").c_str());
+            differ(("the request (" + printable(key, 40) + ")").c_str());
     const ordered_json &a = first.report["shard"], &b = other.report["shard"];
     if (a.is_null() || b.is_null()) return;
     if (a.value("scene_digest", "") != b.value("scene_digest", "")) differ("the scene's content");
@@ -172,7 +172,7 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
         merged.config = parse_config(parts[0].file, report["config"].dump());
         merged.asked = asked_of(report["sweep"]);
     } catch (const nlohmann::json::exception&) {
-        broken(parts[0], "what was asked for cannot be read");
+        broken(parts[0], "the request of the sweep cannot be read");
     }
     if (merged.asked.axes.empty()) broken(parts[0], "it has no axis");
     // If the clock is each point's routed clock, its figures contain it.
@@ -185,7 +185,7 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
         } catch (const nlohmann::json::exception&) {
             broken(part, "a point has not all of its figures");
         } catch (const std::runtime_error& e) {
-            broken(part, fmt::format("its points are not those of its axes ({})", e.what()).c_str());
+            broken(part, fmt::format("its points do not match its axes ({})", e.what()).c_str());
         }
     }
     return merged;

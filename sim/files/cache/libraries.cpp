@@ -53,7 +53,7 @@ void check_trusted(const fs::path& folder, const char* why) {
         "{}: {}{}{}", printable(folder.string()), why,
         is_own ? fmt::format("others can write to this folder (mode {:o})", status.st_mode & 07777)
                : fmt::format("this folder belongs to another user ({})", status.st_uid),
-        is_own ? "; take that away (chmod go-w), or set RAYCLOCK_CACHE to another" : cure));
+        is_own ? "; remove that permission (chmod go-w), or set RAYCLOCK_CACHE to another folder" : cure));
 }
 
 /// Creates the temporary folder of this user. Throws UserError if it is a link or not this user's alone: in a

@@ -35,8 +35,8 @@ inline constexpr const char* netlist_begin = "rc_netlist-";
 /// Returns the path of an entry's library.
 std::filesystem::path library_of(const std::filesystem::path& entry);
 
-/// Writes the seal of the library in a folder. `made_by` is a note for people. Throws UserError if it cannot
-/// write.
+/// Writes the seal of the library in a folder. `made_by` is a note for readers of the file. Throws UserError
+/// if it cannot write.
 void seal(const std::filesystem::path& folder, const std::string& made_by);
 
 /// Returns true if the entry is a folder with an unchanged library, which only this user and root can write.

@@ -1,7 +1,7 @@
 #pragma once
 // The interface between the program and its library of picture formats, which uses OpenImageIO. OpenImageIO
-// pulls in 250 libraries, which take 0.2 s to load. So it lives in a library of its own, which the program
-// loads when it first reads or writes a picture.
+// loads 250 libraries, which takes 0.2 s. So the code is in a separate library, which the program loads when
+// it first reads or writes a picture.
 #include <array>
 #include <cstdint>
 #include <functional>

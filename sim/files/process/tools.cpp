@@ -77,7 +77,7 @@ std::string untried(const std::string& tool, const std::string& line) {
         const std::string version = short_version(tool, line);
         if (std::find(tried.versions.begin(), tried.versions.end(), version) != tried.versions.end())
             return {};
-        return fmt::format("{} {} was not tried with rayclock, only {}; it is used all the same", tool,
+        return fmt::format("{} {} was not tried with rayclock, only {}; it is used anyway", tool,
                            version.empty() ? "of this version" : version, fmt::join(tried.versions, ", "));
     }
     return {};

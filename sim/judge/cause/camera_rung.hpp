@@ -1,12 +1,16 @@
 #pragma once
-// The last rung of the ladder for a picture of camera rays alone: the reference, by its own rules, on the
-// machine's ray.
+// The last rung of the ladder for a picture of camera rays alone: the reference follows the machine's rays by
+// its own rules.
 //
-// It checks three things in a pixel, and none by a rule of the machine. Does its ray go through
-// the pixel, within the bound of camera_ray.hpp? Does the reference, on the scene as the lattice has it, meet
-// what the ray met, where t, u and v say? Is the colour at that hit the reference's local light, without
-// shadows? Doubles leave ties: a ray moved by next to nothing (tie.hpp) meets what the machine's met, or two
-// primitives lie at one depth. In two levels an instance may see another line (seam.hpp). All else is a
+// It checks three facts about a pixel, and uses no rule of the machine:
+// - The machine's ray goes through the pixel, within the bound of camera_ray.hpp.
+// - On the scene as it lies on the lattice, the reference meets the same primitive, at the place that t, u
+// and
+//   v give.
+// - The colour of that hit is the reference's local light, without shadows.
+//
+// Doubles leave ties: a slightly moved ray (tie.hpp) meets the machine's primitive, or two primitives lie at
+// the same depth. With two levels an instance may see another line (seam.hpp). Any other difference is a
 // fault.
 #include <optional>
 #include <string>
@@ -20,7 +24,7 @@
 
 namespace rayclock {
 
-/// What is found of one pixel.
+/// The result for one pixel.
 struct CameraFinding {
     std::string fault;   ///< empty: none
     bool is_tie = false;
@@ -28,23 +32,25 @@ struct CameraFinding {
 
 class CameraRung {
 public:
-    /// `steps`: the machine's scene in lattice steps, and its tracer. `placed`, `seams`: of two levels, or
-    /// null.
+    /// `steps`: the machine's scene in lattice steps; `tracer` traces it. `placed` and `seams` are null
+    /// unless there are two levels.
     CameraRung(const Asked& asked, const Scene& steps, const Reference& tracer, const PlacedWorld* placed,
                const Seams* seams);
 
-    /// A pixel's ray along d, and the exact answer to it as it is rounded.
+    /// Checks a pixel, given its ray's direction d and the exact answer after rounding.
     CameraFinding look(int x, int y, const Vec3i& d, const Closest& answer) const;
 
-    /// The colour of a hit on the given scene, by the reference's rules and no line of shade(). Nothing where
-    /// a smooth normal points away from the viewer: the two have rules of their own there (docs/shading.md).
+    /// Returns the colour of a hit on the given scene by the reference's rules, without using shade().
+    /// Returns nothing where a smooth normal points away from the viewer, because the rules of the two differ
+    /// there (docs/shading.md).
     std::optional<glm::dvec3> local_light(const Hit& hit, int x, int y) const;
 
 private:
     PlacedTriangle triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
                             std::uint32_t i) const;
     bool is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer, const Hit& own) const;
-    /// Where the answer's weights lie on the machine's triangle, its ray is, and it says how far.
+    /// Returns true if the machine's ray passes through the point that the answer's weights give, at the
+    /// answer's distance.
     bool holds_point(int x, int y, const Vec3i& d, const Closest& answer) const;
     double instance_error(std::uint32_t place, double t) const;
 
@@ -55,7 +61,7 @@ private:
     const Seams* seams_;
     PixelRays rays_;
     CameraBound bound_;
-    RefGeometry light_space_;   ///< of local_light(): in which space it reckons
+    RefGeometry light_space_;   ///< the space in which local_light() computes
     HitScale scale_;
     std::optional<Unfolder> given_unfolder_, steps_unfolder_;
 };

@@ -91,8 +91,8 @@ bool Guide::ends(std::uint32_t samples, double difference, bool own) {
     if (std::abs(difference - rules_.contrast) <= 2 * sample_width_ + unit_step)
         tie();
     else
-        fail(machine ? "the pixel ends though its first samples differ"
-                     : "the pixel goes on though its first samples are alike");
+        fail(machine ? "the pixel ends although its first samples differ"
+                     : "the pixel continues although its first samples are similar");
     return machine;
 }
 

@@ -1,20 +1,20 @@
 #pragma once
-// Leads the reference tracer along a machine's path through one pixel, and says where the two disagree.
+// Guides the reference tracer along a machine's path through one pixel, and reports where the two disagree.
 //
-// The last rung of the ladder (finished.hpp). The reference has the scene as the machine has it: corners,
-// spheres, planes and lights on the lattice, colours and weights with the machine's bits. Each ray is the
-// machine's, after it was found to lie within a bound of the ray that the reference would have sent. Every
-// decision is the reference's own: what a ray meets, on which side, which normal counts there, which lights
-// count and what is in their way, which bounces leave. So a wrong *rule* of the machine is found here, also
-// where the machine's own judge follows the same rule.
+// This is the last rung of the ladder (finished.hpp). The reference has the machine's scene: corners,
+// spheres, planes and lights on the lattice, colours and weights with the machine's bits. It follows the
+// machine's rays, after checking that each lies within a bound of the ray that the reference would have sent.
+// The reference makes every decision by its own rules: which primitive a ray meets and on which side, which
+// normal counts there, which lights count and what blocks them, which bounces leave. So it finds a wrong
+// *rule* of the machine, even if the machine's judge follows the same rule.
 //
-// The two may part where doubles cannot tell, or where a stated rounding decides. Then the reference follows
-// the machine, and the step is counted:
+// The two may differ where doubles or a stated rounding leave a decision open. Then the reference follows the
+// machine, and the step is counted:
 //   tie      a ray moved by 2^-34 of its length, or a quantity within its stated bound, gives the machine's
 //            answer
 //   horizon  a bounce from a point of a plane beyond the lattice meets another plane before it comes into
-//            the lattice, or lies too far away to be said (docs/origins.md, Points of a plane beyond the
-//            lattice)
+//            the lattice, or the point is too far away for the machine's numbers (docs/origins.md, Points
+//            of a plane beyond the lattice)
 //   seam     two levels: the instance sees a ray that was rounded for it (seam.hpp)
 // Anything else is a fault.
 #include <optional>
@@ -28,31 +28,32 @@
 
 namespace rayclock {
 
-/// What all pixels share.
+/// The data that all pixels share.
 struct GuideRules {
     const Asked& asked;                    ///< the frame; the scene as given
-    const Scene& scene;                    ///< the scene as the machine has it, in the given scene's units
-    const Reference& reference;            ///< of `scene`
-    const CameraBound& camera;             ///< of the picture
-    double contrast = 0;                   ///< of samples, at which a pixel ends
-    const PlacedWorld* placed = nullptr;   ///< of two levels
+    const Scene& scene;                    ///< the machine's scene, in the given scene's units
+    const Reference& reference;            ///< traces `scene`
+    const CameraBound& camera;             ///< the bound of the picture's camera rays
+    double contrast = 0;                   ///< of samples, below which sampling ends
+    const PlacedWorld* placed = nullptr;   ///< null with one level
     const Seams* seams = nullptr;
 };
 
-/// What was found on one path.
+/// The result for one path.
 struct GuideFinding {
-    std::string fault;   ///< the first, or empty
+    std::string fault;   ///< the first fault, or empty
     std::uint32_t ties = 0;
     bool has_horizon = false, has_seam = false;
-    bool has_lost = false;   ///< a point lies further beyond the lattice than the machine can say
+    bool has_lost = false;   ///< a point lies too far beyond the lattice for the machine's numbers
 };
 
 class Guide final : public RefSteer {
 public:
-    /// `sample_width`: how far apart the machine's colour of a sample and the reference's may be.
+    /// `sample_width`: the largest allowed difference between the machine's and the reference's colour of a
+    /// sample.
     Guide(const GuideRules& rules, const MachinePath& path, double sample_width)
         : rules_(rules), path_(path), sample_width_(sample_width) {}
-    /// The reference is through with the pixel: nothing of the machine's path may be left.
+    /// Ends the pixel. All of the machine's path must have been followed.
     void finish();
     const GuideFinding& finding() const { return finding_; }
 
@@ -70,23 +71,24 @@ public:
     void leave() override { at_.pop_back(); }
 
 private:
-    /// The machine's visit that the reference is at; none where the machine sent no ray.
+    /// Returns the machine's visit at the reference's current position; null if the machine sent no ray.
     const MachineVisit* visit() const {
         return at_.empty() || at_.back() < 0 ? nullptr : &path_.visits[std::size_t(at_.back())];
     }
     void fail(std::string what);
     void tie() { ++finding_.ties; }
 
-    glm::dvec3 point(const Vec3l& p, int frac) const;   ///< of the scene's lattice, in the tracer's space
+    glm::dvec3 point(const Vec3l& p, int frac) const;   ///< converts from the scene's lattice to the tracer's
+                                                        ///< space
     glm::dvec3 direction(const Vec3i& d) const;         ///< unit
-    double step() const;                                ///< of the lattice, in the tracer's space
+    double step() const;                                ///< lattice step in the tracer's space
     bool is_turned(const MachineVisit& at) const;
     double normal_error(const MachineVisit& at) const;
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
     void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const;
-    /// The weights of the second and third corner at the point from which rays leave.
+    /// Returns the weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
-    /// The machine's hit, from which the path goes on.
+    /// Returns the machine's hit, from which the path continues.
     RefClosest as_machine(const RefPath& path, const MachineVisit& at);
     std::optional<RefClosest> find_tie(const RefPath& path, const RefClosest& own,
                                        std::uint32_t wanted) const;
@@ -102,11 +104,11 @@ private:
     const GuideRules& rules_;
     const MachinePath& path_;
     double sample_width_;
-    std::size_t visited_ = 0;   ///< of path_.visits
+    std::size_t visited_ = 0;   ///< number of path_.visits that were followed
     GuideFinding finding_;
     std::vector<int> at_;
-    std::vector<glm::dvec3> moved_;   ///< at each of them, from the reference's point to the machine's
-    bool is_substituted_ = false;     ///< the last hit is the machine's, and not the reference's
+    std::vector<glm::dvec3> moved_;   ///< for each of them: from the reference's point to the machine's
+    bool is_substituted_ = false;     ///< the last hit is the machine's, not the reference's
 };
 
 }   // namespace rayclock

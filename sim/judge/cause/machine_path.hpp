@@ -1,16 +1,16 @@
 #pragma once
-// The path of one pixel as a machine took it: every ray, what it met, and what was decided there.
+// The machine's path through one pixel: every ray, its hit, and the decisions there.
 #include <vector>
 
 #include "model/unit/shade/shader.hpp"
 
 namespace rayclock {
 
-/// What a machine made of one light at one surface.
+/// A machine's decisions about one light at one surface.
 struct MachineLight {
     bool is_asked = false;   ///< a ray was sent
     bool is_lit = false;     ///< its light is added
-    Ray ray;                 ///< if one was sent
+    Ray ray;                 ///< the ray, if one was sent
 };
 
 /// A camera ray or bounce, and the surface that it met.
@@ -22,16 +22,16 @@ struct MachineVisit {
     ShadeState state;   ///< after the surface has arrived, and has been turned if there are two levels
     Placement placement;
     std::vector<MachineLight> lights;
-    /// A bounce was due, but passes by the lattice: no ray was sent, and it took the background.
+    /// A bounce was due but misses the lattice. No ray was sent, and it added the background.
     bool is_reflected_past = false, is_refracted_past = false;
-    int parent = none, reflected = none, refracted = none;   ///< places in MachinePath::visits
+    int parent = none, reflected = none, refracted = none;   ///< indices in MachinePath::visits
 };
 
 /// Watches a Shader from the first ray of a pixel to its colour.
 class MachinePath final : public ShadeWatch {
 public:
     std::vector<MachineVisit> visits;
-    std::vector<int> samples;   ///< places of their camera rays
+    std::vector<int> samples;   ///< indices of their camera rays in `visits`
 
     void start() { visits.clear(), samples.clear(), waiting_.clear(), at_ = MachineVisit::none; }
     void sent(const Ray& ray) override;
@@ -43,7 +43,7 @@ private:
     bool asks_light_ = false;
     ShadeEvent last_ = ShadeEvent::arrive;
     int at_ = MachineVisit::none;
-    std::vector<int> waiting_;   ///< whose refracted rays wait
+    std::vector<int> waiting_;   ///< visits whose refracted rays wait
 };
 
 }   // namespace rayclock

@@ -1,9 +1,9 @@
 #pragma once
-// The scene as the machine has it, in the units of the given scene, and whether it is near enough to that.
+// The machine's scene in the units of the given scene, and whether it is close enough to the given scene.
 //
-// For the ladder (finished.hpp): the reference traces it. Corners, spheres, planes and lights lie on the
-// lattice, colours and weights have the machine's bits. Corner normals stay as they are given: Guide rounds
-// them. Each change is held against the bound that the documents state for it.
+// The reference traces it for the ladder (finished.hpp). Corners, spheres, planes and lights lie on the
+// lattice, and colours and weights have the machine's bits. Corner normals do not change, because Guide
+// rounds them. Each change is compared with the bound that the documents state for it.
 #include <string>
 #include <vector>
 
@@ -13,16 +13,16 @@ namespace rayclock {
 
 struct SnappedScene {
     Scene scene;
-    std::vector<std::string> faults;   ///< a sentence for each kind of change that is beyond its bound
+    std::vector<std::string> faults;   ///< a sentence for each kind of change that exceeds its bound
 };
 
-/// `placed`: of two levels, or null.
+/// `placed` is null with one level.
 SnappedScene snapped_scene(const Asked& asked, const PlacedWorld* placed);
 
-/// The same faults alone, for a scene of triangles that is not shaded.
+/// Returns only the faults, for a scene of triangles that is not shaded.
 std::vector<std::string> snapping_faults(const Asked& asked, const PlacedWorld* placed);
 
-/// The camera with its eye where the machine has it.
+/// Returns the camera with its eye at the machine's lattice point.
 Camera snapped_camera(const Asked& asked);
 
 }   // namespace rayclock

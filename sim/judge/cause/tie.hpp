@@ -1,5 +1,5 @@
 #pragma once
-// What doubles cannot tell: a ray and the same ray, moved by next to nothing.
+// Ties: decisions that doubles leave open, because a slightly moved ray gives another result.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 
 namespace rayclock {
 
-/// Above the 2^-36 by which the tracer moves a ray off its surface, and above all that doubles round by; far
-/// below a step of any lattice.
+/// The relative size of such a move. It is larger than the 2^-36 by which the tracer moves a ray off its
+/// surface, and larger than all rounding of doubles. It is far smaller than a step of any lattice.
 constexpr double tie_size = 0x1p-34;
 
 inline glm::dvec3 across(const glm::dvec3& d) {
@@ -21,13 +21,13 @@ inline glm::dvec3 across(const glm::dvec3& d) {
     return glm::normalize(glm::cross(d, axis));
 }
 
-/// The path, turned and moved by next to nothing in sixteen manners: try_path(path) until one is taken.
+/// Turns and moves the path slightly in sixteen ways, and calls try_path(path) until one call returns true.
 template <class Try> bool any_moved(const RefPath& path, const Try& try_path) {
     const glm::dvec3 right = across(path.direction), up = glm::cross(path.direction, right);
     const double size =
         tie_size * (1 + std::max({std::abs(path.from.x), std::abs(path.from.y), std::abs(path.from.z)}));
     for (int i = 0; i < 16; ++i) {
-        const double angle = (0.5 + i) * 0.39269908169872414;   // an eighth of a turn, twice round
+        const double angle = (0.5 + i) * 0.39269908169872414;   // an eighth of a turn, for two turns
         const glm::dvec3 off = std::cos(angle) * right + std::sin(angle) * up;
         RefPath moved = path;
         if (i < 8)

@@ -1,9 +1,9 @@
 #pragma once
-// What a machine must answer for each pixel of a frame, from exact arithmetic.
+// The correct answer of a machine for each pixel of a frame, from exact arithmetic.
 //
-// Shares with the machine what the host gives it: the lattice (which points the vertices went to) and the
-// camera registers. The rounding of a direction, of t, u and v follows the promises in payloads.hpp (Frame,
-// TriRsp), in formulas of its own.
+// It shares with the machine only the host's data: the lattice, with the points to which the vertices were
+// snapped, and the camera registers. Directions, t, u and v are rounded as payloads.hpp states (Frame,
+// TriRsp), with independent formulas.
 #include "model/core/payloads.hpp"
 #include "sim/judge/oracle/surface.hpp"
 #include "sim/judge/paths/camera.hpp"
@@ -11,28 +11,28 @@
 
 namespace rayclock {
 
-/// A pixel's hit before anything is rounded: at o + d num / den, with weights u / den and v / den of the
-/// triangle's second and third corner. den = 1 and all else 0 if nothing is hit.
+/// A pixel's unrounded hit at o + d num / den, with weights u / den and v / den of the triangle's second and
+/// third corner. Without a hit den is 1 and all other numbers are 0.
 struct ExactPixel {
     std::uint32_t primitive = no_primitive;
     oracle::Int128 num = 0, den = 1, u = 0, v = 0;
 };
 
-/// From the eye, of a chip that does not shade.
+/// Returns a camera ray of a chip that does not shade.
 Ray camera_ray(const Vec3i& eye, const Vec3i& direction);
 
 class Truth {
 public:
     Truth(const Scene& scene, const Lattice& lattice, const Config& config)
         : surface_(oracle::snapped(scene, lattice)), config_(config) {}
-    /// Of two levels, where every instance sees the direction as it is rounded for it.
+    /// For two levels, where the direction is rounded separately for each instance.
     Truth(const PlacedWorld& placed, const Config& config)
         : surface_(std::vector<oracle::Corners>{}), placed_(&placed), config_(config) {}
 
     ExactPixel pixel(const Frame& frame, int x, int y) const;
 
-    /// The only right answer: t rounded up and saturated, u and v rounded down. The context that did the work
-    /// is left out.
+    /// Returns the only correct answer: t rounded up and saturated, u and v rounded down. The context's
+    /// number is left out.
     Closest answer(const ExactPixel& pixel) const;
 
 private:

@@ -58,7 +58,7 @@ template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, cons
 /// Returns the side of the directed edge p -> q on which the line along d through the origin passes. The
 /// origin is moved by o' = (e, e^2, e^3), e -> 0+. The result is the sign of volume(d, p - o', q - o');
 /// `value` is that volume without the move. Both p and q are relative to the origin. The coefficient of o'[k]
-/// is -volume(d, axis k, q) - volume(d, p, axis k). Terms with two moves vanish, since both would stand in
+/// is -volume(d, axis k, q) - volume(d, p, axis k). Terms with two moves vanish, since both moves would be in
 /// equal rows. The result is 0 only if d is parallel to the edge.
 template <class Int, class Short>
 int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const Triple<Short>& q) {

@@ -4,14 +4,14 @@
 //
 // The rule (docs/motion.md) is o' = round(A o + b), d' = round(A d), round(y) = floor(y + 1/2), once for each
 // ray and instance. In the instance that a ray leaves, o' and d' are given. Solids decides in integers what
-// the ray meets in an instance. Instances are compared by t as exact fractions. Only this rule is shared with
-// the unit that transforms rays, and none of its formulas.
+// the ray meets in an instance. Instances are compared by t as exact fractions. It shares this rule with the
+// unit that transforms rays, but none of the unit's formulas.
 //
 // The search for instances is conservative. Let r be the largest row sum of magnitudes of the map's inverse.
 // If a ray meets a mesh at o' + s d', consider o + s d. It lies in the image of the mesh's bounds under the
 // inverse, except for r (1/2 + s/2) steps. Let D be the largest component of d. As o lies in the lattice, s
 // (D - r/2) is at most the farthest coordinate of that image plus the lattice's end plus r/2. So the image's
-// box, with a margin for that s, holds the ray at the very s at which it meets the mesh.
+// box, with a margin for that s, holds the ray at exactly the s at which it meets the mesh.
 //
 // The margins are computed for directions of at least `least`. A ray with a shorter direction tests every
 // instance. All rays test an instance whose map is too coarse for a margin, or that has planes. All of this

@@ -55,7 +55,7 @@ void DaeControllers::apply(const XmlElement& controller, const XmlElement& insta
                            int depth) {
     if (controller.name == "geometry") return void(pose.geometry = &controller);
     if (depth == most_controllers)
-        document_.refuse(controller, fmt::format("more than {} controllers one upon another", depth));
+        document_.refuse(controller, fmt::format("more than {} nested controllers", depth));
     const XmlElement *const skin = controller.find("skin"), *const morph = controller.find("morph"),
                             *const in = skin ? skin : morph;
     if (!in) return;

@@ -23,7 +23,7 @@ class DaeGeometries {
 public:
     DaeGeometries(DaeDocument& document, Assembly& assembly) : document_(document), assembly_(assembly) {}
 
-    /// Adds the parts of a <geometry> in a pose to the assembly. Cuts each <mesh> anew at each call. Returns
+    /// Adds the parts of a <geometry> in a pose to the assembly. Cuts each <mesh> again at each call. Returns
     /// no parts if it has no mesh.
     std::vector<DaePart> parts(const XmlElement& geometry, const DaePose& pose);
     std::uint64_t triangles() const { return triangles_; }

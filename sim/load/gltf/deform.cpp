@@ -214,7 +214,7 @@ void GltfDeformer::add_joints(const JsonValue& skin, Deforming& to) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::uint64_t node = list[i].whole(nodes);
         const std::optional<Where> where = where_of_(node);
-        if (!where) list[i].refuse(fmt::format("names nodes[{}], which does not stand in the scene", node));
+        if (!where) list[i].refuse(fmt::format("names nodes[{}], which is not in the scene", node));
         Joint joint{where->node, where->place, glm::dmat4(1)};
         for (int k = 0; k < 16 && !bind.empty(); ++k)   // column by column, as in glm
             joint.inverse_bind[k / 4][k % 4] = bind[16 * i + std::size_t(k)];

@@ -50,7 +50,7 @@ private:
 
     /// Reads one track for each morph target. The values of all targets at a key are adjacent in the file.
     void weights(const JsonValue& target, const JsonValue& sampler, std::uint64_t node, GltfTracks& own) {
-        if (!own.weights.empty()) target.refuse("is moved by a channel before this one as well");
+        if (!own.weights.empty()) target.refuse("is also moved by an earlier channel");
         const auto mesh = document_.at("nodes")[node].find("mesh");
         const std::size_t targets = mesh ? gltf_target_count(document_.at(
                                                "meshes")[mesh->whole(document_.at("meshes").array().size())])
@@ -81,7 +81,7 @@ private:
 
     template <class Value, class Read> void fill(const JsonValue& target, const JsonValue& sampler,
                                                  Track<Value>& track, std::uint64_t width, const Read& read) {
-        if (!track.empty()) target.refuse("is moved by a channel before this one as well");
+        if (!track.empty()) target.refuse("is also moved by an earlier channel");
         track.between = between_of(sampler);
         track.times = times_of(sampler);
         const std::uint64_t accessor = number_of(sampler, "output");
@@ -188,7 +188,7 @@ std::vector<glm::dmat4> gltf_places(const JsonValue& attributes, GltfBuffers& bu
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks) {
     MotionNode node{.name = in.where(), .matrix = matrix};
     if (!tracks) return node;
-    if (in.find("matrix")) in.refuse("has a matrix, and an animation moves its parts");
+    if (in.find("matrix")) in.refuse("has a matrix, but an animation needs translation, rotation and scale");
     node.is_parts = true;
     if (const auto move = in.find("translation")) node.translate = move->triple();
     if (const auto scale = in.find("scale")) node.scale = scale->triple();

@@ -308,8 +308,8 @@ private:
 
     void visit(std::uint64_t index, int depth, const Where& above) {
         const JsonValue in = in_.at("nodes")[index];
-        if (visited_[index]) in.refuse("is met twice in the tree of nodes");
-        if (depth > max_depth) in.refuse(fmt::format("lies deeper than {} nodes", max_depth));
+        if (visited_[index]) in.refuse("appears twice in the tree of nodes");
+        if (depth > max_depth) in.refuse(fmt::format("is nested deeper than {} nodes", max_depth));
         visited_[index] = true;
         const Where where = where_of(in, index, above);
         wheres_[index] = where;

@@ -1,6 +1,6 @@
-// Files of other programs (FBX, X3D, LWO, Blender and some forty more), read by Assimp. The converter of
-// Debian's package assimp-utils turns them into glTF in a process of its own. So its crashes, time and memory
-// cannot harm this program. Formats that this program reads itself do not go to Assimp:
+// Files of other programs (FBX, X3D, LWO, Blender and about forty more formats), read by Assimp. The
+// converter of Debian's package assimp-utils turns them into glTF in a separate process. So its crashes, time
+// and memory cannot harm this program. Formats that this program reads itself do not go to Assimp:
 // docs/decisions/input-files.md has the figures.
 #pragma once
 #include <cstdint>

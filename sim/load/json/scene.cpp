@@ -173,9 +173,8 @@ private:
             const std::uint64_t one = primitive_count(part), copies = copies_of(list[i]);
             const bool is_placed = list[i].find("instances") || list[i].find("keyframes");
             if (!is_placed && one > max_triangles - std::min(copied, max_triangles))
-                list[i].refuse(
-                    fmt::format("brings the scene above {} triangles that are copied; 'instances' are not",
-                                max_triangles));
+                list[i].refuse(fmt::format(
+                    "brings the scene above {} copied triangles; 'instances' are not copied", max_triangles));
             if (one > 0 && copies > (no_primitive - 1 - placed_triangles_) / one)
                 list[i].refuse(fmt::format("brings the scene above {} placed triangles", no_primitive - 1));
             if (!is_placed) copied += one;
@@ -240,7 +239,7 @@ private:
 
     void check_spheres(const JsonValue& from, const PlacedScene& part, const glm::dmat4& transform) {
         if (!part.own.spheres.empty() && !keeps_spheres(transform))
-            from.refuse("stretches spheres, which can only be scaled alike in all directions");
+            from.refuse("stretches spheres, which need the same scale in all directions");
     }
 
     /// Copies the part's own primitives, and places the meshes that the part places.
@@ -260,7 +259,7 @@ private:
         const PlacedScene& part = *mesh.part;
         check_spheres(from, part, where.place);
         if (where.node && !(part.own.spheres.empty() && part.own.planes.empty()))
-            from.refuse("moves true spheres or planes, which stay where they are; triangles can move");
+            from.refuse("moves true spheres or planes; only triangles can move");
         if (!part.own.triangles.empty()) {
             if (!mesh.shared)
                 mesh.shared = add_mesh(from, {"", part.own.vertices, part.own.normals, part.own.triangles},
@@ -310,7 +309,7 @@ private:
     void instance(const JsonValue& from, std::uint32_t mesh, const Where& where,
                   std::optional<std::uint32_t> material) {
         if (is_singular(where.place))
-            from.refuse("flattens its mesh, or blows it up, with what it is placed in");
+            from.refuse("flattens its mesh, or scales it too far, together with the places around it");
         // A scene with too many triangles stays folded: its instances are not expanded.
         const bool is_folded = placed_triangles_ > most_unfolded;
         make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
@@ -345,7 +344,7 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     if (error) from.refuse(shown(path.string()) + " cannot be found: " + error.message());
     if (std::find(open_.begin(), open_.end(), real) != open_.end())
         from.refuse(fmt::format("makes {} contain itself", shown(path.string())));
-    if (open_.size() > 50) from.refuse("lies deeper than 50 files");
+    if (open_.size() > 50) from.refuse("is nested deeper than 50 files");
     Part& part = known_[real.string()];
     if (part) return part;
     if (extension(path) == "json")

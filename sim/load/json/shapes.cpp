@@ -49,8 +49,8 @@ private:
         const auto differ = [&](std::size_t own, std::size_t there, const char* what) {
             if (own != there)
                 key.refuse(
-                    fmt::format("names {}, which has {} {}, and {} has {}; shapes of one mesh differ in "
-                                "nothing but where their vertices are",
+                    fmt::format("names {}, which has {} {}, and {} has {}; shapes of one mesh may "
+                                "differ only in the positions of their vertices",
                                 shown(name), own, what, shown(first_), there));
         };
         differ(shape.positions.size(), first.positions.size(), "vertices");

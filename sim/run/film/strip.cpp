@@ -51,7 +51,7 @@ std::string make_film(StagedFiles& staged, const std::string& folder, std::size_
         outdated.emplace_back("film.png");   // the old film shows other frames
         staged.publish(outdated);
         return fmt::format(
-            "no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
+            "no film: the program {} is not installed (Debian's package {}); the frames are in {}",
             film_program, film_program, printable(folder));
     }
     // A delay is a fraction of two 16-bit numbers.
@@ -63,7 +63,7 @@ std::string make_film(StagedFiles& staged, const std::string& folder, std::size_
         film_fault(read_if_there(staged.stage() / "film.png"), count, thousandths,
                    [&](std::size_t f) { return read_if_there(staged.stage() / frame_name(f)); });
     if (!fault.empty())
-        throw UserError(fmt::format("{}/film.png: {} made it wrongly (is the disk full?): read back, {}",
+        throw UserError(fmt::format("{}/film.png: {} wrote it incorrectly (is the disk full?): read back, {}",
                                     printable(folder), film_program, fault));
     staged.publish(outdated);
     return fmt::format("film of {} frames, made by {}: {}/film.png", count, film_program, printable(folder));

@@ -40,8 +40,7 @@ Span span_of(const std::string& typed) {
     if (!span.has_end) return span;
     span.end = seconds_of(typed.substr(colon + 1), typed);
     if (!(span.end > span.begin))
-        throw UserError(
-            fmt::format("--time: {} ends before it has begun, or has the length 0", shown(typed)));
+        throw UserError(fmt::format("--time: {} ends before it begins, or has the length 0", shown(typed)));
     return span;
 }
 

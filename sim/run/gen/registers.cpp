@@ -39,7 +39,7 @@ private:
 const std::vector<HostRegister>& host_registers() {
     static const std::vector<HostRegister> all{
         {0, "Magic", "magic", Access::read, "`RCLK` in ASCII, 0x52434c4b"},
-        {1, "Version", "version", Access::read, "of these registers: 1"},
+        {1, "Version", "version", Access::read, "version of these registers: 1"},
         {2, "Status", "status", Access::read,
          "bit 0: busy, a frame or the preparation of one is under way; bit 1: done, a frame has ended and no "
          "other was started"},
@@ -49,7 +49,8 @@ const std::vector<HostRegister>& host_registers() {
         {5, "Left", "left", Access::read, "pixels of the frame that have not come out yet"},
         {6, "Cycles", "cycles", Access::read,
          "cycles counted since the frame's start, bits 31..0; reading it keeps the upper word"},
-        {7, nullptr, "cycles_high", Access::read, "their bits 39..32, as they were then"}};
+        {7, nullptr, "cycles_high", Access::read,
+         "bits 39..32 of `cycles`, at the time of the last read of `cycles`"}};
     return all;
 }
 

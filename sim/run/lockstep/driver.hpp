@@ -1,6 +1,7 @@
 #pragma once
 // Finding the unit that drives a value on a link. Usually this is the unit at the link's beginning. Some
-// units forward their input in the same cycle. If the input was wrong, the previous unit is to blame.
+// units forward their input in the same cycle. If the input was wrong, the previous unit caused the
+// difference.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -10,7 +11,7 @@
 namespace rayclock {
 
 /// A ray's end goes from the engine (rc_pipeline's `done`) through list to sched (`pixel`) in one cycle. This
-/// is whether the RTL has the right value at both ports.
+/// tells whether the RTL has the right value at both ports.
 struct RayEnd {
     bool done_is_right = true, pixel_is_right = true;
 };

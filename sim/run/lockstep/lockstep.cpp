@@ -335,7 +335,7 @@ private:
         }
         if (watched_)
             result_.first->later =
-                fmt::format("{} makes none there any more", watched_->by_rtl ? "the model" : "the RTL");
+                fmt::format("{} makes no further transfer there", watched_->by_rtl ? "the model" : "the RTL");
     }
 
     void step_model() {

@@ -1,5 +1,5 @@
 #pragma once
-// Checks the end of a ray at the inner ports of the RTL, so that a wrong hit is blamed on the right unit.
+// Checks the end of a ray at the inner ports of the RTL, so that a wrong hit is attributed to the right unit.
 #include <algorithm>
 #include <cstring>
 #include <string>

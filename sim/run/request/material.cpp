@@ -72,7 +72,8 @@ void give_material(Scene& scene, const std::string& typed) {
         material = material_of(JsonValue(keys, option), made);
     }
     if (!may_give_material(scene))
-        throw UserError(std::string(option) + " is for what has no material of its own, and everything in " +
+        throw UserError(std::string(option) +
+                        " applies to surfaces without a material, and every surface of " +
                         printable(scene.name) + " has one");
 }
 

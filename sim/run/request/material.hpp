@@ -8,11 +8,11 @@ namespace rayclock {
 
 /// Applies `--material` to the scene. `typed` is the name of a material of the built-in scene `spheres`, or
 /// key=value pairs, or a name and pairs. Pairs have the keys of the JSON format and commas between them; a
-/// colour is 1:0.5:0. It replaces the material of everything that has none of its own in its file. Throws
-/// UserError if `typed` is wrong, or if everything has a material of its own.
+/// colour is 1:0.5:0. It sets the material of all surfaces without one in their file. Throws UserError if
+/// `typed` is wrong, or if every surface has a material.
 void give_material(Scene& scene, const std::string& typed);
 
-/// Returns true if something has no material of its own.
+/// Returns true if some surface has no material.
 bool may_give_material(const Scene& scene);
 
 /// Returns false if no ray can leave a primitive: no material reflects or transmits.

@@ -38,7 +38,7 @@ void forget_rtl(const RtlBuild& build);
 /// is clean. Much faster than a build. Throws UserError if Verilator is missing.
 std::string lint_rtl(const Config& config, const std::string& module = "rc_chip");
 
-/// The progress of a build, for people who wait for it.
+/// The progress of a build, for display.
 struct BuildStep {
     std::string what;             ///< "the RTL of 'default'"
     std::string stage;            ///< the tool that works on it; empty: the build has ended

@@ -1,5 +1,5 @@
 #pragma once
-// Compiling Verilog into a shared library, in a folder of its own.
+// Compiling Verilog into a shared library, in a separate folder.
 #include <filesystem>
 #include <functional>
 #include <optional>

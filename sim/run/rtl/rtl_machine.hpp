@@ -15,15 +15,15 @@
 
 namespace rayclock {
 
-/// rtl/rc_chip.sv under Verilator, with the same memory and sinks as the model's Machine. It is driven as a
-/// host drives it: by its registers. The memory's time stands still during bus accesses.
+/// rtl/rc_chip.sv under Verilator, with the same memory and sinks as the model's Machine. It is driven
+/// through its registers, as by a host. The memory's time does not advance during bus accesses.
 class RtlMachine {
 public:
     RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1,
                Waves waves = Waves::no);
 
     /// Calls `see` in every cycle of a bus access, and of the start of a frame, when its transfers are known.
-    /// The chip may make transfers then, although memory's time stands still.
+    /// The chip may make transfers then, although the memory's time does not advance.
     void watch(std::function<void()> see) { see_ = std::move(see); }
 
     /// Starts a new frame; the caches keep their contents.

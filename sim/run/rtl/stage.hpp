@@ -1,5 +1,5 @@
 #pragma once
-// The common steps of all builds in a folder of their own: copy the sources, run the tools, and remove
+// The common steps of all builds, each in a separate folder: copy the sources, run the tools, and remove
 // everything except the result.
 #include <filesystem>
 #include <functional>

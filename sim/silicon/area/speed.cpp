@@ -21,7 +21,7 @@ template <class Work> void best_of(double& best, Work work) {
     const double seconds = watch.seconds();
     if (best == 0 || seconds < best) best = seconds;
     if (interrupted())
-        throw Interrupted("interrupted: no page was written; the same command goes on where it was");
+        throw Interrupted("interrupted: no page was written; the same command continues where it stopped");
 }
 
 void run_once(const Job& job, Speed& speed) {

@@ -1,8 +1,8 @@
 #pragma once
 // Improves the sites of multipliers and block memories in a placement. These sites lie in a few rows of a
-// device. A placer spreads the cells over them before it knows the positions of the surrounding logic. In a
-// full chip a cell can end a hundred tiles from everything that it is wired to. This step gives each cell a
-// better one of the sites in use. A second placement that starts from these sites has shorter wires.
+// device. A placer spreads the cells over them before the surrounding logic has positions. In a full chip a
+// cell can end a hundred tiles from everything that it is wired to. This step gives each cell a better one of
+// the sites in use. A second placement that starts from these sites has shorter wires.
 #include <filesystem>
 #include <map>
 #include <string>

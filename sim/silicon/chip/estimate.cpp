@@ -49,7 +49,7 @@ Estimate estimate(const Request& request, jobs::Cache& cache, const Progress& pr
     if (!missing.empty())
         throw UserError(
             fmt::format("--fast: {} of '{}' {} not routed on {} with these seeds; the same command with "
-                        "--unit {} instead of --fast does it",
+                        "--unit {} instead of --fast routes them",
                         fmt::join(missing, ", "), printable(request.config.name),
                         missing.size() > 1 ? "were" : "was", request.device.name, fmt::join(missing, ",")));
     Request whole = request;
@@ -71,7 +71,8 @@ std::string text(const Estimate& e, const Request& request) {
     add(request.device.name + " has", request.device.has);
     text += table.text() +
             fmt::format("\n  estimated: {:.1f} MHz, the clock of {} alone\n", e.fmax_mhz, e.slowest);
-    if (!e.routed) return text + "  the chip itself was not routed; without --fast it is\n";
+    if (!e.routed)
+        return text + "  the chip itself was not routed; the same command without --fast routes it\n";
     const Use routed = total_of(e.routed->best().units);
     return text +
            fmt::format(

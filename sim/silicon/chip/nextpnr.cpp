@@ -63,9 +63,8 @@ Nextpnr look() {
     else if (release_of(found.version) < least)
         found.problem = fmt::format("nextpnr-ecp5 {} is too old, 0.11 is needed; {}", found.version, cure);
     else if (found.version != tried)
-        found.remark =
-            fmt::format("nextpnr-ecp5 {} was not tried with rayclock, only {}; it is used all the same",
-                        found.version, tried);
+        found.remark = fmt::format("nextpnr-ecp5 {} was not tried with rayclock, only {}; it is used anyway",
+                                   found.version, tried);
     return found;
 }
 
@@ -130,8 +129,9 @@ std::string RouteStep::stuck() const {
         return fmt::format("{} rounds of the placer static left {:.1f} % of cells of one kind on others",
                            rounds, double(least_left) / 10);
     if (tool == "router1")
-        return fmt::format("{},000 steps of router1 left no fewer than {} wires", rounds, least_left);
-    return fmt::format("{} rounds of router2 brought no better than {} wires that are used twice", rounds,
+        return fmt::format("after {},000 more steps of router1 at least {} wires are still not routed",
+                           rounds, least_left);
+    return fmt::format("after {} more rounds of router2 at least {} wires are still used twice", rounds,
                        least_left);
 }
 

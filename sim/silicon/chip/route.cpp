@@ -60,7 +60,7 @@ double fmax_of(const std::string& report) {
     if (report.empty()) throw UserError(name + " is not whole; is the disk full?");
     const Json document = parse_json(name, report);
     const JsonValue clocks = JsonValue(document, name).at("fmax").object();
-    if (clocks.size() != 1) clocks.expected("the one clock that there is");
+    if (clocks.size() != 1) clocks.expected("an object with one clock");
     double mhz = 0;
     for_each(clocks, [&](const std::string&, const JsonValue& clock) {
         mhz = clock.at("achieved").number();

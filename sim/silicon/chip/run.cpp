@@ -32,7 +32,7 @@ using nlohmann::ordered_json;
 namespace {
 
 [[noreturn]] void stopped() {
-    throw Interrupted("interrupted: finished steps are kept, and the same command goes on after them");
+    throw Interrupted("interrupted: finished steps are kept, and the same command continues after them");
 }
 
 /// Runs Yosys in a temporary folder.
@@ -79,7 +79,7 @@ public:
         }
         if (result.fits() && result.routes.empty())
             result.misfit = fmt::format(
-                "'{}' cannot be routed on {}: {}; another seed may do, another placer, or more placements",
+                "'{}' cannot be routed on {}: {}; another seed, another placer or more placements may help",
                 printable(request_.config.name), request_.device.name, stuck_);
         return result;
     }

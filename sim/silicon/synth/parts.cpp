@@ -56,7 +56,7 @@ public:
     explicit Modules(const JsonValue& modules) : modules_(modules) {}
 
     Part part(const std::string& type) {
-        if (visits_++ > most_visits || depth_ > most_depth) modules_.refuse("stand in each other too often");
+        if (visits_++ > most_visits || depth_ > most_depth) modules_.refuse("are nested too deeply");
         ++depth_;
         Part made{module_name(type), 1, {}, {}}, beneath;
         for_each(modules_.at(type).at("num_cells_by_type"),

@@ -242,8 +242,8 @@ as boxes.)"},
 bound, trav, so the frames follow the visits. The structures differ in tests, but tri is idle about
 half of the time or more, so tests do not limit the frame.)"},
     {"tree:8",
-     R"(Why: the scene is a large empty ground with a dense crown of thin twigs. Most rays meet the ground at
-once, after few visits. The few rays through the crown make most of the tests, because twigs that lie askew
+     R"(Why: the scene is a large empty ground with a dense crown of thin twigs. Most rays meet the ground
+after few visits. The few rays through the crown make most of the tests, because twigs that lie askew
 fill little of their boxes, and tri is the bound. Spatial splits save some of these tests. Planes cut twigs
 into pieces. The compiler takes back cuts that are not worth a visit, but kd still makes more tests and more
 visits than boxes. In the middle of the crown the octree cannot separate twigs that grow from one point. The

@@ -8,8 +8,8 @@
 
 namespace rayclock {
 
-/// A link in a cycle, on both machines. The model's payload is there when it moves, the RTL's when it is
-/// offered.
+/// A link in a cycle, on both machines. The model's payload is known when the transfer happens, the RTL's
+/// when it is offered.
 struct LinkCycle {
     bool model_valid = false, model_fires = false, rtl_valid = false, rtl_fires = false;
     Words model, rtl;
@@ -19,20 +19,20 @@ struct LinkCycle {
 /// The last cycles before a divergence, and a few after it.
 struct Capture {
     struct Where {
-        int pipeline;   ///< of what all share: 0
+        int pipeline;   ///< 0 for links that all pipelines share
         Link link;
     };
     std::vector<Where> links;
-    std::uint64_t first = 0;                      ///< cycle of the machine
+    std::uint64_t first = 0;                      ///< machine cycle
     std::vector<std::vector<LinkCycle>> cycles;   ///< [cycle - first][link]
-    std::optional<std::uint64_t> differs_at;      ///< the first cycle of these in which a link differs
+    std::optional<std::uint64_t> differs_at;      ///< the first of these cycles in which a link differs
 };
 
 constexpr std::uint64_t cycles_before = 1000, cycles_after = 20;
 
-/// Runs both machines again from reset up to the divergence. The RTL is one that writes its signals, and
-/// begins to do so `cycles_before` cycles before it, to `wave_path`: a cycle takes 10 units of time, and its
-/// signals are settled from the 5th on. Partial if interrupted().
+/// Runs both machines again from reset until shortly after the divergence. The RTL is a library that writes
+/// its signals to `wave_path`, beginning `cycles_before` cycles before the divergence. A cycle takes 10 units
+/// of time, and its signals are settled from the 5th on. The result is partial if interrupted().
 Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
                 std::uint64_t divergence, const std::string& wave_path, const Progress& progress);
 

@@ -1,8 +1,8 @@
 #pragma once
-// From the value that differs back through the RTL, to where it is made. A value that is only passed on is in
-// one of the signals that a statement reads, in the same cycle, or before a register in the cycle before: so
-// the waveform says which way it came. The way ends at a statement that none of whose signals holds the
-// value.
+// Follows a differing value back through the RTL to the statement that computes it. If a statement only
+// passes the value on, one of the signals that it reads holds the value: in the same cycle, or before a
+// register in the previous cycle. So the waveform shows the path of the value. The path ends at a statement
+// that reads no signal with this value.
 #include <string>
 #include <vector>
 
@@ -13,15 +13,16 @@
 namespace rayclock {
 
 struct ConeStep {
-    SourceLine source;                ///< that gives the signal its value
-    std::vector<SourceLine> others;   ///< of other branches of `if`, which may be the one that was built
-    std::string signal;               ///< from the unit's instance: "u_hitdiv.u_o"
-    std::uint64_t cycle = 0;          ///< of the machine, in which it holds the value
+    SourceLine source;                ///< the statement that drives the signal
+    std::vector<SourceLine> others;   ///< the same in other branches of `if`, one of which may be the one
+                                      ///< that was built
+    std::string signal;               ///< path from the unit's instance: "u_hitdiv.u_o"
+    std::uint64_t cycle = 0;          ///< machine cycle in which it holds the value
     bool is_register = false;
 };
 
-/// From the unit's output on; empty if the divergence is on no link, or its unit's output is not among the
-/// signals. `sources`: of the RTL that wrote the waveform.
+/// Returns the path from the unit's output on. It is empty if the divergence is not on a link, or if its
+/// unit's output is not among the signals. `sources`: the sources of the RTL that wrote the waveform.
 std::vector<ConeStep> cone_of(const Divergence& divergence, const Config& config, const Capture& capture,
                               const std::string& rtl_wave, const std::vector<RtlText>& sources = rtl_texts());
 

@@ -1,5 +1,5 @@
 #pragma once
-// The first divergence of model and RTL, to be looked at: a waveform, a save file for GTKWave, and a page.
+// Shows the first divergence of model and RTL: a waveform, a save file for GTKWave, and a page.
 #include <string>
 
 #include "sim/view/divergence/capture.hpp"
@@ -20,16 +20,16 @@ struct Diverged {
 
 struct DivergenceFiles {
     std::string wave, view, page;   ///< paths
-    std::string note;               ///< a sentence if the second run was not like the first; otherwise empty
+    std::string note;               ///< a sentence if the second run differs from the first; otherwise empty
 };
 
-/// Both machines run again from reset, the RTL with its signals written for the last cycles before the
-/// divergence. Writes divergence.fst and divergence.gtkw into a folder, which is made, and the page when more
-/// is known. Throws UserError if they cannot be written, Interrupted after Ctrl-C.
+/// Runs both machines again from reset; the RTL writes its signals for the last cycles before the divergence.
+/// Writes divergence.fst and divergence.gtkw into a folder, which it creates. page() writes the page later.
+/// Throws UserError if a file cannot be written, and Interrupted after Ctrl-C.
 class DivergenceShow {
 public:
     DivergenceShow(const Diverged& diverged, const std::string& folder, const Progress& progress = {});
-    /// Writes divergence.html, with what has become known of the divergence.
+    /// Writes divergence.html. `diverged` may contain more about the divergence than at construction.
     DivergenceFiles page(const Diverged& diverged);
 
 private:
@@ -39,7 +39,7 @@ private:
     DivergenceFiles files_;
 };
 
-/// Fails early (UserError) if they could not be written.
+/// Throws UserError if the files could not be written later, so that a command can fail early.
 void check_divergence_folder(const std::string& folder);
 
 }   // namespace rayclock

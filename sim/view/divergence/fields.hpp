@@ -1,5 +1,5 @@
 #pragma once
-// Fields of the payloads of links, as names and places of their bits.
+// The fields of links' payloads: names, and positions of their bits.
 #include <string>
 #include <vector>
 
@@ -8,14 +8,14 @@
 namespace rayclock {
 
 struct PayloadField {
-    std::string name;   ///< elements of an array one by one: "len_0"
+    std::string name;   ///< an array has a field for each element: "len_0"
     int at = 0, width = 0;
     bool is_signed = false;
 };
-/// From the top down.
+/// Returns the fields from the highest bits to the lowest.
 std::vector<PayloadField> payload_fields(Link link, const Config& config);
 
-/// A number of up to 64 bits in decimal, a longer one in hexadecimal.
+/// Returns a field's value: a number of up to 64 bits in decimal, a longer one in hexadecimal.
 std::string field_text(const PayloadField& field, const Words& payload);
 
 }   // namespace rayclock

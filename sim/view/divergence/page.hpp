@@ -8,11 +8,11 @@
 
 namespace rayclock {
 
-/// What differs, in a sentence: whether it came later, with another payload, or never.
+/// Returns a sentence about the difference: the transfer came later, with another payload, or never.
 std::string verdict_of(const Divergence& divergence);
 
-/// The page: what differs and when, the link cycle by cycle on both machines, what its ray did until then,
-/// and the line of the source that drives it.
+/// Returns the page: the difference and its cycle, the link cycle by cycle on both machines, the ray's path
+/// until then, and the source line that drives the link.
 std::string divergence_page(const Diverged& diverged, const Capture& capture, const SourceLine& source,
                             const DivergenceFiles& files, const std::string& rtl_wave);
 

@@ -1,20 +1,20 @@
 #pragma once
-// The Verilog sources, read just well enough to say what gives a signal its value. For the style of this
-// project's RTL: one module in a file, instances called u_..., generate blocks called gen_...
+// Reads Verilog sources just well enough to find the driver of a signal. Expects the style of this project's
+// RTL: one module in a file, instances called u_..., generate blocks called gen_...
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace rayclock {
 
-/// A statement, or a port of an instance, that gives signals a value.
+/// A statement, or a port of an instance, that drives signals.
 struct SignalDriver {
     enum class Construct { combinational, registered, instance };
     Construct construct{};
     std::size_t line = 0;                 ///< from 1
     std::vector<std::string> targets;     ///< names that it drives
-    std::vector<std::string> sources;     ///< names in what it gives them
-    std::string instance, module, port;   ///< of Construct::instance: "u_hitdiv", "rc_hitdiv", "v_o"
+    std::vector<std::string> sources;     ///< names of the signals that it reads
+    std::string instance, module, port;   ///< for Construct::instance: "u_hitdiv", "rc_hitdiv", "v_o"
 };
 
 /// A connection of an instance's input.
@@ -26,12 +26,12 @@ struct InputConnection {
 
 struct ModuleText {
     std::string file, name;           ///< "unit/isect/rc_tri.sv", "rc_tri"
-    std::vector<std::string> lines;   ///< as they stand
+    std::vector<std::string> lines;   ///< unchanged
     std::vector<SignalDriver> drivers;
     std::vector<InputConnection> inputs;
 };
 
-/// The module of a source; an empty name if it has none.
+/// Returns the module of a source; its name is empty if there is none.
 ModuleText read_module(const std::string& file, const std::string& text);
 
 }   // namespace rayclock

@@ -9,15 +9,15 @@ namespace rayclock {
 
 /// A line of the Verilog sources.
 struct SourceLine {
-    std::string file;   ///< from the folder of the sources: "unit/isect/rc_tri.sv"
+    std::string file;   ///< path in the folder of the sources: "unit/isect/rc_tri.sv"
     std::size_t line = 0;
     std::string text;
 };
-/// What differs at the unit's end of a divergence's link, under the names that its port may have.
+/// Returns the possible names of the differing signal at the unit's end of a divergence's link.
 std::vector<std::string> output_names(const Divergence& divergence, const Config& config);
 
-/// Where the unit of a divergence drives what differs: the payload, the offer, or its acceptance. If no line
-/// does, the line that begins its module; an empty file if there is no module of that name.
+/// Returns the line where the unit of a divergence drives the differing signal: payload, valid or ready. If
+/// no line drives it, returns the first line of its module. The file is empty if there is no such module.
 SourceLine source_of(const Divergence& divergence, const Config& config);
 
 }   // namespace rayclock

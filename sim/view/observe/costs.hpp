@@ -11,8 +11,8 @@
 
 namespace rayclock {
 
-/// The place of a context: a unit, or the memory, on whose data the context waits. The memory is a place of
-/// its own, separate from the cache that requested the data.
+/// The place of a context: a unit, or the memory, on whose data the context waits. The memory is a separate
+/// place, distinct from the cache that requested the data.
 constexpr std::size_t memory_place = pipeline_units;
 constexpr std::size_t ray_places = pipeline_units + 1;
 const char* place_name(std::size_t place);
