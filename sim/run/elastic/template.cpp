@@ -72,7 +72,7 @@ std::string wrapper_text(const std::string& unit, const Ports& ports) {
     std::string connections;
     for (const std::string& port : ports.names) connections += (connections.empty() ? "." : ", .") + port;
     return fmt::format(
-        "// A unit {0} of your own. It contains the project's unit, unchanged. Add logic between "
+        "// Your unit {0}. It contains the project's unit, unchanged. Add logic between "
         "the ports\n// and the instance.\n`default_nettype none\nmodule rc_{0} (\n{1});\n"
         "  rc_{0}_own u_own ({2});\nendmodule\n`default_nettype wire\n",
         unit, ports.text, connections);
@@ -112,7 +112,7 @@ std::string readme(const std::string& unit, const Ports& ports, const Config& co
                    const std::string& options) {
     return fmt::format(R"(# The unit {0}
 
-These files are the start of a unit `{0}` of your own, for the chip `{6}`.
+These files are the start of your unit `{0}`, for the chip `{6}`.
 
 - `rc_{0}.sv` is a copy of the project's module. Rewrite it.
 - `wrapped_{0}.sv` is a module with the same ports that contains the project's module under the name
@@ -167,7 +167,7 @@ std::vector<TemplateFile> unit_template(const std::string& unit, const Config& c
         throw UserError(
             fmt::format("no unit is called {}; this chip has {}", shown(unit), unit_names(config)));
     if (*found == Unit::memory || *found == Unit::memport)
-        throw UserError(fmt::format("the unit {} is no module of its own, so it has no template", unit));
+        throw UserError(fmt::format("the unit {} is not a separate module, so it has no template", unit));
     if (!is_there(*found, config))
         throw UserError(fmt::format("the chip '{}' has no unit {}", printable(config.name), unit));
     const std::string source = module_text(unit);

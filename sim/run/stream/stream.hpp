@@ -33,7 +33,7 @@ StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& co
 /// The configuration with exactly the parameters that a stream of rays needs.
 Config streaming(Config config);
 
-/// The answer to a ray. t, u and v are NaN unless it asks for the closest hit and has one.
+/// The answer to a ray. t, u and v are NaN unless it requests the closest hit and has one.
 struct StreamHit {
     bool hit = false, back = false;
     std::uint32_t primitive = no_primitive;   ///< no_primitive without a hit, or if the ray requests any hit
