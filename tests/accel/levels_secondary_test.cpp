@@ -20,7 +20,10 @@
 #include "tests/accel/aim.hpp"
 #include "tests/accel/solids.hpp"
 
+namespace rayclock::test::levels_secondary_test {
+
 using namespace rayclock;
+using rayclock::Draw;   // not the one of the support
 using oracle::Sight;
 
 namespace {
@@ -337,3 +340,5 @@ TEST_CASE(
     CHECK(most > 20);
     CHECK(most <= map.off);
 }
+
+}   // namespace rayclock::test::levels_secondary_test

@@ -8,6 +8,8 @@
 #include "tests/system/elastic/faulty.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::elastic_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using Catch::Contains;
@@ -284,3 +286,5 @@ TEST_CASE("wrong, lost and repeated transfers of a chip that shades are named", 
     };
     for (const Case& c : cases) check_noticed(c, job);
 }
+
+}   // namespace rayclock::test::elastic_test
