@@ -23,8 +23,8 @@
 namespace rayclock::test::levels_secondary_test {
 
 using namespace rayclock;
-using rayclock::Draw;   // not the one of the support
 using oracle::Sight;
+using rayclock::Draw;   // not the one of the support
 
 namespace {
 
