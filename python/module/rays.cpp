@@ -27,9 +27,9 @@ void check(const char* name, int value, int most) {
 }
 
 /// Returns the bytes of the .npy file that `rayclock rays` writes.
-py::array made(const PyScene& scene, const PyConfig& config, int width, int height, const std::string& kind,
-               const std::string& order, int bounce, int samples, std::optional<double> radius,
-               std::uint64_t seed, const ViewChoice& view, int threads) {
+py::array made_rays(const PyScene& scene, const PyConfig& config, int width, int height,
+                    const std::string& kind, const std::string& order, int bounce, int samples,
+                    std::optional<double> radius, std::uint64_t seed, const ViewChoice& view, int threads) {
     RayStreamPlan plan;
     plan.kind = RayStreamKind(chosen("kind", kind, {"camera", "shadow", "mirror", "ao", "diffuse"}));
     plan.order = RayOrder(chosen("order", order, {"recorded", "morton", "random"}));
@@ -53,6 +53,6 @@ py::array made(const PyScene& scene, const PyConfig& config, int width, int heig
 
 }   // namespace
 
-void bind_rays(py::module_& module) { module.def("make_rays", &made); }
+void bind_rays(py::module_& module) { module.def("make_rays", &made_rays); }
 
 }   // namespace rayclock::python

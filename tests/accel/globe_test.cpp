@@ -11,6 +11,8 @@
 #include "sim/load/load.hpp"
 #include "tests/support/cases/draw.hpp"
 
+namespace rayclock::test::globe_test {
+
 using namespace rayclock;
 using test::Draw;
 
@@ -166,3 +168,5 @@ TEST_CASE("a damaged image of globes is noticed", "[globe]") {
     CHECK(changed([](GlobeNode& node, MemoryImage&) { node.kind[0] = 0; }) > 0);
     CHECK(changed([](GlobeNode&, MemoryImage& image) { ++image.report.nodes; }) > 0);
 }
+
+}   // namespace rayclock::test::globe_test

@@ -20,8 +20,11 @@
 #include "tests/accel/aim.hpp"
 #include "tests/accel/solids.hpp"
 
+namespace rayclock::test::levels_secondary_test {
+
 using namespace rayclock;
 using oracle::Sight;
+using rayclock::Draw;   // not the one of the support
 
 namespace {
 
@@ -337,3 +340,5 @@ TEST_CASE(
     CHECK(most > 20);
     CHECK(most <= map.off);
 }
+
+}   // namespace rayclock::test::levels_secondary_test

@@ -15,7 +15,10 @@
 #include "tests/support/levels/walk.hpp"
 #include "tests/accel/solids.hpp"
 
+namespace rayclock::test::levels_test {
+
 using namespace rayclock;
+using rayclock::Draw;   // not the one of the support
 
 namespace {
 
@@ -261,3 +264,5 @@ TEST_CASE("instances of one size share a lower structure, however they are turne
     }
     CHECK(compile_levels(scene, {9, 7, 8}, config).maps.classes.size() == 2);
 }
+
+}   // namespace rayclock::test::levels_test

@@ -8,6 +8,8 @@
 #include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
+namespace rayclock::test::splits_test {
+
 using namespace rayclock;
 
 namespace {
@@ -157,3 +159,5 @@ TEST_CASE("spatial splits come to an end with triangles that are all the same, a
 TEST_CASE("planes without end are not cut by spatial splits", "[splits]") {
     check_held(test::prims_of("plane", {}, Primitives::native), split());
 }
+
+}   // namespace rayclock::test::splits_test

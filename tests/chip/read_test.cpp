@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path real = fs::path(RAYCLOCK_SOURCE_DIR) / "tests/chip/real";
+const fs::path real = "tests/chip/real";
 
 Route real_route() { return read_route(real, "dispatch", 1); }
 

@@ -1,16 +1,33 @@
-# cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] -P read.cmake
-# Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is generated.
+# cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] [-DUNITS=file] -P read.cmake
+# Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is generated. UNITS lists
+# sources to read in their place, which are or include them all.
 file(GLOB_RECURSE files ${SOURCE}/${FOLDER}/*.cpp)
 list(LENGTH files count)
 if(count LESS 2)
   message(FATAL_ERROR "no sources below ${FOLDER}")
+endif()
+if(UNITS)
+  file(STRINGS ${UNITS} units)
+  set(text "${units}")
+  foreach(unit IN LISTS units)
+    file(STRINGS ${unit} included REGEX "^#include \"")
+    string(APPEND text "${included}")
+  endforeach()
+  foreach(file IN LISTS files)
+    file(RELATIVE_PATH part ${SOURCE} ${file})
+    string(FIND "${text}" "${part}" there)
+    if(there EQUAL -1)
+      message(FATAL_ERROR "${part} is in no unit of ${UNITS}")
+    endif()
+  endforeach()
+  set(files "${units}")
 endif()
 string(REPLACE ";" "\n" list "${files}")
 string(RANDOM LENGTH 8 name)
 set(input ${CMAKE_CURRENT_BINARY_DIR}/clang_reads_${name})
 file(WRITE ${input} "${list}\n")
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-execute_process(COMMAND xargs -d "\\n" -n 4 -P ${cores} ${CLANG} -std=c++20 -I ${SOURCE} -fsyntax-only
+execute_process(COMMAND xargs -d "\\n" -n 1 -P ${cores} ${CLANG} -std=c++20 -I ${SOURCE} -fsyntax-only
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wno-bitwise-instead-of-logical ${STRICT}
   INPUT_FILE ${input} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(REMOVE ${input})

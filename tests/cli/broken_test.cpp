@@ -17,7 +17,7 @@ namespace {
 std::string broken_rtl(const Folder& folder, const std::string& file, const std::string& old,
                        const std::string& fresh) {
     const std::string copy = folder.name("rtl");
-    fs::copy(RAYCLOCK_SOURCE_DIR "/rtl", copy, fs::copy_options::recursive);
+    fs::copy(source_folder() + "/rtl", copy, fs::copy_options::recursive);
     std::string text = bytes_of(copy + "/" + file);
     const std::size_t at = text.find(old);
     REQUIRE(at != std::string::npos);

@@ -16,8 +16,7 @@ namespace {
 std::string faulty_rtl(const Folder& folder, const std::string& file, const std::string& from,
                        const std::string& to) {
     const std::string copy = folder.name("rtl");
-    std::filesystem::copy(std::string(RAYCLOCK_SOURCE_DIR) + "/rtl", copy,
-                          std::filesystem::copy_options::recursive);
+    std::filesystem::copy(source_folder() + "/rtl", copy, std::filesystem::copy_options::recursive);
     std::string text = bytes_of(copy + "/" + file);
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);

@@ -17,7 +17,7 @@ public:
 
     /// Replaces the script that it runs before it copies the files, and its version.
     void replace(const std::string& script, const std::string& version = "nextpnr-0.11.1") const {
-        const std::string real = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/chip/real";
+        const std::string real = source_folder() + "/tests/chip/real";
         folder_.write("nextpnr", "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake (Version " + version +
                                      ")' && exit\necho \"$@\" >> '" + calls() + "'\n" + script +
                                      " || exit 1\ncp '" + real + "'/report.json '" + real +

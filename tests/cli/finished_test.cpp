@@ -5,6 +5,8 @@
 
 #include "tests/cli/program.hpp"
 
+namespace rayclock::test::finished_test {
+
 using namespace rayclock::test;
 using nlohmann::json;
 
@@ -133,3 +135,5 @@ TEST_CASE("units that a scene does not need are not there") {
     CHECK(!simulate({"tetra:1"})["units"].contains("shade"));
     CHECK(simulate({"tetra:1", "--depth", "1"})["units"].contains("shade"));
 }
+
+}   // namespace rayclock::test::finished_test

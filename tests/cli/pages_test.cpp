@@ -5,6 +5,8 @@
 
 #include "tests/cli/browser.hpp"
 
+namespace rayclock::test::pages_test {
+
 using namespace rayclock::test;
 using nlohmann::json;
 
@@ -244,3 +246,5 @@ TEST_CASE("every page opens in under a second", "[slow]") {
         CHECK(best.whole < 1000);
     }
 }
+
+}   // namespace rayclock::test::pages_test

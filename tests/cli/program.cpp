@@ -94,6 +94,8 @@ std::string program_under_test() {
     return other ? other : RAYCLOCK_PROGRAM;
 }
 
+std::string source_folder() { return RAYCLOCK_SOURCE_DIR; }
+
 Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
     return run(program_under_test(), arguments, environment, {});
 }

@@ -16,6 +16,9 @@ struct Outcome {
     double peak_mb = 0;   ///< peak memory use
 };
 
+/// Returns the folder of the sources.
+std::string source_folder();
+
 /// Runs the program. `environment` has NAME=value, which override the test's own.
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::vector<std::string>& environment = {});

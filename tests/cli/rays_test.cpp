@@ -5,6 +5,8 @@
 
 #include "tests/cli/program.hpp"
 
+namespace rayclock::test::rays_test {
+
 using namespace rayclock::test;
 using nlohmann::json;
 
@@ -98,3 +100,5 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
           std::string::npos);
 }
+
+}   // namespace rayclock::test::rays_test

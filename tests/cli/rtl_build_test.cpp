@@ -180,9 +180,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
     environment[2] = "RAYCLOCK_RTL=" + tools.path("my 'odd' $x rtl");
     // The included files are next to the sources, and nothing names the tree from which the program was
     // built.
-    tools.replace("c++", FakeTools::compiler(
-                             "[ -f abi.hpp -o $out = support.o ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR
-                             "' . && echo built > \"$out\""));
+    tools.replace("c++", FakeTools::compiler("[ -f abi.hpp -o $out = support.o ] && ! /bin/grep -rq '" +
+                                             source_folder() + "' . && echo built > \"$out\""));
     const Outcome outcome = run_program({"rtl"}, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 0);
@@ -190,7 +189,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
         const std::string said = bytes_of(tools.path(file));
         INFO(said);
         CHECK(said.size() > 10);
-        for (const char* never : {"odd'", "$", "'", "\"", RAYCLOCK_SOURCE_DIR})
+        for (const std::string& never :
+             {std::string("odd'"), std::string("$"), std::string("'"), std::string("\""), source_folder()})
             CHECK_THAT(said, !Contains(never));
     }
     CHECK_THAT(bytes_of(tools.path("verilated")), Contains("rtl/a_part/rc_odd_name.sv"));

@@ -188,7 +188,7 @@ void check_merged(const SharedFolder& p, int parts) {
     REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
     CHECK(bytes_of(p.folder.name("merged.json")) == bytes_of(p.folder.name("whole.json")));
 }
-const std::string sbatch_file = std::string(RAYCLOCK_SOURCE_DIR) + "/docs/sweep.sbatch";
+const std::string sbatch_file = source_folder() + "/docs/sweep.sbatch";
 
 }   // namespace
 
@@ -218,7 +218,7 @@ TEST_CASE("Slurm runs the array on a node of its own", "[slow]") {
             return;
         }
     const SharedFolder p;
-    run_script(p, "bash '" RAYCLOCK_SOURCE_DIR "/tests/setup/slurm.sh' sbatch --wait --array=1-3 '" +
+    run_script(p, "bash '" + source_folder() + "/tests/setup/slurm.sh' sbatch --wait --array=1-3 '" +
                       sbatch_file + "' 3" + grid_words());
     check_merged(p, 3);
 }

@@ -5,6 +5,8 @@
 
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::bad_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -223,3 +225,5 @@ TEST_CASE("bad glTF") {
           folder.name("none.bin") + ": there is no such file (" + folder.name("a.gltf") +
               ": buffers[0].uri asks for it)");
 }
+
+}   // namespace rayclock::test::bad_test

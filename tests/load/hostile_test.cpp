@@ -11,6 +11,8 @@
 #include "model/base/quote.hpp"
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::hostile_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using Json = nlohmann::json;
@@ -404,3 +406,5 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
             "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#V\"/></scene>");
     check_says(quick(folder.write("a.dae", text)), {"a.dae: line 1", "phong with more than 100 elements"});
 }
+
+}   // namespace rayclock::test::hostile_test

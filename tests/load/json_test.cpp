@@ -6,6 +6,8 @@
 
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::json_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using Json = nlohmann::json;
@@ -223,3 +225,5 @@ TEST_CASE("the example scenes load") {
         CHECK(entry.file_size() < 10'000);
     }
 }
+
+}   // namespace rayclock::test::json_test

@@ -10,6 +10,8 @@
 #include "sim/load/mesh/triangulate.hpp"
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::obj_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -256,3 +258,5 @@ TEST_CASE("mtl colours, highlights, transparency and missing materials") {
     CHECK(of(3).name == "nowhere");
     CHECK(of(3).colour.x == Approx(0.8));
 }
+
+}   // namespace rayclock::test::obj_test

@@ -6,6 +6,8 @@
 #include "sim/files/image/image.hpp"
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::other_formats_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using Catch::Contains;
@@ -279,3 +281,5 @@ TEST_CASE("every prefix and every changed byte of the other formats loads or is 
         CHECK(loaded > 0);
     }
 }
+
+}   // namespace rayclock::test::other_formats_test

@@ -7,6 +7,8 @@
 #include "sim/load/rays/rays.hpp"
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::rays_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -133,3 +135,5 @@ TEST_CASE("a faulty ray is refused with its number", "[rays]") {
     CHECK(complaint_of("a.npy", npy(head_of("'<f4'", "(2, 6)"), data_of<float>(two))) ==
           "ray 1 has the direction 0");
 }
+
+}   // namespace rayclock::test::rays_test

@@ -8,6 +8,8 @@
 
 #include "tests/load/files.hpp"
 
+namespace rayclock::test::repair_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -307,3 +309,5 @@ TEST_CASE("stl: statements of other programs and words behind coordinates are sk
     check_triangle(made, {"2 lines skipped: STL has no such statement (the first: line 2, 'color')",
                           "1 line with more than three coordinates; the rest is skipped (line 7, '7')"});
 }
+
+}   // namespace rayclock::test::repair_test

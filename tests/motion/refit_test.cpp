@@ -13,6 +13,8 @@
 #include "tests/accel/meshes.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::refit_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -249,3 +251,5 @@ TEST_CASE("the chip has what the host means, whatever its memory held, though a 
     }
     CHECK(zeros > 3);
 }
+
+}   // namespace rayclock::test::refit_test

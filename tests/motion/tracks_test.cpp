@@ -9,6 +9,8 @@
 #include "model/scene/motion.hpp"
 #include "model/scene/placed.hpp"
 
+namespace rayclock::test::tracks_test {
+
 using namespace rayclock;
 
 namespace {
@@ -162,3 +164,5 @@ TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
     CHECK(degrees(2) == Approx(5 - 1.8));
     CHECK(degrees(3) == Approx(1.8));
 }
+
+}   // namespace rayclock::test::tracks_test

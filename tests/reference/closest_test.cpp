@@ -19,7 +19,7 @@ struct TestRay {
 
 /// Draws a ray to a vertex, to a point of an edge or anywhere. It starts far around the scene or close by,
 /// where the relative margins of the box test are smallest.
-TestRay draw_ray(Rng& rng, const Scene& scene, double scale, const glm::dvec3& offset) {
+TestRay draw_ray(MeshRng& rng, const Scene& scene, double scale, const glm::dvec3& offset) {
     const auto& vertex = scene.triangles[rng() % scene.triangles.size()].vertex;
     const glm::dvec3 targets[] = {
         random_point(rng) * scale + offset, scene.vertices[vertex[rng() % 3]],
@@ -90,7 +90,7 @@ TEST_CASE("closest hit in a soup equals a long-double loop over all triangles", 
                  Case{300, 0.2, 1e6, glm::dvec3(0)}, Case{300, 0.2, 1e-30, glm::dvec3(0)},
                  Case{300, 0.2, 1e30, glm::dvec3(0)}, Case{300, 0.2, 1, glm::dvec3(1e6, -3e5, 7e5)});
     CAPTURE(triangles, size, scale, offset.x);
-    Rng rng(20261121);
+    MeshRng rng(20261121);
     const Scene scene = soup(rng, triangles, size, scale, offset);
     const Reference reference(scene);
     int hits = 0;
@@ -106,7 +106,7 @@ TEST_CASE("closest hit in a soup equals a long-double loop over all triangles", 
 }
 
 TEST_CASE("triangles without area hide nothing", "[reference]") {
-    Rng rng(7);
+    MeshRng rng(7);
     Scene scene = soup(rng, 200, 0.2);
     const auto sound = static_cast<std::uint32_t>(scene.triangles.size());
     for (std::uint32_t i = 0; i < sound; ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("triangles without area hide nothing", "[reference]") {
 
 TEST_CASE("of equally deep triangles the lowest number is hit, wherever it lies in the hierarchy",
           "[reference]") {
-    Rng rng(99);
+    MeshRng rng(99);
     Scene scene = soup(rng, 40, 0.4);
     std::vector<Triangle> copies;
     for (int i = 0; i < 25; ++i) copies.insert(copies.end(), scene.triangles.begin(), scene.triangles.end());

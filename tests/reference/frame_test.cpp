@@ -30,7 +30,7 @@ int depth_below(const RefHierarchy& hierarchy, std::uint32_t at) {
 }   // namespace
 
 TEST_CASE("a frame does not depend on the number of threads", "[reference]") {
-    Rng rng(3);
+    MeshRng rng(3);
     const Scene scene = soup(rng, 20000, 0.05);
     const HitFrame one = Reference(scene).frame(camera, {150, 70}, 1);
     CHECK(one.hits.size() == 150 * 70);
@@ -41,7 +41,7 @@ TEST_CASE("a frame does not depend on the number of threads", "[reference]") {
 }
 
 TEST_CASE("the hierarchy does not depend on the number of threads that build it", "[reference]") {
-    Rng rng(8);
+    MeshRng rng(8);
     std::vector<RefBox> boxes(50000);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const glm::dvec3 lo = random_point(rng), hi = lo + (random_point(rng) + 1.0) * 0.01;

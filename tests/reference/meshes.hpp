@@ -11,19 +11,19 @@ namespace rayclock {
 
 // Small meshes and rays for the tests of the reference tracer. They share nothing with the built-in scenes.
 
-using Rng = std::mt19937_64;
+using MeshRng = std::mt19937_64;
 
-inline double uniform(Rng& rng, double lo, double hi) {
+inline double uniform(MeshRng& rng, double lo, double hi) {
     // Not std::uniform_real_distribution, whose digits differ between libraries.
     return lo + (hi - lo) * static_cast<double>(rng() >> 11) * 0x1p-53;
 }
 
-inline glm::dvec3 random_point(Rng& rng, double half_side = 1) {
+inline glm::dvec3 random_point(MeshRng& rng, double half_side = 1) {
     const double x = uniform(rng, -half_side, half_side), y = uniform(rng, -half_side, half_side);
     return {x, y, uniform(rng, -half_side, half_side)};
 }
 
-inline glm::dvec3 random_direction(Rng& rng) {
+inline glm::dvec3 random_direction(MeshRng& rng) {
     for (;;) {
         const glm::dvec3 p = random_point(rng);
         const double length = glm::length(p);
@@ -44,7 +44,7 @@ inline Scene empty_scene() {
 }
 
 /// Returns random triangles of about `size` in -1..1, then scaled and moved.
-inline Scene soup(Rng& rng, int count, double size, double scale = 1,
+inline Scene soup(MeshRng& rng, int count, double size, double scale = 1,
                   const glm::dvec3& offset = glm::dvec3(0)) {
     Scene scene = empty_scene();
     for (int i = 0; i < count; ++i) {

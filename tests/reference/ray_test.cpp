@@ -51,7 +51,7 @@ TEST_CASE("axis-parallel rays hit, whatever the signs of their zeros", "[referen
 
 TEST_CASE("an axis-parallel ray exactly through a vertex meets that vertex, or something before it",
           "[reference]") {
-    Rng rng(5);
+    MeshRng rng(5);
     const Scene scene = soup(rng, 400, 0.1);
     const Reference reference(scene);
     for (const glm::dvec3& vertex : scene.vertices)

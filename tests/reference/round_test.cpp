@@ -59,7 +59,7 @@ Answer brute_force(const Scene& scene, const glm::dvec3& o, const glm::dvec3& di
 }
 
 /// Returns balls of all sizes, some of glass, and two planes.
-Scene balls_and_planes(Rng& rng, int count) {
+Scene balls_and_planes(MeshRng& rng, int count) {
     Scene scene = empty_scene();
     scene.materials.push_back({.name = "glass", .transmit = 0.5, .index = 1.5});
     for (int i = 0; i < count; ++i)
@@ -73,7 +73,7 @@ Scene balls_and_planes(Rng& rng, int count) {
 }   // namespace
 
 TEST_CASE("spheres and planes are found like by trying each", "[reference][round]") {
-    Rng rng(11);
+    MeshRng rng(11);
     const Scene scene = balls_and_planes(rng, 300);
     const Reference reference(scene);
     int spheres = 0, planes = 0, inside = 0;
@@ -147,7 +147,7 @@ TEST_CASE("tiny, huge and far spheres keep their outlines", "[reference][round]"
 
 TEST_CASE("a ray does not meet the surface that it left, except the far side of a sphere",
           "[reference][round]") {
-    Rng rng(5);
+    MeshRng rng(5);
     Scene scene = empty_scene();
     scene.materials[0].transmit = 1;
     scene.spheres = {{{0.3, -0.2, 0.1}, 0.7, 0}};

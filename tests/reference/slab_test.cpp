@@ -18,7 +18,7 @@ struct OneBox {
     glm::dvec3 lo, hi;
     RefNode node{};
 
-    explicit OneBox(Rng& rng) {
+    explicit OneBox(MeshRng& rng) {
         glm::dvec3 a = random_point(rng);
         const glm::dvec3 b = random_point(rng);
         for (int k = 0; k < 3; ++k) {
@@ -41,7 +41,7 @@ struct OneBox {
 
 /// Draws a point of the surface, on a face, an edge or a corner. Sets `outward` for the faces that contain
 /// it.
-glm::dvec3 surface_point(Rng& rng, const OneBox& box, glm::dvec3& outward) {
+glm::dvec3 surface_point(MeshRng& rng, const OneBox& box, glm::dvec3& outward) {
     glm::dvec3 p;
     outward = glm::dvec3(0);
     const auto forced = rng() % 3;
@@ -56,7 +56,7 @@ glm::dvec3 surface_point(Rng& rng, const OneBox& box, glm::dvec3& outward) {
 }   // namespace
 
 TEST_CASE("rays that touch a box, or pass it by a few roundings, enter it", "[reference]") {
-    Rng rng(11);
+    MeshRng rng(11);
     for (int i = 0; i < 200000; ++i) {
         const OneBox box(rng);
         glm::dvec3 outward;
@@ -77,7 +77,7 @@ TEST_CASE("rays that touch a box, or pass it by a few roundings, enter it", "[re
 }
 
 TEST_CASE("rays that pass a box, point away from it or end before it are turned away", "[reference]") {
-    Rng rng(12);
+    MeshRng rng(12);
     for (int i = 0; i < 20000; ++i) {
         const OneBox box(rng);
         glm::dvec3 outward;

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns targets on the surface: every vertex, and two points of each triangle's edges, rounded and so
 /// slightly off the edge.
-std::vector<glm::dvec3> seams(const Scene& scene, Rng& rng) {
+std::vector<glm::dvec3> seams(const Scene& scene, MeshRng& rng) {
     std::vector<glm::dvec3> points = scene.vertices;
     for (const Triangle& t : scene.triangles) {
         points.push_back(0.5 * (scene.vertices[t.vertex[0]] + scene.vertices[t.vertex[1]]));
@@ -36,7 +36,7 @@ TEST_CASE("no ray leaves a closed sphere", "[reference][watertight]") {
     CAPTURE(level, radius, centre.x);
     const Scene scene = sphere(level, radius, centre);
     const Reference reference(scene);
-    Rng rng(4711);
+    MeshRng rng(4711);
     int leaks = 0, rays = 0;
     const std::vector<glm::dvec3> targets = seams(scene, rng);
     const auto shoot = [&](const glm::dvec3& origin, const glm::dvec3& direction) {

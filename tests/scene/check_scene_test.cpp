@@ -5,6 +5,8 @@
 
 #include "tests/scene/mesh_measures.hpp"
 
+namespace rayclock::test::check_scene_test {
+
 using namespace rayclock;
 
 namespace {
@@ -220,3 +222,5 @@ TEST_CASE("Bounds cover spheres; of planes alone, ten squares each way", "[scene
     CHECK(bounds(scene).lo == glm::dvec3(95, 100, 95));
     CHECK(bounds(scene).hi == glm::dvec3(105, 100, 105));
 }
+
+}   // namespace rayclock::test::check_scene_test

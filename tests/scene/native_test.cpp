@@ -10,6 +10,8 @@
 #include "model/scene/view.hpp"
 #include "tests/scene/mesh_measures.hpp"
 
+namespace rayclock::test::native_test {
+
 using namespace rayclock;
 
 namespace {
@@ -205,3 +207,5 @@ TEST_CASE("A camera is fitted around spheres, and before planes", "[scene][nativ
     CHECK(most > 0.9);
     CHECK(fit_camera(make_builtin("plane"), 1.5).eye.y > 1);
 }
+
+}   // namespace rayclock::test::native_test

@@ -7,6 +7,8 @@
 #include "model/scene/builtin.hpp"
 #include "tests/scene/mesh_measures.hpp"
 
+namespace rayclock::test::values_test {
+
 using namespace rayclock;
 
 namespace {
@@ -242,3 +244,5 @@ TEST_CASE("Spheres are cut at equal angles", "[scene][values]") {
         CHECK(found == 1);
     }
 }
+
+}   // namespace rayclock::test::values_test

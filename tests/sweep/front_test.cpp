@@ -2,6 +2,8 @@
 #include "model/base/error.hpp"
 #include "tests/sweep/support.hpp"
 
+namespace rayclock::test::front_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using sweep::Figures;
@@ -170,3 +172,5 @@ TEST_CASE("points that are refused or not done are not on the front") {
     CHECK(front.pareto == std::vector<bool>{false, false});
     CHECK(!front.knee);
 }
+
+}   // namespace rayclock::test::front_test

@@ -5,6 +5,8 @@
 #include "tests/sweep/support.hpp"
 #include "sim/explore/sweep/plot.hpp"
 
+namespace rayclock::test::plot_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -193,3 +195,5 @@ TEST_CASE("a plot of a front names the knee and is well formed") {
             plot::svg(sweep::front_plot("s", {4, 4}, {{"coord_bits", {}}}, few, sweep::front_of(few)))));
     }
 }
+
+}   // namespace rayclock::test::plot_test

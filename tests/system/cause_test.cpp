@@ -13,6 +13,8 @@
 #include "sim/files/image/srgb.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::cause_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -289,3 +291,5 @@ TEST_CASE("the picture of causes has a colour for each", "[cause]") {
         for (std::size_t b = 0; b < a; ++b)
             CHECK(cause_info(PixelCause(a)).colour != cause_info(PixelCause(b)).colour);
 }
+
+}   // namespace rayclock::test::cause_test

@@ -8,6 +8,8 @@
 #include "tests/support/cases/coincident.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::coincident_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -77,3 +79,5 @@ TEST_CASE("spheres and planes that are there twice are no other primitives") {
         CHECK(others(more, two) == others(plain, one));
     }
 }
+
+}   // namespace rayclock::test::coincident_test

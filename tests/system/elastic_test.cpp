@@ -9,6 +9,8 @@
 #include "tests/system/frames.hpp"
 #include "sim/view/report/lockstep.hpp"
 
+namespace rayclock::test::elastic_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using Catch::Contains;
@@ -340,3 +342,5 @@ TEST_CASE("wrong, lost and repeated transfers of a chip that shades are named", 
     };
     for (const Case& c : cases) check_noticed(c, job);
 }
+
+}   // namespace rayclock::test::elastic_test

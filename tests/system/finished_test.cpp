@@ -14,7 +14,7 @@ using namespace rayclock::test;
 
 namespace {
 
-const std::string scene_folder = std::string(RAYCLOCK_SOURCE_DIR) + "/scenes/";
+const std::string scene_folder = "scenes/";
 
 struct Finished {
     std::string scene;

@@ -11,6 +11,8 @@
 #include "model/trace/decoder.hpp"
 #include "tests/system/lines.hpp"
 
+namespace rayclock::test::integral_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -158,3 +160,5 @@ TEST_CASE("lines visit as many nodes as integral geometry says", "[structures][i
 TEST_CASE("a million lines visit as many nodes as integral geometry says", "[structures][integral][slow]") {
     check_all(1000000);
 }
+
+}   // namespace rayclock::test::integral_test

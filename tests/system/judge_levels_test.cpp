@@ -17,6 +17,8 @@
 #include "tests/accel/solids.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::judge_levels_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -311,3 +313,5 @@ TEST_CASE("an answer of a machine of two levels that is off in anything is a bug
     one_wrong(hit, [](Closest& c) { c.prim ^= 1; });
     one_wrong(miss, [&](Closest& c) { c = other; });
 }
+
+}   // namespace rayclock::test::judge_levels_test

@@ -5,6 +5,8 @@
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::levels_finished_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -27,40 +29,31 @@ Config round_chip(const std::string& name, const Values& more) {
     settings.depth = 4;
     return fitted_config(flattened(mixed_with_round(false)), settings, with(quick_config(name), values));
 }
-const std::vector<Config>& round_chips() {
-    static const std::vector<Config> all{round_chip("default", {{"structure", int(Structure::kd)}}),
-                                         round_chip("small", {{"shade_interval", 4},
-                                                              {"timing", 1},
-                                                              {"raygen_queue", 32},
-                                                              {"box_queue", 32},
-                                                              {"tri_queue", 64}})};
-    return all;
+
+Values fast(Values more) {
+    more.insert(more.begin(), {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}});
+    return more;
 }
 
 const std::vector<Config>& chips() {
     static const std::vector<Config> all{
-        chip("default", true, {}),
-        chip("small", false,
-             {{"xform_interval", 1},
-              {"shade_interval", 8},
-              {"timing", 1},
-              {"raygen_queue", 32},
-              {"box_queue", 32},
-              {"tri_queue", 64}}),
-        chip("narrow", true,
-             {{"bary_bits", 12}, {"t_frac_bits", 2}, {"xform_interval", 4}, {"shade_interval", 8}}),
-        chip("broad", false, {{"dir_bits", 20}}),
-        chip("small", false, {{"structure", int(Structure::kd)}}),
+        chip("default", true, {}), chip("small", false, fast({{"xform_interval", 1}, {"shade_interval", 8}})),
         chip("small", true, {{"structure", int(Structure::bvh)}, {"mesh_structure", 2}}),   // over kd
-        chip("small", true, {{"structure", int(Structure::spheres)}}),
-        chip("small", false,
-             {{"structure", int(Structure::bsp)},
-              {"timing", 1},
-              {"raygen_queue", 32},
-              {"box_queue", 32},
-              {"tri_queue", 64}})};
+        chip("small", true, {{"structure", int(Structure::spheres)}})};
     return all;
 }
+
+/// Returns the chips of the slow tests.
+const std::vector<Config>& more_chips() {
+    static const std::vector<Config> all{
+        chip("narrow", true,
+             {{"bary_bits", 12}, {"t_frac_bits", 2}, {"xform_interval", 4}, {"shade_interval", 8}}),
+        chip("broad", false, {{"dir_bits", 20}}), chip("small", false, {{"structure", int(Structure::kd)}}),
+        chip("small", false, fast({{"structure", int(Structure::bsp)}}))};
+    return all;
+}
+
+Config round_chip_of_a_kd_tree() { return round_chip("default", {{"structure", int(Structure::kd)}}); }
 
 Job job_of(const Scene& scene, FrameSize size, const Config& config, const Whitted& settings) {
     return make_job(scene, *scene.camera, size, config, {}, settings);
@@ -72,13 +65,13 @@ TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const Config& config : chips())
         jobs.push_back({"rc_chip", config.name + ", two levels, finished", config});
-    for (const Config& config : round_chips())
-        jobs.push_back({"rc_chip", config.name + ", two levels with planes and spheres", config});
+    jobs.push_back({"rc_chip", "two levels with planes and spheres", round_chip_of_a_kd_tree()});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("model and RTL draw instances alike", "[levels]") {
-    const Config config = GENERATE(from_range(chips()));
+namespace {
+
+void check_instances(const Config& config) {
     INFO(config.name << ", " << name_of(config.structure) << ", a pass every " << config.shade_interval);
     const Scene scene = flattened(mixed(config.smooth));
     Whitted settings;
@@ -92,16 +85,7 @@ TEST_CASE("model and RTL draw instances alike", "[levels]") {
     check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
 }
 
-TEST_CASE("model and RTL send no refracted ray of instances that is too short", "[levels]") {
-    const Scene scene = flattened(under_a_pane());
-    Whitted settings;
-    settings.depth = 4, settings.aa = 2;
-    const LockstepResult result = check_lockstep(job_of(scene, {16, 12}, chips()[0], settings));
-    CHECK(result.model.rays.refraction > 5);
-}
-
-TEST_CASE("model and RTL draw planes and true spheres next to instances alike", "[levels]") {
-    const Config config = GENERATE(from_range(round_chips()));
+void check_planes_and_spheres(const Config& config) {
     INFO(config.name << ", a pass every " << config.shade_interval);
     const Scene scene = flattened(mixed_with_round(false));
     Whitted settings;
@@ -117,3 +101,31 @@ TEST_CASE("model and RTL draw planes and true spheres next to instances alike", 
     const Scene spheres = make_builtin("spheres", Primitives::native);
     check_lockstep(job_of(spheres, {16, 12}, fitted_config(spheres, settings, config), settings));
 }
+
+}   // namespace
+
+TEST_CASE("model and RTL draw instances alike", "[levels]") {
+    check_instances(GENERATE(from_range(chips())));
+}
+
+TEST_CASE("model and RTL draw instances alike, more chips", "[levels][slow]") {
+    check_instances(GENERATE(from_range(more_chips())));
+}
+
+TEST_CASE("model and RTL send no refracted ray of instances that is too short", "[levels]") {
+    const Scene scene = flattened(under_a_pane());
+    Whitted settings;
+    settings.depth = 4, settings.aa = 2;
+    const LockstepResult result = check_lockstep(job_of(scene, {16, 12}, chips()[0], settings));
+    CHECK(result.model.rays.refraction > 5);
+}
+
+TEST_CASE("model and RTL draw planes and true spheres next to instances alike", "[levels]") {
+    check_planes_and_spheres(round_chip_of_a_kd_tree());
+}
+
+TEST_CASE("model and RTL draw planes and true spheres next to instances alike, fast", "[levels][slow]") {
+    check_planes_and_spheres(round_chip("small", fast({{"shade_interval", 4}})));
+}
+
+}   // namespace rayclock::test::levels_finished_test

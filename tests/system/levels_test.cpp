@@ -7,6 +7,8 @@
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::levels_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -31,32 +33,32 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
     return of(name, upper, interval, more);
 }
 
-/// Returns formats, structures, intervals and paths, each with its own RTL.
+/// Returns formats, structures and intervals, each with its own RTL.
 const std::vector<Config>& chips() {
+    static const std::vector<Config> all{two("default", 2), two("narrow", 4)};
+    return all;
+}
+
+/// Returns chips with two structures. Each structure is once the upper one.
+const std::vector<Config>& two_engines() {
+    static const std::vector<Config> all{
+        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // the lower unit has a
+                                                                                     // longer interval
+        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // the door closes
+        both("small", Structure::bsp, Structure::spheres, 4, fast)};
+    return all;
+}
+
+/// Returns the chips of the slow tests.
+const std::vector<Config>& more_chips() {
     static const std::vector<Config> all = [] {
-        std::vector<Config> made{two("default", 2),
-                                 two("small", 4),
-                                 two("small", 1, fast),
-                                 two("narrow", 4),
-                                 two("broad", 2),
+        std::vector<Config> made{two("small", 4), two("small", 1, fast), two("broad", 2),
                                  of("default", Structure::spheres, 1),
                                  of("small", Structure::spheres, 4, fast)};
         for (const Structure s : engines())
             if (s != Structure::bvh && s != Structure::spheres) made.push_back(of("small", s, 2));
         return made;
     }();
-    return all;
-}
-
-/// Returns chips with two structures.
-const std::vector<Config>& two_engines() {
-    static const std::vector<Config> all{
-        both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}),         // the upper unit has a
-                                                                                     // longer interval,
-        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // the lower unit has a
-                                                                                     // longer interval
-        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // the door closes
-        both("small", Structure::bsp, Structure::spheres, 4, fast)};
     return all;
 }
 
@@ -87,6 +89,14 @@ TEST_CASE("model and RTL walk instances alike", "[levels]") {
 
 TEST_CASE("model and RTL walk two structures alike", "[levels]") {
     check_gearboxes(GENERATE(from_range(two_engines())));
+}
+
+TEST_CASE("model and RTL walk instances alike, more chips", "[levels][slow]") {
+    check_gearboxes(GENERATE(from_range(more_chips())));
+}
+
+TEST_CASE("model and RTL walk two structures alike, an upper unit of a longer interval", "[levels][slow]") {
+    check_gearboxes(both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}));
 }
 
 TEST_CASE("two levels of any two structures hit the same, bit for bit", "[levels]") {
@@ -131,3 +141,5 @@ TEST_CASE("a machine of two levels hits what its rays hit alone, whatever the me
               alone.counts.changes * std::uint64_t(config.xform_interval));
     }
 }
+
+}   // namespace rayclock::test::levels_test

@@ -9,6 +9,8 @@
 #include "tests/accel/mixed.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::seam_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -133,3 +135,5 @@ TEST_CASE("finished pictures of squares that touch show seams", "[cause][levels]
     CHECK(fine.bugs() == 0);
     CHECK(count(fine, PixelCause::seam) <= count(coarse, PixelCause::seam) / 4);
 }
+
+}   // namespace rayclock::test::seam_test

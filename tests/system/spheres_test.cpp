@@ -8,6 +8,8 @@
 #include "sim/view/report/json.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::spheres_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -162,3 +164,5 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
         CHECK(lit == 0);
     }
 }
+
+}   // namespace rayclock::test::spheres_test

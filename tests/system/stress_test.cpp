@@ -10,8 +10,11 @@
 #include "sim/explore/stress/report.hpp"
 #include "sim/explore/stress/sketch.hpp"
 
+namespace rayclock::test::stress_test {
+
 using namespace rayclock;
 using namespace rayclock::stress;
+using stress::Shot;
 
 namespace {
 
@@ -211,3 +214,5 @@ TEST_CASE("every family has a picture with rays in it", "[stress]") {
         CHECK(svg.find("stroke=\"#888\"") != std::string::npos);
     }
 }
+
+}   // namespace rayclock::test::stress_test

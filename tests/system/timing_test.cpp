@@ -7,6 +7,8 @@
 #include "sim/view/report/accounts.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::timing_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -136,3 +138,5 @@ TEST_CASE("accounts close: work that enters a unit leaves it, and no frame is fa
         CHECK(c.hits + c.merged <= c.accesses);
     }
 }
+
+}   // namespace rayclock::test::timing_test

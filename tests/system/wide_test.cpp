@@ -14,6 +14,8 @@
 #include "tests/system/exact.hpp"
 #include "tests/system/frames.hpp"
 
+namespace rayclock::test::wide_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -217,3 +219,5 @@ TEST_CASE("in a narrow gap: exact in every pixel, visits explain the cycles") {
             }
     }
 }
+
+}   // namespace rayclock::test::wide_test

@@ -1,6 +1,8 @@
 // list: the triangles of a node that are tested, their order and their timing.
 #include "tests/support/world/list_world.hpp"
 
+namespace rayclock::test::list_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -173,3 +175,5 @@ TEST_CASE("model and rtl of list make the same moves, nodes of four and one cont
             lockstep(one, seed, flow, 5000);
         }
 }
+
+}   // namespace rayclock::test::list_test

@@ -8,6 +8,8 @@
 #include "model/mem/memory.hpp"
 #include "tests/support/skipping.hpp"
 
+namespace rayclock::test::memport_test {
+
 using namespace rayclock;
 
 namespace {
@@ -175,3 +177,5 @@ TEST_CASE("the sink refuses about the stated share of cycles, each sink others",
     REQUIRE(differ == Approx(2000).margin(120));
     REQUIRE(shut_ready <= 1);
 }
+
+}   // namespace rayclock::test::memport_test

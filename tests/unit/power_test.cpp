@@ -7,6 +7,8 @@
 #include "model/unit/shade/tables.hpp"
 #include "tests/support/dut/cell.hpp"
 
+namespace rayclock::test::power_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -88,3 +90,5 @@ TEST_CASE("square_root is the floor of the root", "[square_root]") {
         for (const std::uint64_t x : {root * root - 1, root * root, root * root + 1}) judge(x);
     for (int i = 0; i < 100000; ++i) judge(draw.natural(33));
 }
+
+}   // namespace rayclock::test::power_test

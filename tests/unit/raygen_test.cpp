@@ -2,6 +2,8 @@
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
+namespace rayclock::test::raygen_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -222,3 +224,5 @@ TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycl
             check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
+
+}   // namespace rayclock::test::raygen_test

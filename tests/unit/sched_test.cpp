@@ -1,6 +1,8 @@
 // sched: the assignment of pixels to contexts, and of hits to pixels.
 #include "tests/support/world/sched_world.hpp"
 
+namespace rayclock::test::sched_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -243,3 +245,5 @@ TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][
                 for (unsigned seed = 11; seed <= 13; ++seed)
                     lockstep(tiled(tile_bits), frame_of(width, height), seed, flow);
 }
+
+}   // namespace rayclock::test::sched_test

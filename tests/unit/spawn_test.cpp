@@ -5,6 +5,8 @@
 #include "tests/support/dut/raygen_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
+namespace rayclock::test::spawn_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -303,3 +305,5 @@ TEST_CASE("without samples a pixel's ray is what it is without shading", "[rayge
         }
     }
 }
+
+}   // namespace rayclock::test::spawn_test

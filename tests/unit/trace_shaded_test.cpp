@@ -11,6 +11,8 @@
 #include "model/trace/walk.hpp"
 #include "tests/support/machine/walked.hpp"
 
+namespace rayclock::test::trace_shaded_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -109,3 +111,5 @@ TEST_CASE("all rays of a chip that shades are recorded as they are walked", "[tr
             require_recorded_as_walked(p, record, trace);
     }
 }
+
+}   // namespace rayclock::test::trace_shaded_test

@@ -1,6 +1,8 @@
 // trav: the nodes that a ray visits, their order and their timing.
 #include "tests/support/world/trav_world.hpp"
 
+namespace rayclock::test::trav_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -382,3 +384,5 @@ TEST_CASE("model and rtl of trav make the same moves, four children, one context
             lockstep(many, seed, flow, 5000);
         }
 }
+
+}   // namespace rayclock::test::trav_test

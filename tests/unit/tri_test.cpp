@@ -1,6 +1,8 @@
 // tri: tests rays against triangles; all decisions are exact.
 #include "tests/support/cases/tri_cases.hpp"
 
+namespace rayclock::test::tri_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 
@@ -195,3 +197,5 @@ TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle",
             check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
+
+}   // namespace rayclock::test::tri_test

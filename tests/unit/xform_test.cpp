@@ -8,6 +8,8 @@
 #include "tests/support/cases/placement_cases.hpp"
 #include "tests/support/world/traffic.hpp"
 
+namespace rayclock::test::xform_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
 using oracle::Int;
@@ -196,3 +198,5 @@ TEMPLATE_TEST_CASE("xform answers after its latency, and takes a ray every so ma
         dut.commit();
     }
 }
+
+}   // namespace rayclock::test::xform_test
