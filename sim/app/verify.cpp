@@ -77,7 +77,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
                 "takes some minutes to build, and no waveform is made");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
-    stream_options(parser, o.stream);
+    stream_options(parser, o.stream, true);
     json_option(parser, o.json);
 }
 
@@ -302,27 +302,26 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"digest", digest_text(frame.digest)}};
 }
 
-/// Runs the command with a stream of rays. It draws no picture.
-int run_verify_stream(const VerifyOptions& o) {
-    refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.torture         ? "--torture"
-                     : o.elastic.alone ? "--unit-only"
-                     : o.netlist       ? "--netlist"
-                     : o.no_wave       ? "--no-wave"
-                                       : nullptr);
-    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-    return verify_stream(
-        {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json, o.elastic.units});
-}
-
 int run_verify(const VerifyOptions& typed) {
     VerifyOptions o = typed;
     take_elastic(o.elastic, o.scene);
     if (o.torture && (o.elastic.is_asked() || o.elastic.alone))
         throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
-    check_stream_options(o.stream);
-    if (o.stream.is_asked()) return run_verify_stream(o);
+    if (traces_stream(o.stream, {o.size,
+                                 o.finish,
+                                 o.view,
+                                 o.frames,
+                                 o.limits,
+                                 {{!o.output.empty(), "--output"},
+                                  {o.torture, "--torture"},
+                                  {bool(o.elastic.alone), "--unit-only"},
+                                  {o.netlist, "--netlist"},
+                                  {o.no_wave, "--no-wave"}}})) {
+        if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
+        return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json,
+                              o.elastic.units});
+    }
     if (o.netlist) build_netlists();
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");

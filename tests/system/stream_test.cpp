@@ -195,7 +195,7 @@ TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
     CHECK(std::set(retired.begin(), retired.end()).size() == given.size());   // one answer in a cycle
     CHECK(*std::min_element(retired.begin(), retired.end()) > 0);
     CHECK(*std::max_element(retired.begin(), retired.end()) == cycles - 1);
-    const std::string bytes = hits_npy(stream, answers, retired);
+    const std::string bytes = hits_npy(hits_of(stream, answers), retired);
     constexpr std::size_t head = 192, bytes_of_hit = 38;
     REQUIRE(bytes.size() == head + bytes_of_hit * given.size());
     const auto field = [&]<class T>(std::size_t i, std::size_t at, T) {

@@ -41,11 +41,13 @@ struct StreamHit {
 };
 /// Returns the answer to a ray in scene units. A closest hit beyond t_max counts as a miss.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
+/// Returns the answers to all rays in scene units.
+std::vector<StreamHit> hits_of(const StreamJob& stream, const std::vector<Closest>& answers);
 
 /// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), t, u, v (f8),
-/// cycle (u8). `cycles`: when each ray's answer left the chip.
-std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
-                     const std::vector<std::uint64_t>& cycles);
+/// cycle (u8). `cycles`: when each ray's answer left the chip; empty without timing, and every cycle is then
+/// 0.
+std::string hits_npy(const std::vector<StreamHit>& hits, const std::vector<std::uint64_t>& cycles);
 
 /// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
 /// cycle on. `cycles`: those of the stream's replay; for progress.
