@@ -80,7 +80,7 @@ mutant(recip_holds_rays_after_a_reset FILE rtl/unit/raygen/rc_recip.sv TEST tort
   NEW [[valid_q <= valid[Stages-1:0];]])
 
 # ---- Streams in commands.
-mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
+mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp TEST observe "a ray alone in flight*"
   OLD [[        case Link::stream_miss: return asked_memory(p, 2);]]
   NEW [[            return asked_memory(p, 2);
         case Link::stream_miss: return;]])

@@ -106,6 +106,28 @@ TEST_CASE("a watched frame takes the cycles of one that is not, and what is seen
     }
 }
 
+TEST_CASE("a ray alone in flight pays for every line that it misses, the one of its record included") {
+    const Watching made = watching({"gears:2",
+                                    {{"contexts", "1"},
+                                     {"node_width", "4"},
+                                     {"node_line", "64"},
+                                     {"prim_line", "64"},
+                                     {"stream_line", "64"},
+                                     {"stack_depth", "64"}},
+                                    false,
+                                    {},
+                                    1,
+                                    1},
+                                   {20, 10});
+    const FrameCosts costs = observe(made.job.config, 66000, made.traces, {}, 0, nullptr);
+    REQUIRE(costs.pixels.size() == 200);
+    for (std::size_t ray = 0; ray < costs.pixels.size(); ++ray) {
+        INFO("ray " << ray);
+        CHECK(costs.pixels[ray].bytes == 64 * costs.pixels[ray].misses);
+        if (ray % 2 == 0) CHECK(costs.pixels[ray].misses > 0);   // a line holds two records
+    }
+}
+
 TEST_CASE("every tile was worked on by one pipeline, and its pixels lie within its time") {
     const Watching made = watching(watched_machines()[1]);
     const FrameCosts costs = observe(made.job.config, 66000, made.traces, {}, 0, nullptr);
