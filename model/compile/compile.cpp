@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <mutex>
 
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
@@ -141,7 +142,13 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
         (config.engine() == Structure::spheres ? emit_globes : emit_boxes)(tree, triangles, config, name,
                                                                            image);
     } else {
-        (config.is_list() ? emit_list : emit_cells)(triangles, config, name, image);
+        // Several threads build the cells, and one at a time may report.
+        std::mutex mutex;
+        const auto report = [&] {
+            if (const std::unique_lock lock(mutex, std::try_to_lock); lock) tell(1);
+        };
+        config.is_list() ? emit_list(triangles, config, name, image)
+                         : emit_cells(triangles, config, name, image, report);
     }
     for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);

@@ -22,7 +22,7 @@ void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, con
 /// Do the same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a plain list of all
 /// primitives, from line 0 on.
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
-                MemoryImage& image);
+                MemoryImage& image, const std::function<void()>& report);
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
 

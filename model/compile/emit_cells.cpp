@@ -79,10 +79,12 @@ private:
 }   // namespace
 
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
-                MemoryImage& image) {
+                MemoryImage& image, const std::function<void()>& report) {
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
-            const kd::CellPtr root = E::build(kd::Pieces(prims, config), prims, config);
+            kd::Pieces pieces(prims, config);
+            pieces.report_to(report);
+            const kd::CellPtr root = E::build(pieces, prims, config);
             CellEmitter<typename E::Node>{*root, prims, config, name, image}.run();
         }
     });

@@ -49,6 +49,7 @@ PYBIND11_MODULE(_rayclock, module) {
     rayclock::python::bind_explore(module);
     rayclock::python::bind_rays(module);
     rayclock::python::bind_units(module);
+    module.def("continuing_work", &rayclock::python::continuing_work);
     py::module_::import("atexit").attr("register")(
         py::cpp_function(rayclock::python::wait_for_interrupted_work));
 }

@@ -23,6 +23,7 @@ struct PyFrame {
 };
 struct PyStream {
     std::string json, hits;   ///< the bytes of --hits
+    std::vector<std::string> notes;
 };
 
 py::array picture_array(PyFrame& frame) {
@@ -75,29 +76,59 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
     });
 }
 
+/// Returns a scene with the rays of an array, which the caller keeps.
+StreamInput input_of(const PyScene& scene, const std::string& name, const void* numbers,
+                     const RayTable::Shape& shape, bool any_hit, const std::string& outside) {
+    const Outside clip = parse_outside(outside);
+    return {*scene.scene, std::make_unique<const RayTable>(name, numbers, shape, any_hit), clip};
+}
+
+RayTable::Shape shape_of(const py::array& rays) {
+    return {std::size_t(rays.shape(0)), std::size_t(rays.shape(1)), std::size_t(rays.itemsize())};
+}
+
+/// Returns the answers to rays without timing.
+PyStream traced(const PyScene& scene, const PyConfig& config, const py::array& rays, const std::string& name,
+                bool any_hit, const std::string& outside, const std::string& engine, int threads) {
+    const RayTable::Shape shape = shape_of(rays);
+    const void* const numbers = rays.data();
+    return result_of(
+        [=](const Progress& stop) {
+            PyStream made;
+            const StreamEngine asked = parse_stream_engine(engine);
+            const Config machine = stream_config(config.choice, made.notes);
+            const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
+            if (asked == StreamEngine::rtl) check_rtl(machine);
+            const StreamAnswers answers = trace_stream(input, asked, machine, threads, stop);
+            made.hits = hits_npy(answers.hits, {});
+            made.notes.insert(made.notes.end(), answers.notes.begin(), answers.notes.end());
+            return made;
+        },
+        rays);
+}
+
 PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py::array& rays,
                           const std::string& name, bool any_hit, const std::string& outside,
                           const std::string& clock, std::uint64_t seed, int jitter, int stall, bool is_judged,
                           int threads) {
-    const RayTable::Shape shape{std::size_t(rays.shape(0)), std::size_t(rays.shape(1)),
-                                std::size_t(rays.itemsize())};
+    const RayTable::Shape shape = shape_of(rays);
     const void* const numbers = rays.data();
     return result_of(
         [=](const Progress& stop) {
             const Stopwatch watch;
             const Traffic traffic = traffic_of(seed, jitter, stall);
-            const Outside clip = parse_outside(outside);
-            const Config machine = stream_config(config.choice);
+            PyStream made;
+            const Config machine = stream_config(config.choice, made.notes);
             const std::vector<int> clocks = clocks_of(clock, machine);
-            const RayTable table(name, numbers, shape, any_hit);
-            Scene seen = *scene.scene;
-            prepare_for_stream(seen);
-            const StreamJob stream = make_stream_job(seen, table, machine, clip, stop);
+            const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
+            const StreamJob stream = input.job(machine, stop);
+            for (std::string& note : stream_notes(stream)) made.notes.push_back(std::move(note));
             const StreamRun run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
             const std::vector<std::uint64_t> retired =
                 retirements(machine, clocks[0], run.frame(), traffic, run.runs[0].last().cycles, stop);
-            return PyStream{simulated_stream_json(stream, run, false, watch.seconds()).dump(),
-                            hits_npy(stream, run.answers(), retired)};
+            made.json = simulated_stream_json(stream, run, false, watch.seconds()).dump();
+            made.hits = hits_npy(hits_of(stream, run.answers()), retired);
+            return made;
         },
         rays);
 }
@@ -141,9 +172,11 @@ void bind_simulate(py::module_& module) {
         .def("take_hits", &hits_array);
     py::class_<PyStream>(module, "SimulatedStream")
         .def_readonly("json", &PyStream::json)
+        .def_readonly("notes", &PyStream::notes)
         .def("take_hits", [](PyStream& s) { return bytes_array(std::move(s.hits)); });
     module.def("simulate", &simulated);
     module.def("simulate_stream", &simulated_stream);
+    module.def("trace", &traced);
 }
 
 }   // namespace rayclock::python

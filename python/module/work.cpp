@@ -87,6 +87,8 @@ void run(std::function<void(const Progress& stop)> work, py::object kept) {
     if (call->failure) std::rethrow_exception(call->failure);
 }
 
+int continuing_work() { return alone; }
+
 void wait_for_interrupted_work() {
     while (alone > 0) {
         {

@@ -29,6 +29,9 @@ template <class Work> auto result_of(Work work, pybind11::object kept = {}) {
     return std::move(**result);
 }
 
+/// Returns the number of calls that have returned while their work continues.
+int continuing_work();
+
 /// Waits, without Python's lock, for all work that continues after its call has returned. Python calls it at
 /// exit, because a running thread still uses the libraries. Ctrl-C ends the wait early.
 void wait_for_interrupted_work();

@@ -11,10 +11,10 @@ from . import unit
 from ._rayclock import Config, Error, __version__, config_names, scene_names
 from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
 from ._scene import Camera, Light, Material, Note, Scene, load_scene
-from ._simulate import explain, hit_dtype, make_rays, simulate, sweep
+from ._simulate import explain, hit_dtype, make_rays, simulate, sweep, trace
 
 __all__ = [
     "Camera", "Config", "Error", "ExplainReport", "Light", "Material", "Note", "Scene", "SimulateReport",
     "StreamReport", "SweepReport", "__version__", "config_names", "explain", "hit_dtype", "load_scene", "make_rays",
-    "scene_names", "simulate", "sweep", "unit",
+    "scene_names", "simulate", "sweep", "trace", "unit",
 ]

@@ -1,4 +1,4 @@
-"""simulate(), make_rays(), sweep() and explain()."""
+"""simulate(), trace(), make_rays(), sweep() and explain()."""
 from __future__ import annotations
 
 import json
@@ -158,9 +158,9 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
             ("reference", not reference)] if given]
         if odd:
             raise Error(f"rays take the place of a camera, so {odd[0]} has no meaning here")
-        fits = 2 << machine.addr_bits   # two rays in a line of the chip's memory
-        table = _arrays.table("rays", rays, (6, 7, 8, 9), "f", min(_most_rays, fits))
-        traced = _rayclock.simulate_stream(data, machine, table, "rays", bool(any_hit), str(outside), *common)
+        traced = _rayclock.simulate_stream(data, machine, _ray_table(rays, machine), "rays", bool(any_hit), str(outside),
+                                           *common)
+        tell(traced.notes)
         return StreamReport(**json.loads(traced.json), hits=_arrays.read_npy(traced.take_hits()))
     if any_hit or outside != "clip":
         raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
@@ -173,6 +173,29 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
     hits = made.take_hits()
     return SimulateReport(**json.loads(made.json), picture=made.take_picture(),
                           hits=hits.view(hit_dtype)[..., 0])
+
+
+def _ray_table(rays: Any, machine: Config) -> np.ndarray:
+    fits = 2 << machine.addr_bits   # two rays in a line of the chip's memory
+    return _arrays.table("rays", rays, (6, 7, 8, 9), "f", min(_most_rays, fits))
+
+
+def trace(scene: Union[str, Scene], rays: Any, any_hit: bool = False, *, config: Union[str, Config] = "default",
+          engine: str = "model", outside: str = "clip", threads: int = 0) -> np.ndarray:
+    """Returns the hit of each ray without timing: what `rayclock render --rays --hits` does.
+
+    `rays` has n x 6, 7, 8 or 9 numbers, float32 or float64, as for simulate(rays=...). With any_hit every ray
+    requests any hit. engine: model and rtl give the machine's exact hits, reference those of the tracer in
+    double precision. outside: clip or refuse rays that begin outside the lattice.
+
+    The result is a structured array with the fields of simulate(rays=...).hits. The field cycle is 0. It is a
+    view of the simulator's result, not a copy. Raises Error.
+    """
+    data, machine = scene_data(scene), config_of(config)
+    traced = _rayclock.trace(data, machine, _ray_table(rays, machine), "rays", bool(any_hit), str(outside), str(engine),
+                             whole("threads", threads, 0, 1024))
+    tell(traced.notes)
+    return _arrays.read_npy(traced.take_hits())
 
 
 def make_rays(scene: Union[str, Scene], *, kind: str = "camera", size: Size = (256, 192), bounce: int = 1,

@@ -1,5 +1,6 @@
 #pragma once
-// The explanation of a pixel, and its report. The command explain and the Python module call it.
+// The explanation of a pixel or of a stream's ray, and its report. The command explain and the Python module
+// call it.
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "sim/app/explained.hpp"
 #include "sim/run/film/film.hpp"
+#include "sim/run/stream/input.hpp"
 
 namespace rayclock {
 
@@ -23,6 +25,14 @@ struct ExplainHow {
 /// frame's errors if it was compared. Throws UserError, and Interrupted after Ctrl-C.
 void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const Progress& progress,
                    const std::function<void(const Explanation&, const std::vector<FrameError>&)>& use);
+
+/// Traces a stream of rays. Calls `use` with the explanation of one of its rays. `how` compares nothing.
+/// Throws UserError, and Interrupted after Ctrl-C.
+void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainHow& how,
+                 const Progress& progress,
+                 const std::function<void(const Explanation&, const StreamJob&)>& use);
+/// Returns the report of `explain --rays --json`: docs/report.md.
+nlohmann::ordered_json explained_ray_json(const StreamJob& stream, const Explanation& e);
 
 /// Returns the report of `explain --json`: docs/report.md.
 nlohmann::ordered_json explanation_json(const Request& request, const FrameSize& size, const Explanation& e,

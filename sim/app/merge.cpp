@@ -26,7 +26,7 @@ void declare_merge(Parser& parser, MergeOptions& o) {
 int run_merge(const MergeOptions& o) {
     check_outputs(o.outputs);
     const sweep::Merged merged = sweep::merge(o.reports, axis_clock);
-    check_plots(o.outputs, merged.asked.axes);
+    check_plots(o.outputs, merged.asked.axes, merged.asked.is_stream());
     write_sweep(o.outputs, merged,
                 fmt::format("{} points from {} file{}", merged.outcome.results.size(), o.reports.size(),
                             o.reports.size() == 1 ? "" : "s"),

@@ -1,7 +1,4 @@
 // rayclock rays: writes a stream of rays that a renderer would send.
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
@@ -51,30 +48,9 @@ void declare_rays(Parser& parser, RaysOptions& o) {
     json_option(parser, o.json);
 }
 
-/// Returns the position of a word among others. Throws UserError.
-int chosen(const char* option, const std::string& typed, const std::vector<std::string>& words) {
-    const auto at = std::find(words.begin(), words.end(), typed);
-    if (at == words.end()) {
-        std::string all;
-        for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-        throw UserError(fmt::format("{}: {} is not one of {}", option, shown(typed), all));
-    }
-    return int(at - words.begin());
-}
-
 int run_rays(const RaysOptions& o) {
-    RayStreamPlan plan;
-    plan.kind = RayStreamKind(chosen("--kind", o.kind, {"camera", "shadow", "mirror", "ao", "diffuse"}));
-    plan.order = RayOrder(chosen("--order", o.order, {"recorded", "morton", "random"}));
-    plan.size = parse_size(o.size);
-    plan.bounce = o.bounce, plan.samples = o.samples, plan.seed = o.seed;
-    if (o.bounce < 1 || o.bounce > 16)
-        throw UserError(fmt::format("--bounce must lie in 1..16, not {}", o.bounce));
-    if (o.samples < 1 || o.samples > 1024)
-        throw UserError(fmt::format("--samples must lie in 1..1024, not {}", o.samples));
-    if (o.radius && !(*o.radius > 0 && std::isfinite(*o.radius)))
-        throw UserError(fmt::format("--radius must be above 0, not {}", *o.radius));
-    plan.radius = o.radius.value_or(0);
+    const RayStreamPlan plan =
+        ray_stream_plan({o.kind, o.order, parse_size(o.size), o.bounce, o.samples, o.radius, o.seed}, "--");
     o.json.check();
     if (o.output == "-") throw UserError("--output must name a file, not standard output");
     if (o.output == o.json.path) throw UserError("--output and --json name the same file");
@@ -83,9 +59,7 @@ int run_rays(const RaysOptions& o) {
     const Config config = load_config(o.config);
     const Scene scene = ready_scene(o.scene, plan.size, stop, o.view);
     const std::vector<StreamRay> rays = make_rays(scene, plan, config, o.threads, stop);
-    if (rays.empty())
-        throw UserError(scene.name + ": the stream would be empty, because no earlier ray hits a triangle");
-    write_bytes(o.output, rays_npy(rays));
+    write_bytes(o.output, rays_npy(rays, scene.name));
     if (!o.json.is_alone())
         fmt::print("{}: {} {} rays in {} order: {}\n", scene.name, grouped(rays.size()), o.kind, o.order,
                    printable(o.output));

@@ -1,4 +1,4 @@
-// rayclock render: renders a picture with one engine.
+// rayclock render: renders a picture, or answers a stream of rays, with one engine.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
+#include "sim/app/streamed.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
@@ -41,6 +42,7 @@ struct RenderOptions {
     FramesOptions frames;
     bool compare = false;
     LimitsChoice limits;
+    StreamChoice stream;
     int threads = 0;
     JsonOutput json;
 };
@@ -53,14 +55,13 @@ void declare_render(Parser& parser, RenderOptions& o) {
     config_options(parser, o.config);
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
     frames_options(parser, o.frames);
-    parser
-        .option(
-            "-o,--output", o.output,
-            "picture to write: .png, or .exr with depth and primitive number; for several frames, a folder")
-        .required();
+    parser.option(
+        "-o,--output", o.output,
+        "picture to write: .png, or .exr with depth and primitive number; for several frames, a folder");
     parser.flag("--compare", o.compare, "compare the picture of the model or the RTL with the reference's");
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
+    stream_options(parser, o.stream, true);
     json_option(parser, o.json);
 }
 
@@ -140,7 +141,44 @@ std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const P
     return make_film(staged, o.output, film.frames(), film.times().fps);
 }
 
+/// Answers a stream of rays with one engine. The answers have no timing.
+int render_stream(const RenderOptions& o) {
+    const StreamEngine engine = parse_stream_engine(o.engine);
+    if (!o.stream.hits) throw UserError("--rays needs --hits, the .npy file for each ray's hit");
+    check_hits(o.stream, o.json);
+    o.json.check();
+    const Progress progress = stopping(terminal_progress());
+    const StreamRequest request = stream_request(o.scene, o.config, o.stream, progress);
+    if (engine == StreamEngine::rtl) check_rtl(request.config);
+    const StreamInput& input = *request.input;
+    const Stopwatch watch;
+    const std::vector<StreamHit> answers =
+        trace_stream(input, engine, request.config, o.threads, progress).hits;
+    const double seconds = watch.seconds();
+    stop_if_interrupted();
+    write_bytes(*o.stream.hits, hits_npy(answers, {}));
+    const auto hits =
+        std::count_if(answers.begin(), answers.end(), [](const StreamHit& hit) { return hit.hit; });
+    if (!o.json.is_alone())
+        fmt::print("{}: {}; {}: {} rays, {} hits, {} -> {}\n", input.scene().name,
+                   primitives_text(input.scene()), printable(input.rays().name()), grouped(answers.size()),
+                   grouped(std::uint64_t(hits)), o.engine, printable(*o.stream.hits));
+    o.json.write({{"scene", scene_json(input.scene())},
+                  {"stream", {{"file", input.rays().name()}, {"rays", answers.size()}, {"hits", hits}}},
+                  {"engine", o.engine},
+                  {"host", {{"seconds", seconds}}}});
+    return 0;
+}
+
 int run_render(const RenderOptions& o) {
+    if (traces_stream(o.stream, {o.size,
+                                 o.finish,
+                                 o.view,
+                                 o.frames,
+                                 o.limits,
+                                 {{!o.output.empty(), "--output"}, {o.compare, "--compare"}}}))
+        return render_stream(o);
+    if (o.output.empty()) throw UserError("--output is required ('rayclock render --help' tells more)");
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");

@@ -57,7 +57,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
-    stream_options(parser, o.stream);
+    stream_options(parser, o.stream, true);
     parser.option("--report", o.report,
                   "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
     parser.option("-o,--output", o.output,
@@ -157,19 +157,18 @@ void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simu
     if (progress) progress("writing the page", 1, 1);
 }
 
-/// Runs the command with a stream of rays. It draws no picture.
-int run_simulate_stream(const SimulateOptions& o) {
-    refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.engine != "model" ? "--engine"
-                     : !o.report.empty() ? "--report"
-                     : o.no_reference    ? "--no-reference"
-                                         : nullptr);
-    return simulate_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
-}
-
 int run_simulate(const SimulateOptions& o) {
-    check_stream_options(o.stream);
-    if (o.stream.is_asked()) return run_simulate_stream(o);
+    if (traces_stream(o.stream, {o.size,
+                                 o.finish,
+                                 o.view,
+                                 o.frames,
+                                 o.limits,
+                                 {{!o.output.empty(), "--output"},
+                                  {o.engine != "model", "--engine"},
+                                  {!o.report.empty(), "--report"},
+                                  {o.no_reference, "--no-reference"}}}))
+        return simulate_stream(
+            {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
     const Stopwatch watch;
     const FrameSize size = parse_size(o.size);
     if (o.clock.find("fmax") == std::string::npos)

@@ -2,37 +2,23 @@
 #include "sim/app/stream_run.hpp"
 
 #include "model/base/error.hpp"
-#include "model/base/quote.hpp"
 #include "model/core/settled.hpp"
-#include "model/engine/check.hpp"
 #include "model/trace/hits.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/files/process/stopping.hpp"
+#include "sim/run/request/idle.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
 
-Config stream_config(const ConfigChoice& choice) {
+Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes) {
     const Config named = load_config({choice.name, {}});
     const Config config =
         with_settings(settled(streaming(widened(named, choice.set))), choice.set, named.name);
     if (!config.is_stream()) throw UserError("--rays needs source=stream; leave out --set source=camera");
+    for (std::string& note : idle_settings(config, choice.set)) notes.push_back(std::move(note));
     return config;
-}
-
-Outside parse_outside(const std::string& text) {
-    if (text == "clip") return Outside::clip;
-    if (text == "refuse") return Outside::refuse;
-    throw UserError("--outside: " + shown(text) + " is not clip or refuse");
-}
-
-void prepare_for_stream(Scene& scene) {
-    refuse_folded(scene);
-    if (!scene.spheres.empty() || !scene.planes.empty())
-        throw UserError(scene.name +
-                        ": a stream of rays meets triangles only, and the scene has spheres or planes");
-    if (!scene.camera) scene.camera = fit_camera(scene, 1);
 }
 
 StreamRun run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic, bool is_judged,
@@ -60,27 +46,29 @@ nlohmann::ordered_json judgement_json(const std::optional<StreamJudgement>& judg
             {"seconds", judged->seconds}};
 }
 
-nlohmann::ordered_json stream_json(const StreamJob& s, const std::vector<Closest>& answers) {
-    std::size_t hits = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
-    return {{"file", s.rays.name()}, {"rays", s.rays.size()}, {"closest", s.closest}, {"any", s.any},
-            {"clipped", s.clipped},  {"missing", s.missing},  {"hits", hits}};
-}
-
 }   // namespace
+
+nlohmann::ordered_json stream_json(const StreamJob& s) {
+    return {{"file", s.rays.name()}, {"rays", s.rays.size()}, {"closest", s.closest},
+            {"any", s.any},          {"clipped", s.clipped},  {"missing", s.missing}};
+}
 
 nlohmann::ordered_json stream_run_json(const StreamJob& s, const std::vector<Closest>& answers,
                                        const std::vector<FramesAtClock>& runs, bool partial,
                                        const std::optional<StreamJudgement>& judged) {
     const Config& config = s.job.config;
     const FrameResult& first = runs[0].last();
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) hits += hit_of(s, i, answers[i]).hit;
+    nlohmann::ordered_json stream = stream_json(s);
+    stream["hits"] = hits;
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
     for (const FramesAtClock& run : runs) {
         clocks.push_back(clock_json(config, run));
         mark_clock(clocks.back(), config, run.khz);
     }
     return {{"scene", scene_json(s.scene)},
-            {"stream", stream_json(s, answers)},
+            {"stream", stream},
             {"config", config_json_object(config)},
             {"partial", partial},
             {"compile", compile_json(s.job.image.report)},

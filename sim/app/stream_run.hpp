@@ -8,18 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/run/request/config_file.hpp"
-#include "sim/run/stream/stream.hpp"
+#include "sim/run/stream/input.hpp"
 #include "sim/view/report/json.hpp"
 
 namespace rayclock {
 
 /// Returns the configuration with the parameters that a stream needs. Throws UserError if the choice
-/// contradicts them.
-Config stream_config(const ConfigChoice& choice);
-/// Parses "clip" or "refuse". Throws UserError.
-Outside parse_outside(const std::string& text);
-/// Adds a camera if the scene has none. Throws UserError if the scene cannot be used with a stream.
-void prepare_for_stream(Scene& scene);
+/// contradicts them. Appends a sentence to `notes` for each setting without effect.
+Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes);
 
 /// The results of a stream at each clock.
 struct StreamRun {
@@ -35,6 +31,8 @@ struct StreamRun {
 StreamRun run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic, bool is_judged,
                      int threads, const Progress& progress);
 
+/// Returns the report's entry for the rays of a stream, without their answers.
+nlohmann::ordered_json stream_json(const StreamJob& stream);
 /// Returns the part of the report that the model and lockstep share.
 nlohmann::ordered_json stream_run_json(const StreamJob& stream, const std::vector<Closest>& answers,
                                        const std::vector<FramesAtClock>& runs, bool partial,

@@ -14,10 +14,8 @@
 #include "sim/app/stream_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/run/request/idle.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
-#include "sim/run/stream/stream.hpp"
 #include "sim/view/report/elastic.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
@@ -25,34 +23,41 @@
 
 namespace rayclock {
 
-void stream_options(Parser& parser, StreamChoice& choice) {
+void stream_options(Parser& parser, StreamChoice& choice, bool with_hits) {
     parser.option("--rays", choice.rays,
                   "trace the rays of a file in place of a camera's: .npy (n x 6 to 9) or AnyDSL's .rays");
+    treatment_options(parser, choice);
+    if (with_hits)
+        parser.option("--hits", choice.hits, "with --rays: .npy file for each ray's hit and its cycle");
+}
+
+void treatment_options(Parser& parser, StreamChoice& choice) {
     parser.flag("--any-hit", choice.any_hit, "with --rays: every ray requests any hit, not the closest");
     parser
         .option("--outside", choice.outside,
                 "with --rays: clip or refuse rays that begin outside the lattice")
         .with_default();
-    parser.option("--hits", choice.hits, "with --rays: .npy file for each ray's hit and its cycle");
 }
 
-void check_stream_options(const StreamChoice& choice) {
-    if (choice.is_asked()) return;
-    const char* option = choice.any_hit                             ? "--any-hit"
-                         : choice.hits                              ? "--hits"
-                         : choice.outside != StreamChoice{}.outside ? "--outside"
-                                                                    : nullptr;
-    if (option) throw UserError(fmt::format("{} needs --rays, a stream of rays", option));
+PictureOptions no_picture_options(std::vector<PictureOptions::Own> own) {
+    static const std::string size = default_size;
+    static const Finish finish;
+    static const ViewChoice view;
+    static const FramesOptions frames;
+    static const LimitsChoice limits;
+    return {size, finish, view, frames, limits, std::move(own)};
 }
 
-void refuse_with_rays(const char* odd) {
-    if (odd)
-        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
-}
-
-void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
-                            const FramesOptions& frames, const LimitsChoice& limits,
-                            const std::string& output) {
+bool traces_stream(const StreamChoice& choice, const PictureOptions& picture) {
+    if (!choice.rays) {
+        const char* option = choice.any_hit                             ? "--any-hit"
+                             : choice.hits                              ? "--hits"
+                             : choice.outside != StreamChoice{}.outside ? "--outside"
+                                                                        : nullptr;
+        if (option) throw UserError(fmt::format("{} needs --rays, a stream of rays", option));
+        return false;
+    }
+    const auto& [size, finish, view, frames, limits, own] = picture;
     const char* odd = size != default_size ? "--size"
                       : finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
                       : view.is_asked()    ? "an option of the camera"
@@ -60,30 +65,39 @@ void refuse_picture_options(const std::string& size, const Finish& finish, const
                       : view.material      ? "--material"
                       : frames.is_asked()  ? "an option of films"
                       : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
-                      : !output.empty()                                               ? "--output"
                                                                                       : nullptr;
-    refuse_with_rays(odd);
+    for (const PictureOptions::Own& option : own)
+        if (!odd && option.is_given) odd = option.name;
+    if (odd)
+        throw UserError(fmt::format("--rays takes the place of a camera, so {} has no meaning here", odd));
+    return true;
 }
 
-namespace {
-
-/// A stream, ready to run.
-struct Streamed {
-    Scene scene;
-    RayFile rays;
-    std::unique_ptr<StreamJob> stream;   // refers to both
-};
-
-std::unique_ptr<Streamed> load(const StreamCommand& c, const Config& config, const Progress& progress) {
-    const Outside outside = parse_outside(c.stream.outside);
-    RayFile rays(*c.stream.rays, c.stream.any_hit);
-    auto s = std::make_unique<Streamed>(Streamed{told_scene(c.scene, progress), std::move(rays), {}});
-    prepare_for_stream(s->scene);
-    s->stream = std::make_unique<StreamJob>(make_stream_job(s->scene, s->rays, config, outside, progress));
-    return s;
+StreamRequest stream_request(const std::string& scene, const ConfigChoice& choice, const StreamChoice& stream,
+                             const Progress& progress) {
+    std::vector<std::string> notes;
+    StreamRequest request;
+    request.config = stream_config(choice, notes);
+    tell_idle(notes);
+    request.input = stream_input(scene, stream, progress);
+    return request;
 }
 
-std::string heading_of(const StreamJob& s) {
+std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const StreamChoice& stream,
+                                                const Progress& progress) {
+    const Outside outside = parse_outside(stream.outside);
+    auto rays = std::make_unique<const RayFile>(*stream.rays, stream.any_hit);
+    return std::make_unique<const StreamInput>(told_scene(scene, progress), std::move(rays), outside);
+}
+
+void check_hits(const StreamChoice& choice, const JsonOutput& json) {
+    if (!choice.hits) return;
+    if (*choice.hits == "-") throw UserError("--hits must name a file, not standard output");
+    if (*choice.hits == json.path) throw UserError("--hits and --json name the same file");
+    check_writable(*choice.hits);
+}
+
+std::string stream_heading(const StreamJob& s) {
     std::string text = fmt::format("{}: {}; {}: {} rays: {} for the closest hit and {} for any hit",
                                    s.scene.name, primitives_text(s.scene), printable(s.rays.name()),
                                    grouped(s.rays.size()), grouped(s.closest), grouped(s.any));
@@ -91,6 +105,8 @@ std::string heading_of(const StreamJob& s) {
     if (s.missing) text += fmt::format("; {} miss the lattice", grouped(s.missing));
     return text + fmt::format("\nconfiguration {}\n", s.job.config.name);
 }
+
+namespace {
 
 std::string judge_line(const StreamJudgement& judged) {
     return fmt::format("  exact judge: {} rays, {} wrong{}\n", grouped(judged.rays), judged.wrong,
@@ -100,10 +116,7 @@ std::string judge_line(const StreamJudgement& judged) {
 /// Checks the files that the command writes, before any work.
 void check_outputs(const StreamCommand& c) {
     c.json.check();
-    if (!c.stream.hits) return;
-    if (*c.stream.hits == "-") throw UserError("--hits must name a file, not standard output");
-    if (*c.stream.hits == c.json.path) throw UserError("--hits and --json name the same file");
-    check_writable(*c.stream.hits);
+    check_hits(c.stream, c.json);
 }
 
 /// Writes the hits if they are asked for. Returns false if it was interrupted; nothing is written then.
@@ -113,7 +126,7 @@ bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame&
     const std::vector<std::uint64_t> retired =
         retirements(s.job.config, run.khz, frame, traffic, run.last().cycles, progress);
     if (interrupted()) return false;
-    write_bytes(*c.stream.hits, hits_npy(s, frame.trace.hits, retired));
+    write_bytes(*c.stream.hits, hits_npy(hits_of(s, frame.trace.hits), retired));
     if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(*c.stream.hits));
     return true;
 }
@@ -125,16 +138,17 @@ int simulate_stream(const StreamCommand& c) {
     const Traffic traffic = traffic_of(c.traffic);
     check_outputs(c);
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    const Config config = stream_config(c.config);
-    tell_idle(idle_settings(config, c.config.set));
+    if (c.clock.find("fmax") == std::string::npos)
+        parse_clocks(c.clock);   // refused before the scene is loaded
+    const StreamRequest request = stream_request(c.scene, c.config, c.stream, stop);
+    const Config& config = request.config;
     const std::vector<int> clocks = clocks_of(c.clock, config);
-    const std::unique_ptr<Streamed> input = load(c, config, stop);
-    const StreamJob& s = *input->stream;
+    const StreamJob s = request.input->job(config, stop);
     const StreamRun run = run_stream(s, clocks, traffic, !c.no_judge, c.threads, progress);
     const std::vector<FramesAtClock>& runs = run.runs;
     const std::optional<StreamJudgement>& judged = run.judged;
     if (!c.json.is_alone()) {
-        fmt::print("{}{}{}\n{}\n{}", heading_of(s), clock_table(config, runs), clock_line(config, clocks),
+        fmt::print("{}{}{}\n{}\n{}", stream_heading(s), clock_table(config, runs), clock_line(config, clocks),
                    work_table(config, runs[0]), unit_table(config, runs));
         if (judged) fmt::print("\n{}", judge_line(*judged));
     }
@@ -151,11 +165,10 @@ int verify_stream(const StreamCommand& c) {
     check_outputs(c);
     const int khz = parse_clocks(c.clock)[0];
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    const Config config = stream_config(c.config);
-    tell_idle(idle_settings(config, c.config.set));
+    const StreamRequest request = stream_request(c.scene, c.config, c.stream, stop);
+    const Config& config = request.config;
     check_rtl(config);
-    const std::unique_ptr<Streamed> input = load(c, config, stop);
-    StreamJob& s = *input->stream;
+    StreamJob s = request.input->job(config, stop);
     s.job.khz = khz;
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
@@ -170,8 +183,8 @@ int verify_stream(const StreamCommand& c) {
     std::optional<StreamJudgement> judged;
     if (!c.no_judge && !partial) judged = judge_stream(s, result.rtl.answers, c.threads, stop);
     if (!c.json.is_alone()) {
-        fmt::print("{}{}\n{}\n{}\n{}", heading_of(s), clock_table(config, runs), work_table(config, runs[0]),
-                   unit_table(config, runs),
+        fmt::print("{}{}\n{}\n{}\n{}", stream_heading(s), clock_table(config, runs),
+                   work_table(config, runs[0]), unit_table(config, runs),
                    elastic ? elastic_lines(config, khz, *elastic) : lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }

@@ -1,9 +1,12 @@
 #pragma once
 // Commands with a stream of rays in place of a camera.
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/app/options/options.hpp"
+#include "sim/run/stream/input.hpp"
 
 namespace rayclock {
 
@@ -12,17 +15,48 @@ struct StreamChoice {
     std::optional<std::string> rays, hits;
     std::string outside = "clip";
     bool any_hit = false;
-    bool is_asked() const { return rays.has_value(); }
 };
-void stream_options(Parser& parser, StreamChoice& choice);
-/// Throws UserError if a stream's option was given without a stream.
-void check_stream_options(const StreamChoice& choice);
-/// Throws UserError if `odd` names an option. The option has no meaning with a stream.
-void refuse_with_rays(const char* odd);
-/// Throws UserError if an option was given that has a meaning for pictures only.
-void refuse_picture_options(const std::string& size, const Finish& finish, const ViewChoice& view,
-                            const FramesOptions& frames, const LimitsChoice& limits,
-                            const std::string& output);
+/// Declares the options of a stream. `with_hits`: the command can write each ray's hit.
+void stream_options(Parser& parser, StreamChoice& choice, bool with_hits);
+/// Declares the options of a stream except --rays and --hits.
+void treatment_options(Parser& parser, StreamChoice& choice);
+
+/// The options of a camera's picture, and all other options of a command that have no meaning for a stream.
+struct PictureOptions {
+    const std::string& size;
+    const Finish& finish;
+    const ViewChoice& view;
+    const FramesOptions& frames;
+    const LimitsChoice& limits;
+    /// An option of one command: is it given, and its name.
+    struct Own {
+        bool is_given;
+        const char* name;
+    };
+    std::vector<Own> own{};
+};
+/// Returns the options of a command that draws no picture.
+PictureOptions no_picture_options(std::vector<PictureOptions::Own> own);
+/// Decides for every command what it traces: returns true for a stream of rays, and false for the rays of a
+/// camera. Throws UserError if an option of the other one is given.
+bool traces_stream(const StreamChoice& choice, const PictureOptions& picture);
+
+/// A stream as the options choose it: the configuration of the chip, and the scene with its rays.
+struct StreamRequest {
+    Config config;
+    std::unique_ptr<const StreamInput> input;
+};
+/// Loads the rays and the scene, and makes the configuration. Prints notes on standard error. Throws
+/// UserError.
+StreamRequest stream_request(const std::string& scene, const ConfigChoice& config, const StreamChoice& choice,
+                             const Progress& progress);
+/// Loads the rays and the scene only. Throws UserError.
+std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const StreamChoice& choice,
+                                                const Progress& progress);
+/// Throws UserError if the file of --hits could not be written later.
+void check_hits(const StreamChoice& choice, const JsonOutput& json);
+/// Returns the line of a command's text about the scene and the rays.
+std::string stream_heading(const StreamJob& stream);
 
 /// A command's input, when it has a stream.
 struct StreamCommand {

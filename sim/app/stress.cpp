@@ -1,15 +1,27 @@
-// rayclock stress: runs families of hard cases on many lattices, judged by the oracle.
+// rayclock stress: runs families of hard cases on many lattices, judged by the oracle; or a stream of rays on
+// random chips, in lockstep and judged.
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/streamed.hpp"
+#include "sim/explore/torture/streamed.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/files/process/threads.hpp"
 #include "sim/run/engine/engine.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/study/hard_cases.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/lockstep.hpp"
+#include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/explore/stress/report.hpp"
 
@@ -17,8 +29,12 @@ namespace rayclock {
 
 namespace {
 
+constexpr const char* default_bits = "12:20:2";
+
 struct StressOptions {
-    std::string bits = "12:20:2", rays = "1e6", output, state;
+    std::string scene, bits = default_bits, rays = "1e6", output, state;
+    StreamChoice stream;
+    int chips = 4;
     std::vector<std::string> tests, families;
     std::uint64_t seed = default_seed;
     int threads = 0;
@@ -26,10 +42,18 @@ struct StressOptions {
 };
 
 void declare_stress(Parser& parser, StressOptions& o) {
+    scene_option(parser, o.scene);
     parser.option("--bits", o.bits, "lattices: bits of a coordinate, for example 12:20:2 or 16,18")
         .with_default();
-    parser.option("--rays", o.rays, "rays for each of exact and sheared; baselines and controls get a tenth")
+    parser
+        .option("--rays", o.rays,
+                "rays for each of exact and sheared; baselines and controls get a tenth; or a file of rays, "
+                ".npy or .rays, that meet SCENE on random chips, model and RTL in lockstep")
         .with_default();
+    treatment_options(parser, o.stream);
+    parser.option("--chips", o.chips, "with a file of rays: number of random chips")
+        .with_default()
+        .within(1, 1000);
     parser.option("--test", o.tests, "primitive test, or all; may be repeated").by_commas();
     parser.option("--family", o.families, "family of hard cases; may be repeated; all by default")
         .by_commas();
@@ -73,7 +97,96 @@ stress::Plan make_plan(const StressOptions& o) {
     return plan;
 }
 
-int run_stress(const StressOptions& o) {
+/// Returns true if --rays names a file, and not a number.
+bool names_file(const std::string& rays) {
+    const std::string kind = extension(rays);
+    return kind == "npy" || kind == "rays";
+}
+
+nlohmann::ordered_json chip_json(const StreamChip& chip, const StreamChipRun& run) {
+    const LockstepResult& r = run.lockstep;
+    nlohmann::ordered_json judge;
+    if (run.judged)
+        judge = {{"rays", run.judged->rays}, {"wrong", run.judged->wrong}, {"first", run.judged->first}};
+    return {{"seed", chip.seed},
+            {"config", config_json_object(chip.config)},
+            {"mhz", chip.khz / 1e3},
+            {"cycles", r.model.cycles},
+            {"events_compared", r.events_compared},
+            {"value_mismatches", r.value_mismatches},
+            {"account_mismatches", r.account_mismatches},
+            {"cycle_gap", r.cycle_gap},
+            {"first_divergence", divergence_json(r.first)},
+            {"first_counter", counter_json(r.counter)},
+            {"judge", judge}};
+}
+
+std::string chip_line(const StreamChip& chip, const StreamChipRun& run) {
+    const LockstepResult& r = run.lockstep;
+    std::string text = fmt::format(
+        "  chip {}, {}, coord_bits={}, contexts={}, {:g} MHz: {} cycles, {} transfers compared, {}{}\n",
+        chip.seed, name_of(chip.config.structure), chip.config.coord_bits, chip.config.contexts,
+        chip.khz / 1e3, grouped(r.model.cycles), grouped(r.events_compared),
+        r.agrees() ? "equal" : "DIFFERENT",
+        !run.judged              ? ""
+        : run.judged->wrong == 0 ? "; every ray judged right"
+                                 : fmt::format("; {} rays wrong; {}", run.judged->wrong, run.judged->first));
+    return r.agrees() ? text : text + lockstep_lines(r);
+}
+
+/// Runs a stream of rays on random chips.
+int stress_stream(const StressOptions& o) {
+    if (o.scene.empty()) throw UserError("SCENE is required with a file of rays");
+    o.json.check();
+    const Stopwatch watch;
+    const Progress progress = terminal_progress(), stop = stopping(progress);
+    const std::unique_ptr<const StreamInput> input = stream_input(o.scene, o.stream, stop);
+    const std::vector<StreamChip> chips = random_stream_chips(*input, o.seed, o.chips, stop);
+    jobs::for_each(chips.size(), o.threads, [&](std::size_t i) { build_rtl(chips[i].config); });
+    if (!o.json.is_alone())
+        fmt::print("{}: {}; {}: {} rays\n", input->scene().name, primitives_text(input->scene()),
+                   printable(input->rays().name()), grouped(input->rays().size()));
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    std::size_t failed = 0;
+    jobs::in_order(
+        o.threads, [&](std::size_t i) { return i < chips.size() && !interrupted(); },
+        [&](std::size_t i) { return std::pair(i, run_stream_chip(*input, chips[i], stopping({}))); },
+        [&](const auto& made) {
+            const auto& [i, run] = made;
+            if (!run.judged) return;   // interrupted
+            rows.push_back(chip_json(chips[i], run));
+            failed += !run.is_good();
+            if (!o.json.is_alone()) fmt::print("{}", chip_line(chips[i], run));
+            if (progress) progress("chips", rows.size(), chips.size());
+        });
+    const bool is_partial = rows.size() < chips.size(), good = failed == 0 && !is_partial;
+    if (!o.json.is_alone())
+        fmt::print("  {} chips, {} failed\n  {} in {:.1f} s\n", rows.size(), failed,
+                   good         ? "VERIFIED"
+                   : is_partial ? "PARTIAL: interrupted"
+                                : "FAILED",
+                   watch.seconds());
+    o.json.write({{"scene", scene_json(input->scene())},
+                  {"stream", {{"file", input->rays().name()}, {"rays", input->rays().size()}}},
+                  {"chips", rows},
+                  {"failed", failed},
+                  {"partial", is_partial},
+                  {"host", {{"seconds", watch.seconds()}}}});
+    return good ? 0 : 1;
+}
+
+int run_stress(const StressOptions& typed) {
+    StressOptions o = typed;
+    if (names_file(o.rays)) o.stream.rays = o.rays;
+    if (traces_stream(o.stream, no_picture_options({{!o.tests.empty(), "--test"},
+                                                    {!o.families.empty(), "--family"},
+                                                    {o.bits != default_bits, "--bits"},
+                                                    {!o.output.empty(), "--output"},
+                                                    {!o.state.empty(), "--state"}})))
+        return stress_stream(o);
+    if (!o.scene.empty())
+        throw UserError("stress takes the scene " + shown(o.scene) +
+                        " only with --rays FILE: its hard cases have triangles of their own");
     const stress::Plan plan = make_plan(o);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
@@ -92,7 +205,7 @@ int run_stress(const StressOptions& o) {
 }   // namespace
 
 Command stress_command() {
-    return command("stress", "test numerical hard cases against the exact oracle",
+    return command("stress", "test hard cases against the exact oracle, or a stream on random chips",
                    "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (continues after an "
                    "interruption)",
                    declare_stress, run_stress);

@@ -4,6 +4,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/options/commands.hpp"
+#include "sim/app/streamed.hpp"
 #include "sim/app/sweep_run.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/files/image/image.hpp"
@@ -28,6 +29,7 @@ struct SweepOptions {
     int threads = 0;
     std::optional<int> cache_bytes;
     std::optional<std::string> shard;
+    StreamChoice stream;
     SweepOutputs outputs;
 };
 
@@ -59,10 +61,13 @@ void declare_sweep(Parser& parser, SweepOptions& o) {
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
     threads_option(parser, o.threads);
+    stream_options(parser, o.stream, false);
     sweep_outputs(parser, o.outputs);
 }
 
 int run_sweep_command(const SweepOptions& o) {
+    const bool is_stream =
+        traces_stream(o.stream, {o.size, o.finish, o.view, o.frames, o.outputs.limits, {}});
     sweep::parse_cost(o.cost);   // refused before the scene is loaded
     const sweep::Shard shard = o.shard ? sweep::parse_shard(*o.shard) : sweep::Shard{};
     if (!shard.is_whole() && !o.outputs.json.wanted())
@@ -73,12 +78,21 @@ int run_sweep_command(const SweepOptions& o) {
     std::vector<sweep::Axis> axes;
     for (const std::string& text : o.axes) axes.push_back(sweep::parse_axis(text));
     check_outputs(o.outputs);
-    check_plots(o.outputs, axes);
+    check_plots(o.outputs, axes, is_stream);
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
-    const SweepRun run = run_sweep({request, size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
-                                    !o.no_netlist, o.fresh, o.threads, o.frames, o.view},
-                                   progress);
+    StreamRequest stream;
+    Request request;
+    if (is_stream) {
+        stream = stream_request(o.scene, o.config, o.stream, stopping(progress));
+        request.config = stream.config;
+        request.scene = stream.input->scene();
+    } else {
+        request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
+    }
+    const SweepRun run = run_sweep(
+        {request, is_stream ? FrameSize{0, 0} : size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
+         !o.no_netlist, o.fresh, o.threads, o.frames, o.view, stream.input.get()},
+        progress);
     const sweep::Outcome& outcome = run.swept.outcome;
 
     std::string how = fmt::format("{} points from {} traces, {} of them known before", outcome.results.size(),

@@ -38,8 +38,9 @@ std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const swee
 SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
     const sweep::Cost cost = sweep::parse_cost(ask.cost);
     const Scene& scene = ask.request.scene;
-    const PictureChoice picture{ask.request.finished, ask.request.settings, settled_frames(ask.frames, scene),
-                                ask.view};
+    PictureChoice picture;
+    if (!ask.stream)
+        picture = {ask.request.finished, ask.request.settings, settled_frames(ask.frames, scene), ask.view};
     std::vector<sweep::Point> points = points_of(ask);
     const std::vector<std::size_t> mine = keep_part(points, ask.shard);
     jobs::Cache cache(rtl_cache() / "sweep", ask.fresh);
@@ -47,12 +48,13 @@ SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
                         ask.request.config,
                         ask.size,
                         {std::move(ask.axes), ask.clock, ask.cost, ask.cache_bytes, ask.netlists,
-                         sweep::picture_json(picture)},
+                         ask.stream ? nlohmann::ordered_json() : sweep::picture_json(picture),
+                         ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json()},
                         {}};
     sweep::Outcome& outcome = swept.outcome;
     const bool netlists = ask.netlists && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
-    outcome =
-        sweep::run({scene, ask.size, std::move(points), ask.threads, netlists, picture}, cache, progress);
+    outcome = sweep::run({scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream},
+                         cache, progress);
     if (sweep::needs_area(cost) && !outcome.partial) {
         jobs::Cache areas(rtl_cache() / "area", ask.fresh);
         sweep::count_areas(outcome, ask.threads, areas, progress);
@@ -69,12 +71,15 @@ nlohmann::ordered_json sweep_json(const sweep::Merged& swept, const Limits& limi
     const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
     return {{"scene", swept.scene},
             {"config", config_json_object(swept.config)},
-            {"frame", {{"width", swept.size.width}, {"height", swept.size.height}}},
+            {"frame", swept.asked.is_stream() ? nlohmann::ordered_json()
+                                              : nlohmann::ordered_json{{"width", swept.size.width},
+                                                                       {"height", swept.size.height}}},
             {"sweep", sweep::asked_json(swept.asked)},
             {"shard", shard},
             {"partial", swept.outcome.partial},
             {"front",
-             {{"error", front.measures[0].key},
+             {{"error",
+               front.has_error ? nlohmann::ordered_json(front.measures[0].key) : nlohmann::ordered_json()},
               {"cost", front.measures[1].key},
               {"cost_is",
                front.why.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(front.why)},

@@ -27,6 +27,7 @@ struct SweepAsk {
     int threads = 0;
     FramesOptions frames{};
     ViewChoice view{};
+    const StreamInput* stream = nullptr;   ///< traced in place of a picture
 };
 
 /// The results of a sweep.

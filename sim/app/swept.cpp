@@ -57,7 +57,9 @@ Plot plot_of(const std::string& typed) {
 
 }   // namespace
 
-void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
+void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, bool is_stream) {
+    if (is_stream && !o.report.empty())
+        throw UserError("--report shows the errors of pictures, and a stream of rays has no picture");
     const std::vector<std::string> known = sweep::column_names(axes);
     for (const std::string& typed : o.plots)
         if (const Plot plot = plot_of(typed); plot.columns)
@@ -65,6 +67,9 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes) {
                 if (std::find(known.begin(), known.end(), column) == known.end())
                     throw UserError("--plot: the table has no column " + shown(column) +
                                     did_you_mean(column, known));
+                if (is_stream && sweep::is_of_picture(column))
+                    throw UserError("--plot: the column " + shown(column) +
+                                    " is empty, because a stream of rays has no picture");
                 if (sweep::has_words(axes, column))
                     throw UserError("--plot: the column " + shown(column) + " holds words, not numbers");
             }
@@ -90,8 +95,14 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
     const std::string far = sweep::far_points(axes, results, limits);
     if (!o.json.is_alone()) {
         if (!far.empty()) write_output(far + "\n");
-        write_output(fmt::format("{}, {}x{}: {}\n{}", printable(scene), swept.size.width, swept.size.height,
-                                 how, sweep::text(axes, swept.outcome, front)));
+        const nlohmann::ordered_json& stream = swept.asked.stream;
+        const std::string traced =
+            swept.asked.is_stream()
+                ? fmt::format("{} rays of {}", grouped(stream.at("rays").get<std::uint64_t>()),
+                              printable(stream.at("file").get<std::string>()))
+                : fmt::format("{}x{}", swept.size.width, swept.size.height);
+        write_output(fmt::format("{}, {}: {}\n{}", printable(scene), traced, how,
+                                 sweep::text(axes, swept.outcome, front)));
         if (swept.outcome.partial)
             write_output("  PARTIAL: interrupted; the same command continues where it stopped\n");
     }

@@ -15,8 +15,9 @@ struct SweepOutputs {
 void sweep_outputs(Parser& parser, SweepOutputs& o);
 /// Throws UserError if an output could not be written later, so that a command can fail early.
 void check_outputs(const SweepOutputs& o);
-/// Throws UserError if a plot names a column that the table lacks.
-void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes);
+/// Throws UserError if a plot names a column that the table lacks, or that is empty for a stream of rays, or
+/// if a stream's page is requested.
+void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, bool is_stream);
 
 /// Prints the table under the line `how` ("6 points from 3 traces") and writes the files. `shard` is the
 /// result of shard_json().

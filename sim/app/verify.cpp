@@ -77,7 +77,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
                 "takes some minutes to build, and no waveform is made");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
-    stream_options(parser, o.stream);
+    stream_options(parser, o.stream, true);
     json_option(parser, o.json);
 }
 
@@ -302,15 +302,6 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"digest", digest_text(frame.digest)}};
 }
 
-/// Runs the command with a stream of rays. It draws no picture.
-int run_verify_stream(const VerifyOptions& o) {
-    refuse_picture_options(o.size, o.finish, o.view, o.frames, o.limits, o.output);
-    refuse_with_rays(o.torture ? "--torture" : o.netlist ? "--netlist" : o.no_wave ? "--no-wave" : nullptr);
-    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-    return verify_stream(
-        {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json, o.elastic.units});
-}
-
 int run_verify(const VerifyOptions& typed) {
     VerifyOptions o = typed;
     take_elastic(o.elastic, o.scene);
@@ -319,7 +310,7 @@ int run_verify(const VerifyOptions& typed) {
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
     if (o.elastic.alone)
         refuse_with_unit_only(o.elastic.is_asked()   ? "--elastic"
-                              : o.stream.is_asked()  ? "--rays"
+                              : o.stream.rays        ? "--rays"
                               : o.netlist            ? "--netlist"
                               : !o.output.empty()    ? "--output"
                               : o.no_wave            ? "--no-wave"
@@ -327,8 +318,20 @@ int run_verify(const VerifyOptions& typed) {
                               : o.traffic.jitter > 0 ? "--jitter"
                               : o.traffic.stall > 0  ? "--stall"
                                                      : nullptr);
-    check_stream_options(o.stream);
-    if (o.stream.is_asked()) return run_verify_stream(o);
+    if (traces_stream(o.stream, {o.size,
+                                 o.finish,
+                                 o.view,
+                                 o.frames,
+                                 o.limits,
+                                 {{!o.output.empty(), "--output"},
+                                  {o.torture, "--torture"},
+                                  {bool(o.elastic.alone), "--unit-only"},
+                                  {o.netlist, "--netlist"},
+                                  {o.no_wave, "--no-wave"}}})) {
+        if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
+        return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json,
+                              o.elastic.units});
+    }
     if (o.netlist) build_netlists();
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");

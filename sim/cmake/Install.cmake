@@ -29,7 +29,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
-# find_package(rayclock): the program, and the Verilog sources in the order that tools need.
+# find_package(rayclock): the program, the C++ library (library/CMakeLists.txt), and the Verilog sources in the order that tools need.
 file(GLOB_RECURSE rtl_of_package CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/rtl rtl/*.sv)
 list(REMOVE_ITEM rtl_of_package rc_pkg.sv)
 list(SORT rtl_of_package)

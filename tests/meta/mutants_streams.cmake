@@ -78,3 +78,15 @@ mutant(stream_file_may_be_longer FILE sim/files/npy.cpp TEST load [rays]
 mutant(recip_holds_rays_after_a_reset FILE rtl/unit/raygen/rc_recip.sv TEST torture "model and RTL agree under torture"
   OLD [[valid_q <= rst_ni ? valid[Stages-1:0] : '0;]]
   NEW [[valid_q <= valid[Stages-1:0];]])
+
+# ---- Streams in commands.
+mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp TEST observe "a ray alone in flight*"
+  OLD [[        case Link::stream_miss: return asked_memory(p, 2);]]
+  NEW [[            return asked_memory(p, 2);
+        case Link::stream_miss: return;]])
+mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/run.cpp TEST cli "every point of a sweep with a stream*"
+  OLD [[if (plan.stream) scene_key_ +=]]
+  NEW [[if (plan.stream && plan.threads > 1000) scene_key_ +=]])
+mutant(reference_answers_beyond_the_end FILE sim/run/stream/input.cpp TEST cli "the reference's answers*"
+  OLD [[|| t > ray.t_max) return hit;]]
+  NEW [[|| t > 2 * ray.t_max) return hit;]])

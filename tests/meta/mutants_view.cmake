@@ -7,9 +7,9 @@ mutant(observer_counts_no_merge FILE sim/view/observe/observer.cpp TEST observe 
   NEW [[    ++sums.misses[cache];]])
 mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
   OLD [[    context.since = now_;
-    context.place = place_after(link);]]
+    context.place = place_after(link, streams_);]]
   NEW [[    context.since = now_ + 1;
-    context.place = place_after(link);]])
+    context.place = place_after(link, streams_);]])
 mutant(story_waits_for_its_own_work FILE sim/view/observe/story.cpp TEST observe "a pixel*"
   OLD [[std::uint64_t left = look - begin - times.before;]]
   NEW [[std::uint64_t left = look - begin;]])

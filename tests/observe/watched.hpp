@@ -2,9 +2,12 @@
 // Frames that are watched, on machines of all kinds.
 #include <catch2/catch.hpp>
 
+#include "model/core/settled.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/engine/check.hpp"
+#include "sim/run/stream/stream.hpp"
 #include "sim/view/observe/story.hpp"
+#include "tests/support/check/streams.hpp"
 
 namespace rayclock::test {
 
@@ -14,6 +17,7 @@ struct Watched {
     bool finished = false;
     Traffic traffic{};
     int frames = 1;
+    std::size_t rays = 0;   ///< random rays in place of a camera; 0: a picture
 };
 
 struct Watching {
@@ -21,7 +25,20 @@ struct Watching {
     std::vector<RecordedFrame> traces;
 };
 
+inline Watching watching_stream(const Watched& w, std::size_t rays) {
+    const Scene scene = make_builtin(w.scene, Primitives::triangles);
+    const ListedRays stream("random rays", random_rays(scene, rays, 1));
+    Config config = streaming(named_config("default"));
+    for (const auto& [key, value] : w.values) set_parameter(config, key, value, "test");
+    config = settled(config);
+    check_config(config, "test");
+    Watching made{make_stream_job(scene, stream, config, Outside::clip).job, {}};
+    made.traces.push_back(record_frame(made.job, made.job.frame));
+    return made;
+}
+
 inline Watching watching(const Watched& w, FrameSize size = {37, 29}) {
+    if (w.rays > 0) return watching_stream(w, std::size_t(size.width) * std::size_t(size.height));
     const Scene scene = make_builtin(w.scene, w.finished ? Primitives::native : Primitives::triangles);
     const Whitted settings{.depth = 4};
     Config config = named_config("default");
@@ -50,6 +67,22 @@ inline const std::vector<Watched>& watched_machines() {
         {"gears:2", {{"tri_interval", "4"}, {"box_lanes", "2"}, {"raygen_interval", "4"}}},
         {"gearbox:2", {{"levels", "2"}}},
         {"gearbox:2", {{"levels", "2"}, {"timing", "fast"}, {"xform_interval", "1"}, {"node_sets", "2"}}},
+        {"gears:2", {}, false, {}, 1, 37 * 29},
+        {"gears:2",
+         {{"pipelines", "2"},
+          {"tile_bits", "0"},
+          {"l2_sets", "8"},
+          {"stream_line", "64"},
+          {"stream_sets", "1"},
+          {"stream_ways", "1"},
+          {"stream_mshrs", "1"},
+          {"raygen_interval", "4"},
+          {"pixel_bits", "7"}},
+         false,
+         {20, 30, 5},
+         1,
+         37 * 29},
+        {"gears:1", {{"structure", "kd"}, {"timing", "fast"}, {"stream_line", "256"}}, false, {}, 1, 37 * 29},
     };
     return all;
 }

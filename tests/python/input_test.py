@@ -1,4 +1,5 @@
 """Input that makes no sense raises an Error with one sentence, before anything large is allocated."""
+import os
 import resource
 import unittest
 
@@ -9,6 +10,7 @@ from rayclock import unit
 from support import OCTAHEDRON, Case
 
 VERTICES, INDICES = OCTAHEDRON
+SPHERE = os.environ["RAYCLOCK_SOURCE"] + "/scenes/pond.json"
 RAY = [[0, 0, 5, 0, 0, -1.0]]
 
 
@@ -51,6 +53,17 @@ class Rays(Case):
         self.refused("size has no meaning here", self.traced, RAY, size=(8, 8))
         self.refused("depth has no meaning here", self.traced, RAY, depth=2)
         self.refused("any_hit needs rays", rayclock.simulate, "tetra:3", any_hit=True)
+
+
+    def test_trace_refuses_what_simulate_refuses(self):
+        self.refused("the shape must be n x 6 or 7 or 8 or 9, not 6", rayclock.trace, "tetra:3", RAY[0])
+        self.refused("there are no rays", rayclock.trace, "tetra:3", np.zeros((0, 6)))
+        self.refused("ray 0 has the direction 0", rayclock.trace, "tetra:3", np.zeros((1, 6)))
+        self.refused("engine: 'gpu' is not reference, model or rtl", rayclock.trace, "tetra:3", RAY, engine="gpu")
+        self.refused("'keep' is not clip or refuse", rayclock.trace, "tetra:3", RAY, outside="keep")
+        self.refused("meets triangles only", rayclock.trace, rayclock.load_scene(SPHERE), RAY)
+        self.refused("needs source=stream", rayclock.trace, "tetra:3", RAY, config=rayclock.Config(source="camera"))
+        self.refused("threads", rayclock.trace, "tetra:3", RAY, threads=-1)
 
 
 class Scenes(Case):

@@ -10,7 +10,10 @@ import unittest
 import numpy as np
 
 import rayclock
+from rayclock import _rayclock
 from support import OCTAHEDRON, Case, program, without_times
+
+RAY = [[0, 0, 5, 0, 0, -1.0]]
 
 
 class Pictures(Case):
@@ -88,9 +91,9 @@ class Pictures(Case):
 
     def test_ctrl_c_ends_a_simulation_soon(self):
         scene = rayclock.load_scene("gears:4")
-        tree = dict(scene="gears:8", config=rayclock.Config(structure="kd"), size=(8, 8))   # its builder does not report
+        trees = [dict(scene="gears:8", config=rayclock.Config(structure=name), size=(8, 8)) for name in ("kd", "bsp")]
         for options in (dict(size=(4096, 4096)), dict(size=(2048, 2048), depth=5, aa=4), dict(size=(4096, 4096), clock=66),
-                        tree):
+                        *trees):
             pressed = []
 
             def press():
@@ -102,6 +105,9 @@ class Pictures(Case):
             with self.assertRaises(KeyboardInterrupt):
                 rayclock.simulate(**{"scene": scene, **options})
             self.assertLess(time.perf_counter() - pressed[0], 3)   # half a second on an idle machine
+            while _rayclock.continuing_work() and time.perf_counter() - pressed[0] < 5:
+                time.sleep(0.05)
+            self.assertEqual(_rayclock.continuing_work(), 0, options)   # the builders stop as well
         self.assertEqual(rayclock.simulate("tetra:3", size=(32, 24)).partial, False)
 
     def test_a_table_has_a_row_for_each_clock(self):
@@ -171,6 +177,64 @@ class Streams(Case):
         hits = rayclock.simulate("tetra:4", rays=rayclock.make_rays("tetra:4", size=(8, 8))).hits
         self.assertFalse(hits.flags.owndata)
         del hits
+
+
+    def test_trace_has_the_hits_of_a_simulation_without_their_cycles(self):
+        for kind in ("camera", "ao"):
+            rays = rayclock.make_rays("gears:3", kind=kind, size=(48, 36))
+            wanted = rayclock.simulate("gears:3", rays=rays, clock=66, judge=False).hits
+            self.assertGreater(wanted["cycle"].max(), 0)
+            wanted = wanted.copy()
+            wanted["cycle"] = 0
+            hits = rayclock.trace("gears:3", rays)
+            self.assertEqual(hits.dtype, wanted.dtype)
+            self.assertEqual(hits.tobytes(), wanted.tobytes())
+            self.assertFalse(hits.flags.owndata)
+            self.assertEqual(rayclock.trace("gears:3", rays, threads=1).tobytes(), wanted.tobytes())
+            config = rayclock.Config(structure="kd", coord_bits=14)
+            coarse = rayclock.simulate("gears:3", config, rays=rays, clock=66, judge=False).hits
+            self.assertEqual(rayclock.trace("gears:3", rays, config=config)["primitive"].tolist(),
+                             coarse["primitive"].tolist())
+            reference = rayclock.trace("gears:3", rays, engine="reference")
+            self.assertGreater((reference["primitive"] == wanted["primitive"]).mean(), 0.99)
+        any_hit = rayclock.trace("gears:3", rays[:, :6], True)
+        closest = rayclock.trace("gears:3", rays[:, :6])
+        self.assertEqual(any_hit["hit"].tolist(), closest["hit"].tolist())
+        self.assertTrue((any_hit["primitive"] == 2**32 - 1).all())
+
+    def test_trace_lets_other_threads_run_and_ctrl_c_stops_it(self):
+        rays = np.repeat(rayclock.make_rays("gears:4", size=(256, 192)), 40, axis=0)
+        ticks, pressed = [], []
+
+        def press():
+            for _ in range(10):
+                time.sleep(0.05)
+                ticks.append(time.perf_counter())
+            pressed.append(time.perf_counter())
+            _thread.interrupt_main()
+
+        thread = threading.Thread(target=press)
+        thread.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                rayclock.trace("gears:4", rays)
+        self.assertLess(time.perf_counter() - pressed[0], 3)
+        thread.join()
+        self.assertEqual(len(ticks), 10)
+
+    def test_notes_about_a_stream_are_warnings(self):
+        rays = rayclock.make_rays("tetra:3", size=(8, 6))
+        rays[:, :3] *= 3
+        rays[0, :3] += 50   # not one common origin, which the lattice would cover
+        for call in (rayclock.simulate, rayclock.trace):
+            with self.assertWarnsRegex(rayclock.Note, "rays begin outside the lattice, and their part outside it"):
+                call("tetra:3", rays=rays)
+            with self.assertWarnsRegex(rayclock.Note, "surf_sets has no effect with source=stream"):
+                call("tetra:3", rays=RAY, config=rayclock.Config(surf_sets=8))
+
+    def test_a_stream_that_would_be_empty_is_refused(self):
+        self.refused("^tetra:3: the stream would be empty", rayclock.make_rays, "tetra:3", kind="diffuse", size=(8, 6),
+                     eye=(9, 9, 9), at=(18, 18, 18))
 
 
 class Configs(Case):

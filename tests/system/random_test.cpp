@@ -4,8 +4,8 @@
 
 #include "model/core/parameters.hpp"
 #include "model/engine/check.hpp"
+#include "sim/explore/torture/random_chip.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/support/machine/random_config.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;
@@ -66,7 +66,7 @@ void check_random(const Config& config, std::uint64_t seed) {
 
 // These quick seeds have one pipeline each.
 constexpr std::uint64_t quick_seeds = 2;
-Config quick_random(std::uint64_t seed) { return random_config(seed, true); }
+Config quick_random(std::uint64_t seed) { return random_chip(seed, true); }
 
 }   // namespace
 
@@ -86,13 +86,13 @@ TEST_CASE("a few random configurations, memories and back-pressures") {
 
 TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
     const std::uint64_t seed = GENERATE(range(quick_seeds + 1, std::uint64_t(29)));
-    check_random(random_config(seed, false), seed);
+    check_random(random_chip(seed, false), seed);
 }
 
 TEST_CASE("the RTL of random configurations, and of any units that shade, is clean of warnings", "[slow]") {
     const std::uint64_t seed = GENERATE(range(std::uint64_t(1), std::uint64_t(61)));
     // Seeds that are multiples of three shade.
-    Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);
+    Config config = random_chip(seed % 4 == 0 ? seed : 3 * seed, false);
     if (config.shading) {   // no scene here needs them
         Rng rng(seed);
         for (bool Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,

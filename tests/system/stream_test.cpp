@@ -120,7 +120,7 @@ TEST_CASE("with two levels, the stream of a picture's camera rays has the pictur
     REQUIRE(answers.size() == frame.trace.hits.size());
     std::size_t found = 0;
     std::set<std::uint32_t> met;
-    const std::string bytes = hits_npy(stream, answers, std::vector<std::uint64_t>(answers.size()));
+    const std::string bytes = hits_npy(hits_of(stream, answers), {});
     for (std::size_t i = 0; i < answers.size(); ++i) {
         Closest drawn_hit = frame.trace.hits[i], traced = answers[i];
         drawn_hit.place = traced.place = 0;   // a picture without shading does not tell the instance
@@ -270,7 +270,7 @@ TEST_CASE("hits of a stream belong to the rays as given", "[stream]") {
     CHECK(std::set(retired.begin(), retired.end()).size() == given.size());   // one answer in a cycle
     CHECK(*std::min_element(retired.begin(), retired.end()) > 0);
     CHECK(*std::max_element(retired.begin(), retired.end()) == cycles - 1);
-    const std::string bytes = hits_npy(stream, answers, retired);
+    const std::string bytes = hits_npy(hits_of(stream, answers), retired);
     constexpr std::size_t head = 256, bytes_of_hit = 42;
     REQUIRE(bytes.size() == head + bytes_of_hit * given.size());
     const auto field = [&]<class T>(std::size_t i, std::size_t at, T) {

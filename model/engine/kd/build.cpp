@@ -26,6 +26,7 @@ public:
 
     /// Builds a cell with `level` planes above it and at most `depth` below.
     CellPtr cell(Items items, Region region, int level, int depth, double budget) const {
+        pieces_.tell();
         auto cell = std::make_unique<Cell>();
         cell->bounds = bounds_of(items);
         cell->count = std::uint32_t(items.size());

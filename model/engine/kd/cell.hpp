@@ -1,6 +1,8 @@
 #pragma once
 // Cells of space and the primitives in them, from which every structure of planes is made.
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/engine/kd/node.hpp"
@@ -77,6 +79,11 @@ public:
     /// Returns the tree over all pieces, with infinite planes in a separate part next to it.
     CellPtr with_endless(CellPtr tree) const;
     bool has_endless() const { return !endless_.empty(); }
+    /// A builder calls tell() for every cell, on any thread. `report` may throw to stop the builder.
+    void report_to(std::function<void()> report) { report_ = std::move(report); }
+    void tell() const {
+        if (report_) report_();
+    }
 
 private:
     void take(const Item& item, const Region& region, Items& out) const;
@@ -84,6 +91,7 @@ private:
     std::vector<Clipper> clippers_;
     std::vector<std::uint32_t> endless_;
     LatticeBox space_;
+    std::function<void()> report_;
 };
 
 }   // namespace rayclock::kd

@@ -37,6 +37,7 @@ public:
           inner_(config.straddlers == Straddlers::inner) {}
 
     CellPtr node(Part part, int depth, double budget) const {
+        pieces_.tell();
         const bool can_be_cut = !(middle(part.box, 0).axis == no_axis &&
                                   middle(part.box, 1).axis == no_axis && middle(part.box, 2).axis == no_axis);
         if (part.items.size() <= leaf_size_ || depth == 0 || !can_be_cut) return leaf_of(part.items);

@@ -32,11 +32,12 @@ struct Measure {
     std::optional<double> (*value)(const Result&);
 };
 
-/// A front over a sweep. Speed is fps, or film_fps for several frames. Error is pixels_other_primitive. Cost
-/// is multipliers, memory_bytes if no point has multipliers, or a figure of the chip. If some points have
-/// this figure, the others have no hardware and are not on the front.
+/// A front over a sweep. Speed is fps, film_fps for several frames, and mrays_per_s for a stream of rays.
+/// Error is pixels_other_primitive. Cost is multipliers, memory_bytes if no point has multipliers, or a
+/// figure of the chip. If some points have this figure, the others have no hardware and are not on the front.
 struct Front {
     std::vector<Measure> measures;   ///< error, cost, speed
+    bool has_error = true;           ///< false for a stream of rays: the error is then 0 for every point
     std::string why;                 ///< the reason for an automatic choice of cost; else empty
     std::vector<bool> pareto;        ///< [point]: on the front of all three measures
     /// The knee of the first pair of measures whose own front has one. The pairs are error and cost, error

@@ -13,6 +13,7 @@
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/run/request/config_file.hpp"
+#include "sim/run/stream/make_rays.hpp"
 #include "sim/explore/sweep/table.hpp"
 
 namespace rayclock::sweep {
@@ -47,9 +48,16 @@ Shard shard_of(const JsonValue& in) {
 void check_form(const JsonValue& in) {
     in.at("config").object();
     in.at("scene").at("name").string();
-    for (const char* key : {"width", "height"})
-        if (in.at("frame").at(key).whole(max_frame_side + 1) == 0) in.at("frame").at(key).expected("above 0");
     const JsonValue sweep = in.at("sweep"), axes = sweep.at("axes").array();
+    const auto stream = sweep.find("stream");
+    if (stream && !stream->raw().is_null()) {
+        for (const char* key : {"file", "digest"}) stream->at(key).string();
+        if (stream->at("rays").whole(most_rays + 1) == 0) stream->at("rays").expected("above 0");
+    } else {
+        for (const char* key : {"width", "height"})
+            if (in.at("frame").at(key).whole(max_frame_side + 1) == 0)
+                in.at("frame").at(key).expected("above 0");
+    }
     for (std::size_t a = 0; a < axes.size(); ++a) {
         axes[a].at("key").string();
         for (std::size_t v = 0; v < axes[a].at("values").array().size(); ++v)
@@ -126,7 +134,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
         return;
     }
     r.clock = json.at("clock");
-    ordered_json picture = json.at("error");
+    ordered_json picture = json.at("error").is_null() ? ordered_json::object() : json.at("error");
     picture["cracks"] = json.at("cracks");
     picture["memory_bytes"] = json.at("memory_bytes");
     picture["rays"] = json.at("rays");
@@ -168,9 +176,12 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
     try {
         merged.scene = report["scene"];
         merged.scene.at("name").get<std::string>();
-        merged.size = {report["frame"].at("width").get<int>(), report["frame"].at("height").get<int>()};
-        merged.config = parse_config(parts[0].file, report["config"].dump());
         merged.asked = asked_of(report["sweep"]);
+        const ordered_json& frame = report["frame"];
+        merged.size = {0, 0};
+        if (!merged.asked.is_stream())
+            merged.size = {frame.at("width").get<int>(), frame.at("height").get<int>()};
+        merged.config = parse_config(parts[0].file, report["config"].dump());
     } catch (const nlohmann::json::exception&) {
         broken(parts[0], "the request of the sweep cannot be read");
     }

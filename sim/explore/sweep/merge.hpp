@@ -9,7 +9,7 @@ namespace rayclock::sweep {
 struct Merged {
     nlohmann::ordered_json scene;   ///< the value in the report
     Config config;
-    FrameSize size;
+    FrameSize size;   ///< 0 x 0 for a stream of rays
     Asked asked;
     Outcome outcome;
 };

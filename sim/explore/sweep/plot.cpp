@@ -20,11 +20,19 @@ struct Side {
 Side side_of(const Measure& m, double pixels) {
     if (m.key == "pixels_other_primitive") return {"pixels with another primitive, %", 100 / pixels};
     if (m.key == "fps") return {"frames per second", 1};
+    if (m.key == "mrays_per_s") return {"million rays per second", 1};
     if (m.key == "chip_luts") return {"LUTs of the chip", 1};
     if (m.key == "chip_block_rams") return {"block RAMs of the chip", 1};
     if (m.key == "chip_memory_bits") return {"memory on the chip, Mbit", 1e-6};
     if (m.key == "memory_bytes") return {"memory image, MB", 1e-6};
     return {"multipliers, 18x18 bits", 1};
+}
+
+/// Returns the title of a drawing. A stream of rays has no size.
+std::string title_of(const std::string& scene, FrameSize size, std::size_t points) {
+    const std::string traced =
+        size.width > 0 ? fmt::format("{}x{} pixels", size.width, size.height) : "a stream of rays";
+    return fmt::format("{}, {}, {} configurations", scene, traced, points);
 }
 
 std::string label_of(const Result& r) { return fmt::format("{}", fmt::join(r.point.values, " / ")); }
@@ -73,9 +81,8 @@ plot::Drawing column_plot(const std::string& scene, FrameSize size, const std::v
             panel.marks.push_back({*across[i], *up[i], label_of(results[i]), false, false});
     std::vector<std::string> keys;
     for (const Axis& axis : axes) keys.push_back(axis.key);
-    return plot::chart(
-        fmt::format("{}, {}x{} pixels, {} configurations", scene, size.width, size.height, results.size()),
-        fmt::format("labels: {}", fmt::join(keys, " / ")), {panel});
+    return plot::chart(title_of(scene, size, results.size()),
+                       fmt::format("labels: {}", fmt::join(keys, " / ")), {panel});
 }
 
 plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
@@ -94,9 +101,7 @@ plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::ve
     }
     std::string note = fmt::format("labels: {}; line: the panel's own front", fmt::join(keys, " / "));
     if (front.knee) note += fmt::format("; ring: the knee, {}", name_of(axes, results[front.knee->point]));
-    return plot::chart(
-        fmt::format("{}, {}x{} pixels, {} configurations", scene, size.width, size.height, results.size()),
-        note, panels);
+    return plot::chart(title_of(scene, size, results.size()), note, panels);
 }
 
 }   // namespace rayclock::sweep

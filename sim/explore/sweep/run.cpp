@@ -28,13 +28,15 @@ using nlohmann::ordered_json;
 
 PictureFigures picture_figures_from_json(const ordered_json& json) {
     PictureFigures p;
-    p.error.pixels = json.at("pixels").get<std::uint64_t>();
-    p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
-    p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity()
-                                                   : json.at("psnr_db").get<double>();
-    p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
-    p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
-    p.error.max_relative_depth = json.at("max_relative_depth").get<double>();
+    if (json.contains("pixels")) {
+        p.error.pixels = json.at("pixels").get<std::uint64_t>();
+        p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
+        p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity()
+                                                       : json.at("psnr_db").get<double>();
+        p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
+        p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
+        p.error.max_relative_depth = json.at("max_relative_depth").get<double>();
+    }
     if (!json.at("cracks").is_null()) p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
     const ordered_json& rays = json.at("rays");
@@ -59,7 +61,7 @@ double Result::film_fps() const {
 namespace {
 
 ordered_json picture_figures_json(const PictureFigures& p) {
-    ordered_json json = error_json(p.error, std::nullopt);
+    ordered_json json = p.has_error() ? error_json(p.error, std::nullopt) : ordered_json::object();
     json["cracks"] = p.cracks ? ordered_json(*p.cracks) : ordered_json(nullptr);
     json["memory_bytes"] = p.memory_bytes;
     json["rays"] = rays_json(p.rays);
@@ -114,8 +116,13 @@ public:
         : plan_(plan), cache_(cache), progress_(progress) {
         scene_key_ = fmt::format("program {} scene {} {}x{} {}", program_stamp(), scene_digest(plan.scene),
                                  plan.size.width, plan.size.height, picture_text(plan.scene, plan.picture));
+        if (plan.stream) scene_key_ += "rays " + plan.stream->digest() + " ";
         cores_ = jobs::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
+        if (plan.stream)
+            for (Result& r : outcome_.results)
+                if (!r.refused() && !r.point.config.is_stream())
+                    r.point.refused = "--rays needs source=stream";
     }
 
     Outcome run() {
@@ -227,7 +234,7 @@ private:
     void trace(Group& group) {
         if (stopped()) return;
         try {
-            trace_film(group);
+            trace_frames(group);
         } catch (const UserError& e) {
             for (Result* r : group.results)
                 if (!r->refused() && r->clock.is_null()) refuse(*r, e.what());
@@ -236,24 +243,14 @@ private:
         }
     }
 
-    void trace_film(Group& group) {
+    void trace_frames(Group& group) {
         // Renders as simulate does. Each point checks separately whether its memory is large enough.
         Config config = group.results[0]->point.config;
         config.own_dram.reset();
         config.dram = DramName::ideal;
         config.scan_out = config.pixel_writes = false;
-        Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
-        std::vector<RecordedFrame> frames;
-        while (frames.size() < film.frames()) {
-            film.next();
-            for (Result* r : group.results) check_memory(*r, film.job().image);
-            frames.push_back(film.record(inner_threads_, stop_));
-        }
-        if (!group.picture_known) {
-            const PictureFigures picture = compare_picture(film, frames.back());
-            cache_.keep("picture", group.key, picture_figures_json(picture));
-            for (Result* r : group.results) r->picture = picture;
-        }
+        const std::vector<RecordedFrame> frames =
+            plan_.stream ? record_stream(group, config) : record_film(group, config);
         jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
             Result& r = *group.results[i];
             if (r.refused()) return;
@@ -262,6 +259,33 @@ private:
             else
                 tell(1);
         });
+    }
+
+    std::vector<RecordedFrame> record_film(Group& group, const Config& config) {
+        Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
+        std::vector<RecordedFrame> frames;
+        while (frames.size() < film.frames()) {
+            film.next();
+            for (Result* r : group.results) check_memory(*r, film.job().image);
+            frames.push_back(film.record(inner_threads_, stop_));
+        }
+        if (!group.picture_known) keep_picture(group, compare_picture(film, frames.back()));
+        return frames;
+    }
+
+    std::vector<RecordedFrame> record_stream(Group& group, const Config& config) {
+        const StreamJob stream = plan_.stream->job(config, stop_);
+        for (Result* r : group.results) check_memory(*r, stream.job.image);
+        std::vector<RecordedFrame> frames;
+        frames.push_back(record_frame(stream.job, stream.job.frame, inner_threads_, stop_));
+        if (!group.picture_known)
+            keep_picture(group, {{}, std::nullopt, stream.job.image.report.bytes, frames[0].trace.counts});
+        return frames;
+    }
+
+    void keep_picture(Group& group, const PictureFigures& picture) {
+        cache_.keep("picture", group.key, picture_figures_json(picture));
+        for (Result* r : group.results) r->picture = picture;
     }
 
     /// The reference's last frame, equal for every configuration.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/run/film/choice.hpp"
+#include "sim/run/stream/input.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/explore/sweep/axes.hpp"
 #include "sim/files/cache/results.hpp"
@@ -12,14 +13,17 @@ namespace rayclock::sweep {
 
 /// The errors of the last frame against the reference, and its needs. Depends only on the format.
 struct PictureFigures {
-    FrameError error;
+    FrameError error;                      ///< of a stream of rays: none, with 0 pixels
     std::optional<std::uint64_t> cracks;   ///< of triangles that camera rays meet; scenes without instances
                                            ///< only
     std::uint64_t memory_bytes = 0;        ///< size of the memory image
     RayCounts rays;                        ///< rays sent
+
+    bool has_error() const { return error.pixels > 0; }
 };
 
-/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Throws a JSON exception.
+/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Without the key `pixels` there
+/// is no error. Throws a JSON exception.
 PictureFigures picture_figures_from_json(const nlohmann::ordered_json& json);
 
 /// A point and its figures. A figure is missing if the point is refused, or if the run was interrupted before
@@ -35,6 +39,7 @@ struct Result {
     bool complete() const { return picture && !clock.is_null(); }
     double cycles() const { return clock.at("cycles").get<double>(); }
     double fps() const { return clock.at("fps").get<double>(); }
+    double mrays_per_s() const { return clock.at("mrays_per_s").get<double>(); }
     double cycles_per_ray() const {
         return cycles() / double(std::max<std::uint64_t>(1, picture->rays.all()));
     }
@@ -53,6 +58,7 @@ struct Plan {
     int threads = 0;        ///< 0: all cores
     bool netlists = true;   ///< count multipliers and flip-flops
     PictureChoice picture{};
+    const StreamInput* stream = nullptr;   ///< traced in place of a picture; `scene` is its scene
 };
 
 /// The result of a run.

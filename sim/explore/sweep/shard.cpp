@@ -42,7 +42,8 @@ ordered_json asked_json(const Asked& asked) {
             {"cost", asked.cost},
             {"cache_bytes", asked.cache_bytes ? ordered_json(*asked.cache_bytes) : ordered_json(nullptr)},
             {"netlists", asked.netlists},
-            {"picture", asked.picture}};
+            {"picture", asked.picture},
+            {"stream", asked.stream}};
 }
 
 ordered_json picture_json(const PictureChoice& choice) {
@@ -59,6 +60,10 @@ ordered_json picture_json(const PictureChoice& choice) {
     return json;
 }
 
+ordered_json stream_json(const StreamInput& stream) {
+    return {{"file", stream.rays().name()}, {"rays", stream.rays().size()}, {"digest", stream.digest()}};
+}
+
 Asked asked_of(const ordered_json& json) {
     Asked asked;
     for (const ordered_json& axis : json.at("axes"))
@@ -69,6 +74,7 @@ Asked asked_of(const ordered_json& json) {
     if (!json.at("cache_bytes").is_null()) asked.cache_bytes = json.at("cache_bytes").get<int>();
     asked.netlists = json.at("netlists").get<bool>();
     asked.picture = json.at("picture");
+    asked.stream = json.value("stream", ordered_json());
     return asked;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/scene/whitted.hpp"
 #include "sim/run/film/choice.hpp"
+#include "sim/run/stream/input.hpp"
 #include "sim/explore/sweep/axes.hpp"
 
 namespace rayclock::sweep {
@@ -22,9 +23,14 @@ struct Asked {
     std::optional<int> cache_bytes;
     bool netlists = true;
     nlohmann::ordered_json picture;   ///< picture_json(): settings beyond the scene at rest
+    nlohmann::ordered_json stream;    ///< stream_json(): the rays in place of a picture; else null
+
+    bool is_stream() const { return !stream.is_null(); }
 };
 /// Returns the finished picture's settings, or null, and the frames.
 nlohmann::ordered_json picture_json(const PictureChoice& choice);
+/// Returns the name, the number and the digest of a stream's rays.
+nlohmann::ordered_json stream_json(const StreamInput& stream);
 nlohmann::ordered_json asked_json(const Asked& asked);
 /// Reads the output of asked_json(). Throws a JSON exception if the format is wrong.
 Asked asked_of(const nlohmann::ordered_json& json);

@@ -23,6 +23,7 @@ struct Column {
     const char* name;
     std::string (*cell)(const Result& r);
     bool has_words = false;
+    bool of_picture = false;   ///< empty for a stream of rays
 };
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : ""; }
@@ -45,11 +46,12 @@ const Column columns[] = {
     {"bound", [](const Result& r) { return r.clock.at("bound").get<std::string>(); }, true},
     {"bound_reached", [](const Result& r) { return fixed<3>(r.clock.at("bound_reached")); }},
     {"pixels_other_primitive",
-     [](const Result& r) { return count_text(r.picture->error.pixels_other_primitive); }},
-    {"percent_other_primitive", [](const Result& r) { return percent_other(r.picture->error); }},
-    {"psnr_db", [](const Result& r) { return decibel_text(r.picture->error.psnr_db); }},
-    {"max_abs_depth", [](const Result& r) { return fmt::format("{:.4g}", r.picture->error.max_abs_depth); }},
-    {"cracks", [](const Result& r) { return count_text(r.picture->cracks); }},
+     [](const Result& r) { return count_text(r.picture->error.pixels_other_primitive); }, false, true},
+    {"percent_other_primitive", [](const Result& r) { return percent_other(r.picture->error); }, false, true},
+    {"psnr_db", [](const Result& r) { return decibel_text(r.picture->error.psnr_db); }, false, true},
+    {"max_abs_depth", [](const Result& r) { return fmt::format("{:.4g}", r.picture->error.max_abs_depth); },
+     false, true},
+    {"cracks", [](const Result& r) { return count_text(r.picture->cracks); }, false, true},
     {"memory_bytes", [](const Result& r) { return count_text(r.picture->memory_bytes); }},
     {"multipliers", [](const Result& r) { return count_text(r.multipliers); }},
     {"flip_flops", [](const Result& r) { return count_text(r.flip_flops); }},
@@ -75,15 +77,20 @@ const Column more_columns[] = {
     {"frames", [](const Result& r) { return std::to_string(r.frames()); }},
     {"film_cycles", [](const Result& r) { return std::to_string(r.film_cycles()); }},
     {"film_fps", [](const Result& r) { return fmt::format("{:.3f}", r.film_fps()); }},
+    {"mrays_per_s", [](const Result& r) { return fmt::format("{:.3f}", r.mrays_per_s()); }},
 };
+
+std::string cell_text(const Column& column, const Result& r) {
+    return r.complete() && (!column.of_picture || r.picture->has_error()) ? column.cell(r) : "";
+}
 
 }   // namespace
 
 std::vector<std::string> cells(const Result& r, bool pareto, bool knee) {
     std::vector<std::string> all;
-    for (const Column& column : columns) all.push_back(r.complete() ? column.cell(r) : "");
+    for (const Column& column : columns) all.push_back(cell_text(column, r));
     for (const bool flag : {pareto, knee}) all.emplace_back(!r.complete() ? "" : flag ? "1" : "0");
-    for (const Column& column : more_columns) all.push_back(r.complete() ? column.cell(r) : "");
+    for (const Column& column : more_columns) all.push_back(cell_text(column, r));
     return all;
 }
 
@@ -117,6 +124,11 @@ bool has_words(const std::vector<Axis>& axes, const std::string& column) {
     const auto is = [&](const Column& c) { return c.name == column && c.has_words; };
     return std::any_of(std::begin(columns), std::end(columns), is) ||
            std::any_of(std::begin(more_columns), std::end(more_columns), is);
+}
+
+bool is_of_picture(const std::string& column) {
+    const auto is = [&](const Column& c) { return c.name == column && c.of_picture; };
+    return std::any_of(std::begin(columns), std::end(columns), is);
 }
 
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
@@ -156,8 +168,9 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
         on_front += front.pareto[i];
     }
     std::string text = table.text();
-    text += fmt::format("  Pareto front of {}, {} and {}: {} points", front.measures[0].key,
-                        front.measures[1].key, front.measures[2].key, on_front);
+    text += fmt::format("  Pareto front of {}{} and {}: {} points",
+                        front.has_error ? front.measures[0].key + ", " : "", front.measures[1].key,
+                        front.measures[2].key, on_front);
     if (front.knee)
         text += fmt::format("; knee of {} against {}: {}", front.measures[front.plane[0]].key,
                             front.measures[front.plane[1]].key,
@@ -172,7 +185,7 @@ std::string far_points(const std::vector<Axis>& axes, const std::vector<Result>&
                        const Limits& limits) {
     std::vector<NamedError> pictures;
     for (const Result& r : results)
-        if (r.picture) pictures.push_back({name_of(axes, r), r.picture->error});
+        if (r.picture && r.picture->has_error()) pictures.push_back({name_of(axes, r), r.picture->error});
     return far_from_reference(limits, pictures, results.size(), "points");
 }
 
@@ -180,8 +193,9 @@ ordered_json far_json(const std::vector<Axis>& axes, const std::vector<Result>& 
                       const Limits& limits) {
     ordered_json points = ordered_json::array();
     for (const Result& r : results)
-        points.push_back(r.picture ? ordered_json(!far_from_reference(limits, r.picture->error).empty())
-                                   : ordered_json(nullptr));
+        points.push_back(r.picture && r.picture->has_error()
+                             ? ordered_json(!far_from_reference(limits, r.picture->error).empty())
+                             : ordered_json(nullptr));
     const std::string sentence = far_points(axes, results, limits);
     ordered_json json = limit_values_json(limits);
     json["far"] = !sentence.empty();
@@ -234,7 +248,8 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
             json["cycles_per_ray"] = r.cycles_per_ray();
             json["node_hit_rate"] = frame_of(r).at("node_hit_rate");
             json["prim_hit_rate"] = frame_of(r).at("prim_hit_rate");
-            json["error"] = error_json(r.picture->error, std::nullopt);
+            json["error"] =
+                r.picture->has_error() ? error_json(r.picture->error, std::nullopt) : ordered_json(nullptr);
             json["cracks"] = count(r.picture->cracks);
             json["memory_bytes"] = r.picture->memory_bytes;
             json["multipliers"] = count(r.multipliers);

@@ -13,6 +13,8 @@ std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 std::vector<std::string> column_names(const std::vector<Axis>& axes);
 /// Returns true for a column whose cells are words such as "memory", not numbers.
 bool has_words(const std::vector<Axis>& axes, const std::string& column);
+/// Returns true if a column compares pictures, so that it is empty for a stream of rays.
+bool is_of_picture(const std::string& column);
 /// Returns a column's numbers; empty cells have none.
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
                                                  const std::vector<Result>& results, const Front& front,

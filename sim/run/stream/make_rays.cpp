@@ -7,9 +7,12 @@
 #include <cstring>
 #include <limits>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/base/rng.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
@@ -196,7 +199,40 @@ void order_rays(std::vector<StreamRay>& rays, RayOrder order, std::uint64_t seed
     if (order == RayOrder::random) shuffle(rays, seed);
 }
 
-std::string rays_npy(const std::vector<StreamRay>& rays) {
+namespace {
+
+/// Returns the position of a word among others. Throws UserError.
+int chosen(const std::string& option, const std::string& typed, const std::vector<std::string>& words) {
+    const auto at = std::find(words.begin(), words.end(), typed);
+    if (at == words.end())
+        throw UserError(fmt::format("{}: {} is not one of {}", option, shown(typed), fmt::join(words, ", ")));
+    return int(at - words.begin());
+}
+
+}   // namespace
+
+RayStreamPlan ray_stream_plan(const RayStreamChoice& c, const std::string& prefix) {
+    const auto check = [&](const char* name, int value, int most) {
+        if (value < 1 || value > most)
+            throw UserError(fmt::format("{}{} must lie in 1..{}, not {}", prefix, name, most, value));
+    };
+    RayStreamPlan plan;
+    plan.kind =
+        RayStreamKind(chosen(prefix + "kind", c.kind, {"camera", "shadow", "mirror", "ao", "diffuse"}));
+    plan.order = RayOrder(chosen(prefix + "order", c.order, {"recorded", "morton", "random"}));
+    check_frame_size(c.size);
+    check("bounce", c.bounce, 16);
+    check("samples", c.samples, 1024);
+    if (c.radius && !(*c.radius > 0 && std::isfinite(*c.radius)))
+        throw UserError(fmt::format("{}radius must be above 0, not {}", prefix, *c.radius));
+    plan.size = c.size, plan.bounce = c.bounce, plan.samples = c.samples, plan.seed = c.seed;
+    plan.radius = c.radius.value_or(0);
+    return plan;
+}
+
+std::string rays_npy(const std::vector<StreamRay>& rays, const std::string& scene) {
+    if (rays.empty())
+        throw UserError(scene + ": the stream would be empty, because no earlier ray hits a triangle");
     const bool plain = std::none_of(rays.begin(), rays.end(), [](const StreamRay& r) {
         return r.any_hit || r.t_min != 0 || std::isfinite(r.t_max);
     });

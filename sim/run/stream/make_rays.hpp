@@ -1,6 +1,7 @@
 #pragma once
 // Makes streams of rays with the reference tracer: camera rays, and the rays that a renderer sends next.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,18 @@ struct RayStreamPlan {
     RayOrder order = RayOrder::recorded;
 };
 
+/// The settings of a stream as the user gives them.
+struct RayStreamChoice {
+    std::string kind = "camera", order = "recorded";
+    FrameSize size;
+    int bounce = 1, samples = 1;
+    std::optional<double> radius;
+    std::uint64_t seed = 1;
+};
+/// Checks the settings. `prefix` stands before their names in messages: "--" on the command line. Throws
+/// UserError.
+RayStreamPlan ray_stream_plan(const RayStreamChoice& choice, const std::string& prefix);
+
 /// Makes the rays of a stream, pixel by pixel. A ray from a surface begins on the side from which the surface
 /// was seen, at a distance of 2^-16 of the diagonal of the scene's bounds. Diffuse directions are
 /// cosine-weighted (Shirley, Morley 2003: a point of the unit sphere around the tip of the normal). The rays
@@ -44,7 +57,8 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
 /// Orders rays: morton by origin and direction, random by the seed. recorded changes nothing.
 void order_rays(std::vector<StreamRay>& rays, RayOrder order, std::uint64_t seed = 1);
 
-/// Returns rays as an .npy file of float64: n x 6, or n x 9 if some have a t_max or ask for any hit.
-std::string rays_npy(const std::vector<StreamRay>& rays);
+/// Returns rays as an .npy file of float64: n x 6, or n x 9 if some have a t_max or ask for any hit. Throws
+/// UserError for an empty stream; `scene` is the name of the scene in its message.
+std::string rays_npy(const std::vector<StreamRay>& rays, const std::string& scene);
 
 }   // namespace rayclock

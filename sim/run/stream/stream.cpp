@@ -101,27 +101,38 @@ StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer
     return hit;
 }
 
-std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
-                     const std::vector<std::uint64_t>& cycles) {
+void name_instances(const Scene& scene, std::vector<StreamHit>& hits) {
+    if (!scene.placed) return;
+    const InstanceNumbers instances(*scene.placed);
+    for (StreamHit& hit : hits) hit.instance = instances.of(hit.primitive);
+}
+
+std::vector<StreamHit> hits_of(const StreamJob& stream, const std::vector<Closest>& answers) {
+    std::vector<StreamHit> hits;
+    hits.reserve(answers.size());
+    for (std::size_t i = 0; i < answers.size(); ++i) hits.push_back(hit_of(stream, i, answers[i]));
+    name_instances(stream.scene, hits);
+    return hits;
+}
+
+std::string hits_npy(const std::vector<StreamHit>& hits, const std::vector<std::uint64_t>& cycles) {
     std::string bytes = npy_head(
         "[('hit', 'u1'), ('back', 'u1'), ('primitive', '<u4'), ('instance', '<u4'), ('t', '<f8'), ('u', "
         "'<f8'), "
         "('v', '<f8'), ('cycle', '<u8')]",
-        {answers.size()});
+        {hits.size()});
     constexpr std::size_t bytes_of_hit = 42;
-    std::optional<InstanceNumbers> instances;
-    if (stream.scene.placed) instances.emplace(*stream.scene.placed);
-    bytes.reserve(bytes.size() + answers.size() * bytes_of_hit);
+    bytes.reserve(bytes.size() + hits.size() * bytes_of_hit);
     const auto add = [&](const auto& value) {
         char raw[sizeof value];
         std::memcpy(raw, &value, sizeof value);
         bytes.append(raw, sizeof value);
     };
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        const StreamHit hit = hit_of(stream, i, answers[i]);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const StreamHit& hit = hits[i];
         add(std::uint8_t(hit.hit)), add(std::uint8_t(hit.back)), add(hit.primitive);
-        add(instances ? instances->of(hit.primitive) : InstanceNumbers::none);
-        add(hit.t), add(hit.u), add(hit.v), add(cycles[i]);
+        add(hit.instance), add(hit.t), add(hit.u), add(hit.v);
+        add(cycles.empty() ? std::uint64_t(0) : cycles[i]);
     }
     return bytes;
 }

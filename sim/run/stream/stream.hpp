@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "model/compile/stream.hpp"
+#include "model/scene/placed.hpp"
 #include "sim/load/rays/rays.hpp"
 #include "sim/run/engine/engine.hpp"
 
@@ -37,15 +38,20 @@ Config streaming(Config config);
 struct StreamHit {
     bool hit = false, back = false;
     std::uint32_t primitive = no_primitive;   ///< no_primitive without a hit, or if the ray requests any hit
+    std::uint32_t instance = InstanceNumbers::none;                      ///< see name_instances()
     double t = std::numeric_limits<double>::quiet_NaN(), u = t, v = t;   ///< t on the given ray
 };
 /// Returns the answer to a ray in scene units. A closest hit beyond t_max counts as a miss.
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer);
+/// Sets `instance` of each hit from its primitive.
+void name_instances(const Scene& scene, std::vector<StreamHit>& hits);
+/// Returns the answers to all rays in scene units.
+std::vector<StreamHit> hits_of(const StreamJob& stream, const std::vector<Closest>& answers);
 
-/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), instance
-/// (u4), t, u, v (f8), cycle (u8). `cycles`: when each ray's answer left the chip.
-std::string hits_npy(const StreamJob& stream, const std::vector<Closest>& answers,
-                     const std::vector<std::uint64_t>& cycles);
+/// Returns every ray's hit as a structured .npy file: hit (u1), back (u1), primitive (u4), instance (u4),
+/// t, u, v (f8), cycle (u8). `cycles`: when each ray's answer left the chip; empty without timing, and every
+/// cycle is then 0.
+std::string hits_npy(const std::vector<StreamHit>& hits, const std::vector<std::uint64_t>& cycles);
 
 /// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
 /// cycle on. `cycles`: those of the stream's replay; for progress.

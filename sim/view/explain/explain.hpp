@@ -19,7 +19,7 @@ struct ColourFinding {
     std::vector<PixelStage> stages;
 };
 
-/// Everything that `explain` reports about one pixel.
+/// Everything that `explain` reports about one pixel, or about one ray of a stream.
 struct Explanation {
     const Config& config;
     const FrameCosts& costs;
@@ -28,6 +28,11 @@ struct Explanation {
     std::optional<ColourFinding> colour;
 
     std::uint64_t slower() const;   ///< Returns the number of pixels of the frame that took longer.
+    bool is_of_stream() const { return config.is_stream(); }
+    std::uint32_t number() const;   ///< of a ray of a stream
+    std::string subject() const;    ///< "pixel (3, 4)" or "ray 7"
+    /// Returns the purpose of a ray, or its request if it belongs to a stream.
+    const char* purpose(const RayValues& ray) const;
 };
 
 nlohmann::ordered_json pixel_cost_json(const FrameCosts& costs, const Explanation& explanation);

@@ -1,6 +1,8 @@
 // Converts an explanation to JSON.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "sim/view/explain/explain.hpp"
 #include "sim/files/image/srgb.hpp"
 
@@ -58,6 +60,17 @@ ordered_json bytes_json(const glm::vec3& c) {
 
 }   // namespace
 
+std::uint32_t Explanation::number() const { return story.y * costs.width + story.x; }
+
+std::string Explanation::subject() const {
+    return is_of_stream() ? fmt::format("ray {}", number()) : fmt::format("pixel ({}, {})", story.x, story.y);
+}
+
+const char* Explanation::purpose(const RayValues& ray) const {
+    if (is_of_stream()) return ends_at_any(ray.ray.kind) ? "any hit" : "closest hit";
+    return purpose_names[std::size_t(ray.purpose)];
+}
+
 std::uint64_t Explanation::slower() const {
     return std::uint64_t(std::count_if(costs.pixels.begin(), costs.pixels.end(),
                                        [&](const PixelCost& p) { return p.cycles > story.cost.cycles; }));
@@ -99,7 +112,7 @@ ordered_json rays_json(const Explanation& e) {
         ordered_json hit = nullptr;
         if (v.hit.found) hit = {{"primitive", v.hit.prim}, {"t", v.hit.t}, {"u", v.hit.u}, {"v", v.hit.v}};
         rays.push_back({{"ray", i},
-                        {"kind", purpose_names[std::size_t(v.purpose)]},
+                        {"kind", e.purpose(v)},
                         {"parent", v.parent < 0 ? ordered_json(nullptr) : ordered_json(v.parent)},
                         {"depth", v.depth},
                         {"origin", v.ray.o},

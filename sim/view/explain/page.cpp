@@ -77,7 +77,7 @@ std::string explanation_page(const ordered_json& json, const std::string& text, 
     std::string tables;
     for (std::size_t i = 0; i < e.story.rays.size(); ++i) {
         const RayStory& ray = e.story.rays[i];
-        const char* purpose = purpose_names[std::size_t(ray.values.purpose)];
+        const char* purpose = e.purpose(ray.values);
         rays.push_back({{"purpose", purpose}, {"visits", visits_json(ray)}});
         if (i >= 20) continue;   // the text has all rays
         tables +=
@@ -88,12 +88,16 @@ std::string explanation_page(const ordered_json& json, const std::string& text, 
     std::vector<std::vector<std::string>> lines;
     for (const auto& [key, value] : origin) lines.push_back({key, value});
     FramedPage page;
-    page.title = fmt::format("Pixel {}, {} of {} on {}", s.x, s.y,
-                             json.at("scene").at("name").get<std::string>(), e.config.name);
+    page.title = fmt::format(
+        "{} of {} on {}",
+        e.is_of_stream() ? fmt::format("Ray {}", e.number()) : fmt::format("Pixel {}, {}", s.x, s.y),
+        json.at("scene").at("name").get<std::string>(), e.config.name);
     page.header = fmt::format("<p>{:g} MHz, made by rayclock.</p>", e.khz / 1e3) +
                   html::figures({{"cycles", grouped(s.cost.cycles)},
                                  {"cycles alone on the chip", grouped(s.alone)},
-                                 {"pixels of the frame took longer", grouped(e.slower())},
+                                 {e.is_of_stream() ? "rays of the stream took longer"
+                                                   : "pixels of the frame took longer",
+                                  grouped(e.slower())},
                                  {"rays", grouped(s.cost.rays)},
                                  {"node visits", grouped(s.cost.visits)},
                                  {"primitive tests", grouped(s.cost.tests)}});

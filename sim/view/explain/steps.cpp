@@ -7,6 +7,7 @@ namespace {
 
 Step::Phase phase_of(const Stay& stay) {
     switch (Unit(stay.place)) {
+        case Unit::stream:
         case Unit::raygen: return Step::Phase::raygen;
         case Unit::trav:
         case Unit::node_cache:

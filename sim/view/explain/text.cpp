@@ -16,7 +16,8 @@ std::string share(std::uint64_t part, std::uint64_t all) {
 std::string cost_table(const Explanation& e) {
     const FrameCosts::Sums sums = e.costs.total();
     const double pixels = double(e.costs.pixels.size());
-    Table table({"cost", "pixel", "mean of the frame", "times the mean"});
+    Table table({"cost", e.is_of_stream() ? "ray" : "pixel",
+                 e.is_of_stream() ? "mean of the stream" : "mean of the frame", "times the mean"});
     const auto row = [&](const char* name, std::uint64_t mine, std::uint64_t all) {
         const double mean = double(all) / pixels;
         table.add({name, grouped(mine), fmt::format("{:.1f}", mean),
@@ -24,7 +25,7 @@ std::string cost_table(const Explanation& e) {
     };
     const PixelCost& p = e.story.cost;
     row("cycles", p.cycles, sums.cycles);
-    row("rays", p.rays, sums.rays);
+    if (!e.is_of_stream()) row("rays", p.rays, sums.rays);
     row("node visits", p.visits, sums.visits);
     row("primitive tests", p.tests, sums.tests);
     row("cache misses", p.misses, sums.misses);
@@ -51,7 +52,7 @@ std::string rays_table(const Explanation& e) {
         for (const VisitValues& visit : ray.values.visits) tests += visit.tests.size();
         const int indent = 2 * (ray.values.depth + (ray.values.purpose == RayPurpose::shadow));
         table.add({std::string(std::size_t(indent), ' ') +
-                       fmt::format("{} {}", i, purpose_names[std::size_t(ray.values.purpose)]),
+                       fmt::format("{} {}", e.is_of_stream() ? e.number() : i, e.purpose(ray.values)),
                    hit_text(ray.values), grouped(ray.first), grouped(ray.cycles),
                    grouped(ray.values.visits.size()), grouped(tests), grouped(ray.misses + ray.merges)});
     }
@@ -138,17 +139,17 @@ std::string explanation_text(const Explanation& e, bool steps) {
     const PixelStory& s = e.story;
     const std::uint64_t cycles = s.cost.cycles;
     std::string text = fmt::format(
-        "  pixel ({}, {}): {} cycles, from cycle {} to {} of {}, in pipeline {}, context {}\n"
-        "  {} of {} pixels took longer; alone on the chip, with warm caches, it takes {} cycles\n\n",
-        s.x, s.y, grouped(cycles), grouped(s.cost.first), grouped(s.cost.first + cycles),
+        "  {}: {} cycles, from cycle {} to {} of {}, in pipeline {}, context {}\n"
+        "  {} of {} {} took longer; alone on the chip, with warm caches, it takes {} cycles\n\n",
+        e.subject(), grouped(cycles), grouped(s.cost.first), grouped(s.cost.first + cycles),
         grouped(e.costs.cycles), s.pipeline, s.context, grouped(e.slower()), grouped(e.costs.pixels.size()),
-        grouped(s.alone));
+        e.is_of_stream() ? "rays" : "pixels", grouped(s.alone));
     text += cost_table(e) + "\n" + sums_table("where it was", s.places(), cycles) + "\n" +
             sums_table("what the cycles were for", s.causes(), cycles) + "\n" + rays_table(e);
     if (steps)
         for (std::size_t i = 0; i < s.rays.size(); ++i)
-            text += fmt::format("\n  ray {}, {}\n{}", i, purpose_names[std::size_t(s.rays[i].values.purpose)],
-                                steps_as_text(s.rays[i]));
+            text += fmt::format("\n  ray {}, {}\n{}", e.is_of_stream() ? e.number() : i,
+                                e.purpose(s.rays[i].values), steps_as_text(s.rays[i]));
     if (e.colour) text += "\n" + colour_lines(*e.colour);
     return text;
 }

@@ -17,10 +17,11 @@ constexpr std::size_t memory_place = pipeline_units;
 constexpr std::size_t ray_places = pipeline_units + 1;
 const char* place_name(std::size_t place);
 
-constexpr std::size_t ray_caches = 3;   ///< node_cache, prim_cache, surf_cache
+/// The caches that serve rays: node_cache, prim_cache, and surf_cache or, on a chip for streams, stream.
+constexpr std::size_t ray_caches = 3;
 constexpr std::array<Unit, ray_caches> cache_units{Unit::node_cache, Unit::prim_cache, Unit::surf_cache};
 
-/// The costs of one pixel. The counts of all pixels sum to those of the frame.
+/// The costs of one pixel, or of one ray of a stream. The counts of all pixels sum to those of the frame.
 struct PixelCost {
     std::uint32_t rays = 0;
     std::uint32_t visits = 0;   ///< nodes fetched and tested
@@ -62,7 +63,7 @@ struct FrameCosts {
     std::uint32_t width = 0, height = 0;
     std::uint64_t cycles = 0;
     bool partial = false;                    ///< interrupted
-    std::vector<PixelCost> pixels;           ///< [y * width + x]
+    std::vector<PixelCost> pixels;           ///< [y * width + x]; of a stream, [ray]
     std::array<PurposeCost, 4> purposes{};   ///< by RayPurpose
     std::vector<Window> windows;
     std::vector<TileSpan> tiles;   ///< in the order of assignment

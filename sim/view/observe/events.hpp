@@ -37,14 +37,17 @@ struct RayEvent {
     const WaitCounts* waits = nullptr;   ///< includes this cycle; valid only during the callback
 };
 
-/// Returns the unit that holds a ray after its transfer on a link.
-constexpr std::size_t place_after(Link link) {
+/// Returns the unit that holds a ray after its transfer on a link. `streams`: the chip reads rays from
+/// memory.
+constexpr std::size_t place_after(Link link, bool streams) {
+    if (link == Link::slot && streams) return index(Unit::stream);
     for (const NodeUnit& decides : node_units) {
         if (link == decides.req) return index(decides.unit);
         if (link == decides.rsp) return index(Unit::trav);
     }
     switch (link) {
         case Link::slot:
+        case Link::record:
         case Link::spawn: return index(Unit::raygen);
         case Link::ray:
         case Link::change:

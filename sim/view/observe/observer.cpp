@@ -7,10 +7,21 @@ namespace rayclock {
 
 namespace {
 
-constexpr int cache_of(Link request) {
-    return request == Link::node_req ? 0 : request == Link::prim_req ? 1 : request == Link::surf_req ? 2 : -1;
+/// Returns the link of the requests to a cache.
+constexpr Link request_link(std::size_t cache, bool streams) {
+    return cache == 0 ? Link::node_req : cache == 1 ? Link::prim_req : streams ? Link::slot : Link::surf_req;
 }
-constexpr std::array<Link, ray_caches> request_links{Link::node_req, Link::prim_req, Link::surf_req};
+constexpr int cache_of(Link request, bool streams) {
+    for (std::size_t cache = 0; cache < ray_caches; ++cache)
+        if (request_link(cache, streams) == request) return int(cache);
+    return -1;
+}
+/// Returns the number of tiles of a frame, or of the groups of a stream.
+std::size_t tiles_of(const Frame& frame, int tile_bits) {
+    if (frame.ray_count > 0) return ((frame.ray_count - 1) >> 2 * tile_bits) + 1;
+    const std::uint32_t last = (1u << tile_bits) - 1;
+    return std::size_t((frame.width + last) >> tile_bits) * ((frame.height + last) >> tile_bits);
+}
 
 }   // namespace
 
@@ -23,19 +34,22 @@ Observer::Observer(const Machine& machine, const Frame& frame, EventSink* sink, 
       has_l2_(machine.config().l2_sets > 0),
       shading_(machine.config().shading),
       lists_(machine.config().is_list()),
-      line_words_{node_cache_shape(machine.config()).words, prim_cache_shape(machine.config()).words,
-                  surf_cache_shape(machine.config()).words},
+      streams_(machine.config().is_stream()),
+      records_(frame.rays),
+      line_words_{
+          node_cache_shape(machine.config()).words, prim_cache_shape(machine.config()).words,
+          (streams_ ? stream_cache_shape(machine.config()) : surf_cache_shape(machine.config())).words},
       pipelines_(std::size_t(machine.config().pipelines)),
-      tile_columns_((frame.width + (1u << tile_bits_) - 1) >> tile_bits_),
+      tile_columns_(streams_ ? 1u << machine.config().tile_coord_bits()
+                             : (frame.width + (1u << tile_bits_) - 1) >> tile_bits_),
       accounts_(machine.accounts()),
       memory_(machine.memory().stats()) {
     for (PipelineState& p : pipelines_) p.contexts.resize(std::size_t(machine.config().contexts));
     if (has_l2_) l2_line_words_ = l2_shape(machine.config()).words;
     costs_.width = frame.width;
     costs_.height = frame.height;
-    costs_.pixels.resize(std::size_t(frame.width) * frame.height);
-    tile_spans_.assign(std::size_t(tile_columns_) * ((frame.height + (1u << tile_bits_) - 1) >> tile_bits_),
-                       -1);
+    costs_.pixels.resize(std::size_t(frame.pixels()));
+    tile_spans_.assign(tiles_of(frame, tile_bits_), -1);
     open_.accounts = accounts_;
     open_.memory = memory_;
 }
@@ -91,6 +105,13 @@ void Observer::pay(std::uint32_t pixel, RayPurpose purpose) {
     costs_.purposes[std::size_t(purpose)].bytes += line_bytes;
 }
 
+TileSpan& Observer::tile_of(std::uint32_t pixel) {
+    const std::uint32_t x = pixel % costs_.width >> tile_bits_, y = pixel / costs_.width >> tile_bits_;
+    const std::size_t tile =
+        streams_ ? std::size_t(pixel >> 2 * tile_bits_) : std::size_t(y) * tile_columns_ + x;
+    return costs_.tiles[std::size_t(tile_spans_[tile])];
+}
+
 void Observer::asked_memory(PipelineState& p, std::size_t cache) {
     CacheQueue& queue = p.caches[cache];
     const Context& context = p.contexts[queue.missing.front()];
@@ -113,10 +134,12 @@ void Observer::moved(const Move& m) {
         }
         case Link::node_miss: return asked_memory(p, 0);
         case Link::prim_miss: return asked_memory(p, 1);
-        case Link::surf_miss: return asked_memory(p, 2);
+        case Link::surf_miss:
+        case Link::stream_miss: return asked_memory(p, 2);
         case Link::node_fill:
         case Link::prim_fill:
         case Link::surf_fill:
+        case Link::stream_fill:
         case Link::l2_rsp:
         case Link::mem_rsp: return;
         case Link::l2_req: l2_requests_.push_back(owner_); return;
@@ -133,11 +156,13 @@ void Observer::moved(const Move& m) {
     if (m.link == Link::slot) began(p, m);
     Context& context = p.contexts[m.id];
     at(p, context, m.link);
-    if (const int cache = cache_of(m.link); cache >= 0) {
-        context.addr[cache] = m.addr;
+    // A request for a record is a slot, which has no address.
+    const std::uint32_t addr = streams_ && m.link == Link::slot ? records_ + context.pixel / 2 : m.addr;
+    if (const int cache = cache_of(m.link, streams_); cache >= 0) {
+        context.addr[cache] = addr;
         p.caches[std::size_t(cache)].requests.push_back(m.id);
     }
-    if (context.watched) show(m.pipeline, m.id, RayEvent::What::moved, m.link, {}, m.addr);
+    if (context.watched) show(m.pipeline, m.id, RayEvent::What::moved, m.link, {}, addr);
     if (m.link == Link::hit) context = {};
 }
 
@@ -154,8 +179,7 @@ void Observer::began(PipelineState& p, const Move& m) {
     cost(context).first = context.first;
     ++cost(context).rays;
     ++purpose(context).rays;
-    TileSpan& tile = costs_.tiles[std::size_t(
-        tile_spans_[std::size_t(m.y >> tile_bits_) * tile_columns_ + (m.x >> tile_bits_)])];
+    TileSpan& tile = tile_of(pixel);
     if (tile.last == tile.first) tile.first = now_;
     tile.last = std::max(tile.last, now_ + 1);
 }
@@ -164,7 +188,7 @@ void Observer::began(PipelineState& p, const Move& m) {
 void Observer::at(PipelineState& p, Context& context, Link link) {
     purpose(context).places[context.place] += now_ - context.since;
     context.since = now_;
-    context.place = place_after(link);
+    context.place = place_after(link, streams_);
     switch (link) {
         case Link::leaves:
             if (!lists_) return;   // visits pages without a request
@@ -187,9 +211,7 @@ void Observer::at(PipelineState& p, Context& context, Link link) {
         case Link::hit: {
             cost(context).cycles = std::uint32_t(now_) - context.first;
             --p.in_use;
-            const std::uint32_t x = context.pixel % costs_.width, y = context.pixel / costs_.width;
-            TileSpan& tile = costs_.tiles[std::size_t(
-                tile_spans_[std::size_t(y >> tile_bits_) * tile_columns_ + (x >> tile_bits_)])];
+            TileSpan& tile = tile_of(context.pixel);
             tile.last = std::max(tile.last, now_);
             return;
         }
@@ -205,7 +227,8 @@ void Observer::looked_up(int pipeline, std::size_t cache, CacheDeed deed) {
     Context& context = p.contexts[id];
     PurposeCost& sums = purpose(context);
     if (context.watched)
-        show(pipeline, id, RayEvent::What::looked_up, request_links[cache], deed, context.addr[cache]);
+        show(pipeline, id, RayEvent::What::looked_up, request_link(cache, streams_), deed,
+             context.addr[cache]);
     if (deed == CacheDeed::hit) {
         ++sums.hits[cache];
         return;

@@ -42,6 +42,8 @@ private:
         std::uint32_t in_use = 0;
     };
 
+    /// Returns the tile of a pixel, or the group of a stream's ray.
+    TileSpan& tile_of(std::uint32_t pixel);
     void moved(const Move& move);
     void began(PipelineState& p, const Move& move);
     void at(PipelineState& p, Context& context, Link link);
@@ -62,7 +64,8 @@ private:
     std::uint64_t now_ = 0;
     std::uint64_t window_;
     int tile_bits_;
-    bool has_l2_, shading_, lists_;
+    bool has_l2_, shading_, lists_, streams_;
+    std::uint32_t records_;   ///< line of the stream's first two rays
     std::array<int, ray_caches> line_words_;
     std::vector<PipelineState> pipelines_;
     std::vector<std::int32_t> tile_spans_;   ///< [tile]: index in costs_.tiles

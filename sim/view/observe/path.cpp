@@ -94,7 +94,10 @@ std::vector<RayValues> rays_of_pixel(const MemoryImage& image, const Frame& fram
                                      std::uint32_t x, std::uint32_t y) {
     const Decoder decoder(image, config);
     Family family;
-    if (config.shading) {
+    if (config.is_stream()) {
+        const std::uint32_t ray = y * frame.width + x;
+        family.sent(recorded_ray(unpack<RayRecord>(image.record(ray), config), 0, config));
+    } else if (config.shading) {
         ShadedRecorder recorder(image, frame, config, decoder);
         RecordScratch scratch(config);
         recorder.follow(x, y, scratch, family);
@@ -104,7 +107,7 @@ std::vector<RayValues> rays_of_pixel(const MemoryImage& image, const Frame& fram
     Walk walk(frame, config, decoder);
     for (RayValues& ray : family.rays) {
         const Closest hit = note_visits(decoder, config, walk, ray);
-        if (!config.shading) ray.hit = hit;
+        if (!config.shading || config.is_stream()) ray.hit = hit;
     }
     return std::move(family.rays);
 }

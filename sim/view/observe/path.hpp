@@ -34,7 +34,8 @@ struct RayValues {
     std::vector<VisitValues> visits;
 };
 
-/// Returns all rays of pixel (x, y), in the order in which the machine traces them.
+/// Returns all rays of pixel (x, y), in the order in which the machine traces them. In a stream, (x, y) is
+/// the ray with the number y * width + x.
 std::vector<RayValues> rays_of_pixel(const MemoryImage& image, const Frame& frame, const Config& config,
                                      std::uint32_t x, std::uint32_t y);
 

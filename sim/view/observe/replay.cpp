@@ -28,7 +28,7 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
         if (sink && sink->done()) break;
         if (machine.cycle() % cycles_between_reports != 0) continue;
         check_moving(machine, limit);
-        if (progress) progress("watching", machine.hits(), std::uint64_t(frame.width) * frame.height);
+        if (progress) progress("watching", machine.hits(), frame.pixels());
     }
     FrameCosts costs = observer.finish(machine);
     costs.partial = !machine.done();
@@ -60,6 +60,7 @@ FrameCosts observe_alone(const Config& config, int khz, const RecordedFrame& fra
     trace.rays = {frame.trace.rays[pixel]};
     Frame one = frame.frame;
     one.width = one.height = 1;
+    if (config.is_stream()) one.ray_count = 1;   // its record is the first one: the caches are warm anyway
     const std::uint64_t limit = patience(config, khz, {});
     Machine machine(config, khz);
     observe_frame(machine, one, trace, limit, 0, nullptr, {});

@@ -51,8 +51,12 @@ void shorten(AllCacheTimes& times, const std::vector<RayEvent>& events, const st
 
 class Teller {
 public:
-    Teller(const PixelEvents& mine, const PixelEvents& alone)
-        : mine_(mine), alone_(alone), parts_(parts_of(mine.events)), alone_parts_(parts_of(alone.events)) {
+    Teller(const PixelEvents& mine, const PixelEvents& alone, bool streams)
+        : mine_(mine),
+          alone_(alone),
+          streams_(streams),
+          parts_(parts_of(mine.events)),
+          alone_parts_(parts_of(alone.events)) {
         if (parts_.size() != alone_parts_.size())
             throw std::logic_error("a pixel does not do the same when it is alone on the chip");
         shorten(times_, mine.events, parts_);
@@ -66,7 +70,7 @@ public:
             Stay stay;
             stay.first = begin.cycle;
             stay.cycles = end.cycle - begin.cycle;
-            stay.place = place_after(begin.link);
+            stay.place = place_after(begin.link, streams_);
             stay.by = begin.link;
             stay.addr = begin.addr;
             parts_[i].has_lookup ? in_cache(stay, parts_[i]) : in_unit(stay, parts_[i], alone_parts_[i]);
@@ -129,6 +133,7 @@ private:
     }
 
     const PixelEvents &mine_, &alone_;
+    bool streams_;
     std::vector<Part> parts_, alone_parts_;
     AllCacheTimes times_;
 };
@@ -179,7 +184,7 @@ PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& co
     story.alone = alone.events.back().cycle - alone.events.front().cycle;
     for (RayValues& values : rays_of_pixel(job.image, frame.frame, job.config, story.x, story.y))
         story.rays.push_back({std::move(values), 0, 0, {}, 0, 0});
-    for (auto& [ray, stay] : Teller(in_frame, alone).stays()) {
+    for (auto& [ray, stay] : Teller(in_frame, alone, job.config.is_stream()).stays()) {
         RayStory& told = story.rays.at(ray);
         if (told.stays.empty()) told.first = stay.first;
         told.cycles = stay.first + stay.cycles - told.first;

@@ -60,7 +60,8 @@ void Timeline::close(Open& open, std::uint64_t cycle, const RayEvent* end) {
         rays.push_back(
             {begin.pixel, begin.ray, begin.purpose, begin.pipeline, begin.context, open.before, {}});
     }
-    TimelineStay stay{place_after(begin.link), first, last, last, {}, open.lookup, begin.addr};
+    TimelineStay stay{
+        place_after(begin.link, config_.is_stream()), first, last, last, {}, open.lookup, begin.addr};
     std::uint64_t from = cycle;
     if (open.lookup && *open.lookup != CacheDeed::hit) {
         from = open.looked_up + 1;

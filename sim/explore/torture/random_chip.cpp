@@ -1,4 +1,6 @@
-#pragma once
+// Random legal chips.
+#include "sim/explore/torture/random_chip.hpp"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -8,11 +10,13 @@
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
 
-namespace rayclock::test {
+namespace rayclock {
+
+namespace {
 
 /// Returns the largest value to draw among the legal ones: larger ones make no difference in a small frame,
 /// or are slow in Verilator.
-inline int most_of(const Parameter& p) {
+int most_of(const Parameter& p) {
     const std::string key = p.key;
     const std::pair<const char*, int> most[] = {
         {"contexts", 128},  {"mem_latency", 60},   {"mem_interval", 4}, {"raygen_queue", 64},
@@ -25,11 +29,9 @@ inline int most_of(const Parameter& p) {
     return p.hi;
 }
 
-/// Draws a legal configuration; every other value is a corner of its range. `single` draws one that does not
-/// shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. In one of three
-/// cases it has a shared cache. In half of the cases where two levels are possible it has two, with any two
-/// structures.
-inline Config random_config(std::uint64_t seed, bool single) {
+}   // namespace
+
+Config random_chip(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
         const int pick = rng.below(4);
@@ -79,4 +81,4 @@ inline Config random_config(std::uint64_t seed, bool single) {
     }
 }
 
-}   // namespace rayclock::test
+}   // namespace rayclock
