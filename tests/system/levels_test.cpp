@@ -1,5 +1,7 @@
 // Two levels: model and RTL walk instances equally, and the transformation of rays into instances does not
 // change hits.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/machine/structures.hpp"
@@ -33,19 +35,26 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
     return of(name, upper, interval, more);
 }
 
-/// Returns formats, structures and intervals, each with its own RTL.
-const std::vector<Config>& chips() {
-    static const std::vector<Config> all{two("default", 2), two("narrow", 4)};
-    return all;
-}
-
-/// Returns chips with two structures. Each structure is once the upper one.
+/// Returns chips with two structures.
 const std::vector<Config>& two_engines() {
     static const std::vector<Config> all{
         both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // the lower unit has a
                                                                                      // longer interval
         both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // the door closes
         both("small", Structure::bsp, Structure::spheres, 4, fast)};
+    return all;
+}
+
+/// Returns formats, and the engines that two_engines() does not have above, each with its own RTL.
+const std::vector<Config>& chips() {
+    static const std::vector<Config> all = [] {
+        std::vector<Config> made{two("default", 2), two("narrow", 4)};
+        for (const Structure s : engines())
+            if (s != Structure::bvh && std::none_of(two_engines().begin(), two_engines().end(),
+                                                    [&](const Config& c) { return c.engine() == s; }))
+                made.push_back(of("small", s, 2));
+        return made;
+    }();
     return all;
 }
 
