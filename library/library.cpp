@@ -9,7 +9,7 @@
 #include "model/base/stopwatch.hpp"
 #include "model/core/parameters.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/app/simulated.hpp"
+#include "sim/app/simulate_run.hpp"
 #include "sim/app/stream_run.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/load.hpp"
@@ -146,11 +146,11 @@ Report simulate(const Scene& scene, const Config& config, const FrameOptions& o)
         };
         Request request = request_of(source, config.held().choice, finish, 1, size, {}, notes);
         Film film(std::move(request), {}, false, size);
-        const SimulatePlan work{film, size, clocks};
-        SimulateHow how;
+        const SimulateInput work{film, size, clocks};
+        SimulateSettings how;
         how.is_compared = how.is_judged = o.reference;
         how.threads = o.threads;
-        Simulated simulated = run_simulation(how, work, {});
+        SimulateResult simulated = run_simulation(how, work, {});
         if (how.is_compared) compare_frames(simulated, how, work, {});
         return report_of(simulation_json(how, work, simulated, Limits{}, totals_of(simulated)));
     });
@@ -176,7 +176,7 @@ Report simulate_rays(const Scene& scene, const Config& config, std::span<const R
         const std::vector<double> rows = rows_of(rays);
         const StreamInput input = input_of(scene.held().scene, rows);
         const StreamJob stream = input.job(stream_machine(config));
-        const StreamRun run = run_stream(stream, clocks, {}, false, threads, {});
+        const StreamResult run = run_stream(stream, clocks, {}, false, threads, {});
         return report_of(simulated_stream_json(stream, run, false, watch.seconds()));
     });
 }

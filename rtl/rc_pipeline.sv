@@ -73,7 +73,7 @@ module rc_pipeline (
   rc_pkg::prim_rsp_t prim_rsp;
   logic              tri_req_valid, tri_req_ready;
   rc_pkg::tri_req_t  tri_req;
-  logic              tri_rests, raygen_rests, raygen_begins;
+  logic              tri_occupied, raygen_occupied, raygen_begins;
   logic              tri_rsp_valid, tri_rsp_ready;
   rc_pkg::tri_rsp_t  tri_rsp;
   logic              tested_valid, tested_ready;
@@ -121,10 +121,10 @@ module rc_pipeline (
       .clk_i, .rst_ni(raygen_rst_n), .frame_i,
       .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
       .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
-      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
+      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .occupied_o(raygen_occupied));
 
     assign raygen_begins = (slot_valid && slot_ready) || (spawn_valid && spawn_ready);
-    assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
+    assign raygen_cause  = raygen_occupied || raygen_begins ? rc_pkg::RaygenBusyWork
                          : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
                                                          : rc_pkg::RaygenStarvedSched;
 
@@ -144,15 +144,15 @@ module rc_pipeline (
       .record_valid_o(record_valid), .record_ready_i(record_ready), .record_o(record),
       .miss_valid_o(stream_miss_valid_o), .miss_ready_i(stream_miss_ready_i),
       .miss_o(stream_miss_o), .fill_fires_i(stream_fill_fires_i), .fill_i(stream_fill_i),
-      .waits_o(stream_waits), .deed_o(stream_cause));
+      .waits_o(stream_waits), .outcome_o(stream_cause));
 
     rc_raygen_stream u_raygen (
       .clk_i, .rst_ni(raygen_rst_n),
       .record_valid_i(record_valid), .record_ready_o(record_ready), .record_i(record),
-      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
+      .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .occupied_o(raygen_occupied));
 
     assign raygen_begins = record_valid && record_ready;
-    assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
+    assign raygen_cause  = raygen_occupied || raygen_begins ? rc_pkg::RaygenBusyWork
                          : record_valid                  ? rc_pkg::RaygenStalledTrav
                                                          : rc_pkg::RaygenStarvedStream;
     assign spawn_ready = 1'b0;
@@ -216,7 +216,7 @@ module rc_pipeline (
       .next_fires_o(node_next_fires), .next_ray_o(node_next),
       .miss_valid_o(node_miss_valid_o), .miss_ready_i(node_miss_ready_i), .miss_o(node_miss_o),
       .fill_fires_i(node_fill_fires_i), .fill_i(node_fill_i),
-      .waits_o(node_waits), .deed_o(node_cause));
+      .waits_o(node_waits), .outcome_o(node_cause));
   end
 
   rc_list u_list (
@@ -241,12 +241,12 @@ module rc_pipeline (
     .next_fires_o(prim_next_fires), .next_ray_o(prim_next),
     .miss_valid_o(prim_miss_valid_o), .miss_ready_i(prim_miss_ready_i), .miss_o(prim_miss_o),
     .fill_fires_i(prim_fill_fires_i), .fill_i(prim_fill_i),
-    .waits_o(prim_waits), .deed_o(prim_cause));
+    .waits_o(prim_waits), .outcome_o(prim_cause));
 
   rc_tri u_tri (
     .clk_i, .rst_ni(tri_rst_n),
     .req_valid_i(tri_req_valid), .req_ready_o(tri_req_ready), .req_i(tri_req),
-    .rests_o(tri_rests),
+    .occupied_o(tri_occupied),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
 
   if (rc_pkg::Shades == 0) begin : gen_hits   // list's hits are the pixels
@@ -271,7 +271,7 @@ module rc_pipeline (
       .rsp_valid_o(surf_rsp_valid), .rsp_ready_i(surf_rsp_ready), .rsp_o(surf_rsp),
       .miss_valid_o(surf_miss_valid_o), .miss_ready_i(surf_miss_ready_i), .miss_o(surf_miss_o),
       .fill_fires_i(surf_fill_fires_i), .fill_i(surf_fill_i),
-      .waits_o(surf_waits), .deed_o(surf_cause));
+      .waits_o(surf_waits), .outcome_o(surf_cause));
 
     rc_shade u_shade (
       .clk_i, .rst_ni(shade_rst_n), .frame_i,
@@ -291,7 +291,7 @@ module rc_pipeline (
                                                       : rc_pkg::ListStarvedTrav;
 
   always_comb begin
-    if (tri_rests) tri_cause = rc_pkg::TriBusyWork;
+    if (tri_occupied) tri_cause = rc_pkg::TriBusyWork;
     else if (tri_req_valid) begin
       tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
     end else begin

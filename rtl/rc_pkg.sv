@@ -223,7 +223,7 @@ package rc_pkg;
     EventRefract = 3'd2,
     EventReflect = 3'd3,
     EventPop = 3'd4,
-    EventTurn = 3'd5
+    EventTransform = 3'd5
   } shade_event_e;
   typedef enum logic [1:0] {
     PendingNone = 2'd0,
@@ -236,18 +236,18 @@ package rc_pkg;
     LeavePixel = 2'd2
   } leave_e;
 
-  // What a unit did in a cycle; first a cache's deeds.
+  // What a unit did in a cycle; first a cache's outcomes.
   localparam int unsigned CauseBits = 3;
   typedef enum logic [2:0] {
-    DeedHit = 3'd0,
-    DeedMiss = 3'd1,
-    DeedMerge = 3'd2,
-    DeedDrain = 3'd3,
-    DeedStarved = 3'd4,
-    DeedMshrs = 3'd5,
-    DeedConflict = 3'd6,
-    DeedAnswers = 3'd7
-  } deed_e;
+    CacheHit = 3'd0,
+    CacheMiss = 3'd1,
+    CacheMerge = 3'd2,
+    CacheDrain = 3'd3,
+    CacheStarved = 3'd4,
+    CacheMshrs = 3'd5,
+    CacheConflict = 3'd6,
+    CacheAnswers = 3'd7
+  } cache_outcome_e;
   typedef enum logic [2:0] {
     SchedBusyWork = 3'd0,
     SchedStarvedContexts = 3'd1,

@@ -167,7 +167,7 @@ module rc_top #(
       .req_valid_i(client_valid), .req_ready_o(client_ready), .req_i({client, client_miss}),
       .rsp_valid_o(fill_valid), .rsp_ready_i(1'b1), .rsp_o(fill),
       .miss_valid_o(mem_req_valid_o), .miss_ready_i(mem_req_ready_i), .miss_o(mem_req_o),
-      .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .deed_o(l2_cause));
+      .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .outcome_o(l2_cause));
   end
 endmodule
 `default_nettype wire

@@ -127,32 +127,32 @@ bool counts(const PrimData& t, const Config& config) {
 
 MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config,
                               const std::string& name, const Progress& progress) {
-    const auto tell = [&](std::uint64_t stage) {
+    const auto report_stage = [&](std::uint64_t stage) {
         if (progress) progress("compiling " + name, stage, 4);
     };
     MemoryImage image;
-    tell(1);
+    report_stage(1);
     if (!config.is_list() && !has_cells(config)) {
         const std::vector<LatticeBox> boxes = boxes_of(triangles, config);
         BinaryTree tree =
             config.has_splits() ? build_split_tree(boxes, triangles, config) : build_tree(boxes);
-        tell(2);
+        report_stage(2);
         optimise_tree(tree);
-        tell(3);
+        report_stage(3);
         (config.engine() == Structure::spheres ? emit_globes : emit_boxes)(tree, triangles, config, name,
                                                                            image);
     } else {
         // Several threads build the cells, and one at a time may report.
         std::mutex mutex;
         const auto report = [&] {
-            if (const std::unique_lock lock(mutex, std::try_to_lock); lock) tell(1);
+            if (const std::unique_lock lock(mutex, std::try_to_lock); lock) report_stage(1);
         };
         config.is_list() ? emit_list(triangles, config, name, image)
                          : emit_cells(triangles, config, name, image, report);
     }
     for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);
-    tell(4);
+    report_stage(4);
     return image;
 }
 

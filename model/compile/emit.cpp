@@ -5,7 +5,7 @@
 #include "model/layout/words.hpp"
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"
-#include "model/layout/written.hpp"
+#include "model/layout/node_statistics.hpp"
 #include "model/base/error.hpp"
 
 namespace rayclock {
@@ -66,7 +66,7 @@ public:
             pending_.pop_back();
             emit(next);
         }
-        written_.account(image_);
+        nodes_written_.fill_report(image_);
     }
 
 private:
@@ -99,7 +99,7 @@ private:
             write_payload(triangles_[content_[i]], config_,
                           &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
 
-        const std::uint32_t id = written_.add(at.parent, inner);
+        const std::uint32_t id = nodes_written_.add(at.parent, inner);
         image_.report.leaves += found_.size() - inner;
         image_.report.references += content_.size();
         for (std::uint32_t i = inner; i-- > 0;)
@@ -126,7 +126,7 @@ private:
     const std::string& name_;
     MemoryImage& image_;
     std::vector<Pending> pending_;
-    WrittenNodes written_;
+    NodeStatistics nodes_written_;
     std::vector<WideChild> found_;
     std::vector<std::uint32_t> content_;   // triangles of the node's leaves
     Words scratch_;

@@ -2,7 +2,7 @@
 #include "model/compile/emit.hpp"
 #include "model/layout/words.hpp"
 #include "model/engine/engines.hpp"
-#include "model/layout/written.hpp"
+#include "model/layout/node_statistics.hpp"
 
 namespace rayclock {
 
@@ -27,7 +27,7 @@ public:
             pending_.pop_back();
             emit(next);
         }
-        written_.account(image_);
+        nodes_written_.fill_report(image_);
     }
 
 private:
@@ -60,7 +60,7 @@ private:
                 write_payload(prims_[exits[i].prim(p)], config_, &image_.words[half_line++ * words_per_half],
                               scratch_);
         image_.report.references += primitives;
-        const std::uint32_t id = written_.add(at.parent, inner);
+        const std::uint32_t id = nodes_written_.add(at.parent, inner);
         for (std::size_t i = width, line = base + inner; i-- > 0;)
             if (node.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
     }
@@ -72,7 +72,7 @@ private:
     MemoryImage& image_;
     kd::Exits<Line> exits_{leaf_most};
     std::vector<Pending> pending_;
-    WrittenNodes written_;
+    NodeStatistics nodes_written_;
     Words scratch_;
 };
 

@@ -61,9 +61,9 @@ private:
 using RayNumber = std::uint16_t;
 using RayRing = Ring<RayNumber>;
 
-/// The content of a link in a cycle. If `there` is false, `ray` is an arbitrary context's number.
-struct OnLink {
-    bool there = false;
+/// The content of a link in a cycle. If `valid` is false, `ray` is an arbitrary context's number.
+struct LinkRay {
+    bool valid = false;
     std::uint32_t ray = 0;
 };
 
@@ -131,25 +131,25 @@ public:
           entries_(std::size_t(mask_) + 1, never << number_bits) {}
     bool ready() const { return under_way_ < depth_; }
     /// Returns the output in cycle `now`.
-    OnLink answer(std::uint64_t now) const {
+    LinkRay answer(std::uint64_t now) const {
         const std::uint64_t entry = entries_[now & mask_];
         return {entry >> number_bits == now, RayNumber(entry)};
     }
-    void clock(std::uint64_t now, OnLink admitted) {
+    void clock(std::uint64_t now, LinkRay admitted) {
         const std::uint64_t due = now + latency_;
-        under_way_ += int(admitted.there) - int(answer(now).there);
-        const std::uint64_t when = due | (std::uint64_t(admitted.there) - 1);   // or never
+        under_way_ += int(admitted.valid) - int(answer(now).valid);
+        const std::uint64_t when = due | (std::uint64_t(admitted.valid) - 1);   // or never
         entries_[due & mask_] = when << number_bits | admitted.ray;
     }
     /// Returns the cycle of the first answer from `now` on; never, if there is none.
     std::uint64_t due(std::uint64_t now) const {
         for (std::uint64_t at = now; under_way_ > 0; ++at)
-            if (answer(at).there) return at;
+            if (answer(at).valid) return at;
         return never;
     }
     bool contains(RayNumber ray, std::uint64_t now) const {
         for (std::uint64_t at = now; at < now + latency_; ++at)
-            if (answer(at).there && RayNumber(answer(at).ray) == ray) return true;
+            if (answer(at).valid && RayNumber(answer(at).ray) == ray) return true;
         return false;
     }
 

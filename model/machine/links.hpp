@@ -64,7 +64,7 @@ struct LinkInfo {
     const char* from;   ///< unit that drives it
     const char* to;     ///< unit that accepts it
     Flow flow;
-    When when;
+    Presence when;
     bool carries_ray;   ///< its payload names a context
     constexpr bool of_pipeline() const { return is_of_pipeline(from) || is_of_pipeline(to); }
     /// True if the link lies within the engine that walks a ray. No other unit sees it.
@@ -75,7 +75,7 @@ struct LinkInfo {
 template <class Payload> constexpr bool names_ray = requires(Payload p) { p.ray; }
 || requires(Payload p) { p.closest.ray; };
 #define RAYCLOCK_INFO(name, payload, from, to, flow, when) \
-    LinkInfo{#name, #from, #to, Flow::flow, When::when, names_ray<payload>},
+    LinkInfo{#name, #from, #to, Flow::flow, Presence::when, names_ray<payload>},
 constexpr std::array link_infos{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 

@@ -135,9 +135,9 @@ void Machine::clock_shared() {
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
         const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
-        l2_deed_ = l2_->clock(taken, client_request_, fires(Link::l2_rsp),
-                              fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
-        ++l2_counts_[std::size_t(l2_deed_)];
+        l2_outcome_ = l2_->clock(taken, client_request_, fires(Link::l2_rsp),
+                                 fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
+        ++l2_counts_[std::size_t(l2_outcome_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
     memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_);
@@ -205,7 +205,7 @@ void Machine::sleep(std::uint64_t until) {
         wake = std::min(wake, pipeline.wakes(now_));
     }
     if (has_l2_) {
-        if (l2_deed_ <= CacheDeed::drain) return;
+        if (l2_outcome_ <= CacheOutcome::drain) return;
         if (l2_->answers() || l2_->loaded()) return;
     }
     wake = std::min(wake, memory_.quiet_until());
@@ -213,7 +213,7 @@ void Machine::sleep(std::uint64_t until) {
     const std::uint64_t cycles = wake - now_;
     for (Pipeline& pipeline : pipelines_) pipeline.skip(cycles);
     shared_counts_[last_shared_] += cycles;
-    if (has_l2_) l2_counts_[std::size_t(l2_deed_)] += cycles;
+    if (has_l2_) l2_counts_[std::size_t(l2_outcome_)] += cycles;
     memory_.skip(cycles);
     now_ = wake;
 }
@@ -226,7 +226,7 @@ Accounts Machine::accounts() const {
         sums.units[index(Unit::memport)][i >> 2] += shared_counts_[i];
     }
     sums.units[index(Unit::l2)] = l2_counts_;
-    sums.units[index(Unit::memory)] = memory_.deeds();
+    sums.units[index(Unit::memory)] = memory_.outcomes();
     return sums;
 }
 

@@ -11,7 +11,7 @@
 
 namespace rayclock {
 
-/// A transfer on a link, as far as timing needs it. A Witness computes the rest of the payload.
+/// A transfer on a link, as far as timing needs it. A PayloadReplay computes the rest of the payload.
 struct Move {
     int pipeline = 0;   ///< 0 for shared links
     Link link{};
@@ -67,8 +67,8 @@ public:
     Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
     const Memory& memory() const { return memory_; }
     /// Returns the outcome of a pipeline's cache, or of l2, at the last observed clock edge.
-    CacheDeed deed(int pipeline, Unit cache) const {
-        return cache == Unit::l2 ? l2_deed_ : pipelines_[std::size_t(pipeline)].deed(cache);
+    CacheOutcome outcome(int pipeline, Unit cache) const {
+        return cache == Unit::l2 ? l2_outcome_ : pipelines_[std::size_t(pipeline)].outcome(cache);
     }
     /// Returns the purpose of a ray. Call it while its transfer on the link spawn is observed.
     RayPurpose purpose(int pipeline, std::uint32_t ray) const {
@@ -126,7 +126,7 @@ private:
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
     std::uint32_t finished_ = 0;      // pixels finished in this cycle
     std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
-    CacheDeed l2_deed_{};
+    CacheOutcome l2_outcome_{};
     std::array<std::uint64_t, 16> shared_counts_{};
     CauseCounts l2_counts_{};
 };

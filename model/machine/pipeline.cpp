@@ -15,19 +15,19 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       box_is_low_(config.has_two_engines() && config.lower_engine() == Structure::bvh),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
-      raygen_rests_(std::uint32_t(config.raygen_interval - 1)),
+      raygen_hold_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
       box_(node_latency(config), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
-      box_rests_(std::uint32_t(config.box_interval() - 1)),
+      box_hold_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
-      xform_rests_(std::uint32_t(config.xform_interval - 1)),
+      xform_hold_(std::uint32_t(config.xform_interval - 1)),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
       tried_(std::max(0, Stages(config).tried - 1), config.contexts),
-      tri_rests_(std::uint32_t(config.tri_interval - 1)),
+      tri_hold_(std::uint32_t(config.tri_interval - 1)),
       late_(Stages(config).arrive > 0),
       third_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
       shade_(config),
@@ -80,17 +80,17 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
 
 void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::surf_req];
-    third_deed_ = third_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
-                                     shared.third_fill, shared.third_miss);
-    last_third_ = std::uint32_t(third_deed_) | m.shade_code << 3;
+    third_outcome_ = third_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
+                                        shared.third_fill, shared.third_miss);
+    last_third_ = std::uint32_t(third_outcome_) | m.shade_code << 3;
     ++thirds_[last_third_];
 }
 
 void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
     const LinkInside& slot = m[Link::slot];
-    third_deed_ = third_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
-                                     shared.third_fill, shared.third_miss);
-    last_third_ = std::uint32_t(third_deed_);
+    third_outcome_ = third_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
+                                        shared.third_fill, shared.third_miss);
+    last_third_ = std::uint32_t(third_outcome_);
     ++thirds_[last_third_];
 }
 

@@ -80,8 +80,10 @@ public:
     // ---- For observers.
 
     /// Returns the outcome of a cache at the last clock edge.
-    CacheDeed deed(Unit cache) const {
-        return cache == Unit::node_cache ? node_deed_ : cache == Unit::prim_cache ? prim_deed_ : third_deed_;
+    CacheOutcome outcome(Unit cache) const {
+        return cache == Unit::node_cache   ? node_outcome_
+               : cache == Unit::prim_cache ? prim_outcome_
+                                           : third_outcome_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
     RayPurpose purpose(std::uint32_t ray) const {
@@ -131,12 +133,12 @@ private:
     struct LinkInside {
         bool valid, fires;
         std::uint32_t ray;
-        operator OnLink() const { return {fires, ray}; }
+        operator LinkRay() const { return {fires, ray}; }
     };
     /// All inner links in a cycle. SharedMoves has the links to the shared units.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        OnLink boxed, tried;    // box's and tri's answers on arrival at trav and list
+        LinkRay boxed, tried;   // box's and tri's answers on arrival at trav and list
         bool step = false;      // trav accepts a step of a ray that was tested or has no leaves
         bool read = false;      // node_cache's answer is accepted
         bool placing = false;   // surf_cache's answer is an instance
@@ -167,7 +169,7 @@ private:
     std::uint32_t decide_code(const Moves& m, bool low) const {
         const LinkInside& req = m[Link::box_req];
         const bool own = m.lower_request == low;
-        if (box_rest_ > 0 && box_is_low_ == low) return 0;
+        if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
         return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
     }
     template <Rays rays, bool levels> void settle(Moves& m, std::uint64_t now) const;
@@ -185,7 +187,7 @@ private:
     Shade::Leave turn_of(std::uint32_t ray);
     template <Rays rays> void account_units(const Moves& m);
     void account_caches() {
-        last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
+        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << 3;
         ++caches_[last_caches_];
     }
     template <Rays rays> void clock_sched(const Moves& m, const Tile* tile);
@@ -211,27 +213,27 @@ private:
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
-    std::uint32_t raygen_rests_, raygen_rest_ = 0;   // cycles after a ray in which raygen begins none; cycles
-                                                     // left
+    std::uint32_t raygen_hold_, raygen_hold_left_ = 0;   // cycles after a ray in which raygen begins none;
+                                                         // cycles left
     Trav trav_;
     Cache node_cache_;
     Delay box_, boxed_;   // boxed_, tried_: delay the answers to trav and list in a fast chip
-    std::uint32_t box_rests_, box_rest_ = 0;   // the same of box, after a node
+    std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of box, after a node
     Delay xform_;
-    std::uint32_t xform_rests_, xform_rest_ = 0;   // the same of xform, after a ray
+    std::uint32_t xform_hold_, xform_hold_left_ = 0;   // the same of xform, after a ray
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
-    std::uint32_t tri_rests_, tri_rest_ = 0;   // the same of tri, after a primitive
-    bool late_;                                // boxed_ and tried_ are in use
-    Cache third_cache_;                        // surf_cache or stream
+    std::uint32_t tri_hold_, tri_hold_left_ = 0;   // the same of tri, after a primitive
+    bool late_;                                    // boxed_ and tried_ are in use
+    Cache third_cache_;                            // surf_cache or stream
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
     Moves moves_{};   // of the settled cycle
-    CacheDeed node_deed_{}, prim_deed_{}, third_deed_{CacheDeed::starved};
+    CacheOutcome node_outcome_{}, prim_outcome_{}, third_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
     // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.

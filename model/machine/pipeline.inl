@@ -10,7 +10,7 @@ template <Pipeline::Rays rays, bool levels>
     constexpr bool shades = rays == Rays::shade, streams = rays == Rays::stream;
     // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
-    const bool begins = raygen_.ready() & (raygen_rest_ == 0);
+    const bool begins = raygen_.ready() & (raygen_hold_left_ == 0);
     m.offer(Link::slot, sched_.slot_valid(), streams ? third_cache_.ready() : begins & camera,
             sched_.slot().ray);
     if constexpr (streams) {
@@ -24,26 +24,26 @@ template <Pipeline::Rays rays, bool levels>
     const bool enters = levels && Trace::enters(rays_[read].head);
     m.lower_request = levels && is_low(read);
     m.offer(Link::box_req, node_cache_.valid() & !enters,
-            box_.ready() & ((box_rest_ == 0) | (m.lower_request != box_is_low_)), read);
+            box_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
     if constexpr (levels) m.lower_code = decide_code(m, true);
     m.read = m[Link::box_req].fires;
     if constexpr (levels) {
-        const OnLink changed = xform_.answer(now);
-        m.offer(Link::xform_req, node_cache_.valid() & enters, xform_rest_ == 0, read);
-        m.offer(Link::change, changed.there, true, changed.ray);
+        const LinkRay changed = xform_.answer(now);
+        m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
+        m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_rest_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
     }
-    const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
+    const LinkRay boxed = box_.answer(now), tried = tri_.answer(now);
     m.lower_answer = levels && is_low(boxed.ray);
     m.boxed = late_ ? boxed_.answer(now) : boxed;
     if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tried = late_ ? tried_.answer(now) : tried;
-    m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
-    m.offer(Link::leaves, m.boxed.there & has_tests(m.boxed.ray), true, m.boxed.ray);
+    m.offer(Link::box_rsp, boxed.valid, true, boxed.ray);
+    m.offer(Link::leaves, m.boxed.valid & has_tests(m.boxed.ray), true, m.boxed.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
-    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_rest_ == 0), prim_cache_.answer());
-    m.offer(Link::tri_rsp, tried.there, true, tried.ray);
+    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_hold_left_ == 0), prim_cache_.answer());
+    m.offer(Link::tri_rsp, tried.valid, true, tried.ray);
     const bool tested = list_.tested_valid();
     m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
     m.step = trav_.step_valid(tested) & trav_.step_ready();
@@ -69,11 +69,11 @@ template <Pipeline::Rays rays> [[gnu::always_inline]] inline void Pipeline::acco
                begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-                        raygen = raygen_rest_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
+                        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
                         trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
                         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
                         tri =
-                            tri_rest_ > 0
+                            tri_hold_left_ > 0
                                 ? 0u
                                 : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
@@ -82,9 +82,10 @@ template <Pipeline::Rays rays> [[gnu::always_inline]] inline void Pipeline::acco
 
 inline Decision::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     TraceCursor& cursor = rays_[ray];
-    const bool again = cursor.head >> Trace::turns_shift, done = !again & bool(cursor.head & Trace::end_flag);
+    const bool again = cursor.head >> Trace::dropped_shift,
+               done = !again & bool(cursor.head & Trace::end_flag);
     const bool visit = valid & !again & !done;
-    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::turns_shift;
+    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::dropped_shift;
     cursor.at += visit;
     const std::uint32_t next = *cursor.at;
     cursor.head = select(visit, next, cursor.head - turns);
@@ -124,13 +125,13 @@ template <Pipeline::Rays rays>
 
 template <Pipeline::Rays rays>
 [[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
-    OnLink in = m[rays == Rays::stream ? Link::record : Link::slot];
+    LinkRay in = m[rays == Rays::stream ? Link::record : Link::slot];
     if constexpr (rays == Rays::shade) {
         const LinkInside& spawn = m[Link::spawn];
-        in = {bool(in.there | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
+        in = {bool(in.valid | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
-    raygen_.clock(now, m[Link::ray].fires, in.there, RayNumber(in.ray));
-    raygen_rest_ = select(in.there, raygen_rests_, raygen_rest_ - (raygen_rest_ > 0));
+    raygen_.clock(now, m[Link::ray].fires, in.valid, RayNumber(in.ray));
+    raygen_hold_left_ = select(in.valid, raygen_hold_, raygen_hold_left_ - (raygen_hold_left_ > 0));
 }
 
 template <Pipeline::Rays rays, bool levels>
@@ -138,43 +139,43 @@ template <Pipeline::Rays rays, bool levels>
     const LinkInside& tested = m[Link::tested];
     if constexpr (levels) enter(m[Link::change]);
     trav_.clock<levels>({m[Link::ray],
-                         {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
+                         {bool(m.boxed.valid & !m[Link::leaves].fires), m.boxed.ray},
                          {tested.valid, tested.ray},
-                         lists_ ? m.boxed.there : m[Link::node_req].fires,
+                         lists_ ? m.boxed.valid : m[Link::node_req].fires,
                          m[rays == Rays::shade ? Link::closest : Link::hit].fires,
-                         levels ? OnLink(m[Link::change]) : OnLink{}},
+                         levels ? LinkRay(m[Link::change]) : LinkRay{}},
                         [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::node_req];
-    node_deed_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m.read, shared.node_fill,
-                                   shared.node_miss);
+    node_outcome_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m.read, shared.node_fill,
+                                      shared.node_miss);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
-    box_rest_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_rests_,
-                       box_rest_ - (box_rest_ > 0));
+    box_hold_left_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_hold_,
+                            box_hold_left_ - (box_hold_left_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
     const LinkInside& leaves = m[Link::leaves];
     rays_[leaves.ray].at += leaves.fires;   // to the first triangle
-    list_.clock(leaves, m.tried, has_more(m.tried.ray, m.tried.there), m[Link::prim_req].fires,
+    list_.clock(leaves, m.tried, has_more(m.tried.ray, m.tried.valid), m[Link::prim_req].fires,
                 m[Link::tested].fires);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::prim_req];
-    prim_deed_ = prim_cache_.clock(req.fires, {req.ray, prim_addr(req.ray) >> 1}, m[Link::tri_req].fires,
-                                   shared.prim_fill, shared.prim_miss);
+    prim_outcome_ = prim_cache_.clock(req.fires, {req.ray, prim_addr(req.ray) >> 1}, m[Link::tri_req].fires,
+                                      shared.prim_fill, shared.prim_miss);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     tri_.clock(now, m[Link::tri_req]);
-    tri_rest_ = select(m[Link::tri_req].fires, tri_rests_, tri_rest_ - (tri_rest_ > 0));
+    tri_hold_left_ = select(m[Link::tri_req].fires, tri_hold_, tri_hold_left_ - (tri_hold_left_ > 0));
     if (late_) tried_.clock(now, m[Link::tri_rsp]);
 }
 
@@ -185,15 +186,16 @@ template <Pipeline::Rays rays, bool levels>
     last_lower_ = m.lower_code;
     ++lowers_[last_lower_];
     xform_.clock(now, req);
-    xform_rest_ = select(req.fires, xform_rests_, xform_rest_ - (xform_rest_ > 0));
+    xform_hold_left_ = select(req.fires, xform_hold_, xform_hold_left_ - (xform_hold_left_ > 0));
 }
 
 template <Pipeline::Rays rays, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
     account_units<rays>(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there |
-                         (raygen_rest_ > 0) | (box_rest_ > 0) | (tri_rest_ > 0) | (levels && xform_rest_ > 0);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.valid | m.tried.valid |
+                         (raygen_hold_left_ > 0) | (box_hold_left_ > 0) | (tri_hold_left_ > 0) |
+                         (levels && xform_hold_left_ > 0);
     clock_sched<rays>(m, shared.tile);
     clock_raygen<rays>(m, now);
     clock_trav<rays, levels>(m);
@@ -204,22 +206,23 @@ template <Pipeline::Rays rays, bool levels>
     clock_prim_cache(m, shared);
     clock_tri(m, now);
     account_caches();
-    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) & !node_cache_.loaded() &
-              !prim_cache_.loaded() &
+    asleep_ = (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain) &
+              !node_cache_.loaded() & !prim_cache_.loaded() &
               !(turning | m.step | shared.any() |
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (rays == Rays::stream) {
         clock_stream(m, shared);
-        asleep_ = asleep_ & !m.any(Link::record) & (third_deed_ > CacheDeed::drain) & !third_cache_.loaded();
+        asleep_ =
+            asleep_ & !m.any(Link::record) & (third_outcome_ > CacheOutcome::drain) & !third_cache_.loaded();
     }
     if constexpr (rays == Rays::shade) {
-        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() & !shade_.comes() &
-                  !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
+        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.is_occupied() &
+                  !shade_.comes() & !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade<levels>(m, now);
-        asleep_ = asleep_ & (third_deed_ > CacheDeed::drain) & !third_cache_.loaded();
+        asleep_ = asleep_ & (third_outcome_ > CacheOutcome::drain) & !third_cache_.loaded();
     }
 }
 

@@ -27,7 +27,7 @@ constexpr Cause starved(const char* by) { return {CauseKind::starved, by}; }
 constexpr Cause stalled(const char* by) { return {CauseKind::stalled, by}; }
 
 /// When a part of the machine exists.
-enum class When : std::uint8_t {
+enum class Presence : std::uint8_t {
     always,
     shade,    // the unit shade and its cache
     stream,   // rays from records
@@ -38,17 +38,17 @@ enum class When : std::uint8_t {
     RAYCLOCK_ENGINES(RAYCLOCK_NAME, )
 #undef RAYCLOCK_NAME
 };
-constexpr bool is_there(When when, const Config& config) {
+constexpr bool is_there(Presence when, const Config& config) {
     switch (when) {
-        case When::shade: return config.has_shade();
-        case When::stream: return config.is_stream();
-        case When::shared_cache: return config.l2_sets > 0;
-        case When::nodes: return !config.is_list();
+        case Presence::shade: return config.has_shade();
+        case Presence::stream: return config.is_stream();
+        case Presence::shared_cache: return config.l2_sets > 0;
+        case Presence::nodes: return !config.is_list();
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \
-    case When::structure: return config.is_walked(Structure::structure);
+    case Presence::structure: return config.is_walked(Structure::structure);
             RAYCLOCK_ENGINES(RAYCLOCK_CASE, )
 #undef RAYCLOCK_CASE
-        case When::instances: return config.has_instances();
+        case Presence::instances: return config.has_instances();
         default: return true;
     }
 }
@@ -58,7 +58,7 @@ constexpr bool is_there(When when, const Config& config) {
 enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
 
 // Columns: name, place, when it exists, then its causes by the code that the unit drives in each cycle. Units
-// of a pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
+// of a pipeline come first. A cache's codes are those of CacheOutcome, the memory's those of MemoryOutcome.
 #define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
@@ -92,10 +92,11 @@ enum class Unit : std::uint8_t { RAYCLOCK_UNITS(RAYCLOCK_NAME) };
 struct UnitInfo {
     const char* name;
     UnitPlace place;
-    When when;
+    Presence when;
     std::array<Cause, cause_count> causes;
 };
-#define RAYCLOCK_INFO(name, place, when, ...) UnitInfo{#name, UnitPlace::place, When::when, {{__VA_ARGS__}}},
+#define RAYCLOCK_INFO(name, place, when, ...) \
+    UnitInfo{#name, UnitPlace::place, Presence::when, {{__VA_ARGS__}}},
 constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 #undef RAYCLOCK_UNITS

@@ -51,11 +51,11 @@ Cache::Cache(const CacheShape& shape)
     }
 }
 
-CacheDeed Cache::ask(const Request& request, std::uint32_t line, std::uint32_t number) {
-    if (busy_ == shape_.mshrs) return CacheDeed::mshrs;
+CacheOutcome Cache::ask(const Request& request, std::uint32_t line, std::uint32_t number) {
+    if (busy_ == shape_.mshrs) return CacheOutcome::mshrs;
     Set& set = sets_[number];
     const int way = victim(set);
-    if (way < 0) return CacheDeed::conflict;
+    if (way < 0) return CacheOutcome::conflict;
     std::uint32_t m = 0;
     while (mshrs_[m].busy) ++m;
     mshrs_[m] = {true, line, number, std::uint32_t(way), request.id, request.id, 0};
@@ -65,23 +65,23 @@ CacheDeed Cache::ask(const Request& request, std::uint32_t line, std::uint32_t n
     set.recent = touched(set, std::uint32_t(way));
     misses_.push(m);
     in_.pop();
-    return CacheDeed::miss;
+    return CacheOutcome::miss;
 }
 
 /// The line is in flight: the request joins the end of its chain.
-CacheDeed Cache::wait(const Request& request, Set& set, std::uint32_t way) {
+CacheOutcome Cache::wait(const Request& request, Set& set, std::uint32_t way) {
     set.recent = touched(set, way);
     Mshr& m = mshrs_[set.mshrs[way] - 1u];
     next_[m.tail] = request.id;
     m.tail = request.id;
     in_.pop();
-    return CacheDeed::merge;
+    return CacheOutcome::merge;
 }
 
-CacheDeed Cache::drain(bool room, bool answer_taken) {
+CacheOutcome Cache::drain(bool room, bool answer_taken) {
     Mshr& m = mshrs_[filled_.front()];
     answer(answer_taken, room, m.head);
-    if (!room) return CacheDeed::answers;
+    if (!room) return CacheOutcome::answers;
     if (m.head == m.tail) {
         m.busy = false;
         --busy_;
@@ -90,7 +90,7 @@ CacheDeed Cache::drain(bool room, bool answer_taken) {
     } else {
         m.head = next_[m.head];
     }
-    return CacheDeed::drain;
+    return CacheOutcome::drain;
 }
 
 void Cache::next_word() {

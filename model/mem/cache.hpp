@@ -26,7 +26,7 @@ CacheShape stream_cache_shape(const Config& config);
 CacheShape l2_shape(const Config& config);
 
 /// The outcome of a cache in a cycle.
-enum class CacheDeed : std::uint8_t {
+enum class CacheOutcome : std::uint8_t {
     hit,        ///< looked up a request, and the line is present
     miss,       ///< the line is absent: requested it
     merge,      ///< the line is in flight: the request joined its chain
@@ -36,7 +36,7 @@ enum class CacheDeed : std::uint8_t {
     conflict,   ///< stalled on a miss: all ways of the set wait for lines
     answers,    ///< stalled: the answers are not accepted
 };
-constexpr std::size_t cache_deeds = 8;
+constexpr std::size_t cache_outcomes = 8;
 
 /// Non-blocking, set-associative cache in time only; the memory image holds the data. Misses to a line in
 /// flight merge. Hits pass misses. Any number of requests may wait for one line, in a chain through their
@@ -73,15 +73,15 @@ public:
 
     /// One clock edge. `asked`: `request` was accepted. `fill_id`: the id of the word that came, or null.
     /// `answer_taken`, `miss_taken`: these outputs were accepted.
-    CacheDeed clock(bool asked, const Request& request, bool answer_taken, const std::uint32_t* fill_id,
-                    bool miss_taken) {
+    CacheOutcome clock(bool asked, const Request& request, bool answer_taken, const std::uint32_t* fill_id,
+                       bool miss_taken) {
         // Look-ups, drains and the room for answers depend on the state at the beginning of the cycle.
         const bool room = !answers_.full();
-        CacheDeed deed;
+        CacheOutcome outcome;
         if (!filled_.empty()) [[unlikely]]
-            deed = drain(room, answer_taken);
+            outcome = drain(room, answer_taken);
         else
-            deed = look_up(room, answer_taken);
+            outcome = look_up(room, answer_taken);
         if (miss_taken) [[unlikely]]
             next_word();
         if (fill_id) [[unlikely]]
@@ -90,7 +90,7 @@ public:
             load(asked, request);
         else
             in_.push(request, asked);
-        return deed;
+        return outcome;
     }
 
     bool answers() const { return !answers_.empty(); }   ///< now or in the next cycle
@@ -111,8 +111,8 @@ private:
         std::array<std::uint8_t, most_ways> mshrs{};    ///< + 1; 0: the line is present
         std::uint8_t recent = 0;                        ///< bits of the tree, node 1 at bit 1
     };
-    CacheDeed look_up(bool room, bool answer_taken);
-    CacheDeed drain(bool room, bool answer_taken);
+    CacheOutcome look_up(bool room, bool answer_taken);
+    CacheOutcome drain(bool room, bool answer_taken);
     void answer(bool taken, bool given, std::uint32_t id) {
         answers_.pop(taken);
         answers_.push(id, given);
@@ -126,8 +126,8 @@ private:
         before_.pop(loaded_);
         before_.push(request, asked);
     }
-    CacheDeed ask(const Request& request, std::uint32_t line, std::uint32_t set);
-    CacheDeed wait(const Request& request, Set& set, std::uint32_t way);
+    CacheOutcome ask(const Request& request, std::uint32_t line, std::uint32_t set);
+    CacheOutcome wait(const Request& request, Set& set, std::uint32_t way);
     void next_word();
     void fill(std::uint32_t id);
     int victim(const Set& set) const;
@@ -154,7 +154,7 @@ private:
     bool read_ = false, reading_ = false;   // the last answer, and the one before, are still being read
 };
 
-inline CacheDeed Cache::look_up(bool room, bool answer_taken) {
+inline CacheOutcome Cache::look_up(bool room, bool answer_taken) {
     const Request request = in_.front();
     const bool some = !in_.empty();
     const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
@@ -169,7 +169,7 @@ inline CacheDeed Cache::look_up(bool room, bool answer_taken) {
     in_.pop(hit);
     if (some & room & !hit) [[unlikely]]
         return found ? wait(request, set, way) : ask(request, line, number);
-    return !some ? CacheDeed::starved : room ? CacheDeed::hit : CacheDeed::answers;
+    return !some ? CacheOutcome::starved : room ? CacheOutcome::hit : CacheOutcome::answers;
 }
 
 }   // namespace rayclock

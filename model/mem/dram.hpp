@@ -62,7 +62,7 @@ public:
     void clock(const Answer* request);
 
     /// True if idle: ready() and valid() stay the same until a request comes.
-    bool rests() const { return !valid_ & queue_.empty() & answers_.empty(); }
+    bool is_idle() const { return !valid_ & queue_.empty() & answers_.empty(); }
     /// True if a write waits or its data are in flight.
     bool writes() const { return writing_ > 0 || (last_write_ps_ > time_); }
     /// True if no request and no data are in flight: it stays starved until a request comes.

@@ -50,10 +50,10 @@ void DramChannels::gather() {
     waiting_.pop();
 }
 
-bool DramChannels::rests() const {
-    if (count_ == 1) return channels_[0].rests();
+bool DramChannels::is_idle() const {
+    if (count_ == 1) return channels_[0].is_idle();
     return !valid_ && waiting_.empty() &&
-           std::all_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.rests(); });
+           std::all_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.is_idle(); });
 }
 
 bool DramChannels::writes() const {

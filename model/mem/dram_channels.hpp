@@ -21,7 +21,7 @@ public:
 
     void clock(const Answer* request);
 
-    bool rests() const;
+    bool is_idle() const;
     bool idle() const;
     bool writes() const;
     std::uint64_t now() const { return channels_[0].now(); }

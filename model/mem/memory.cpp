@@ -5,8 +5,8 @@ namespace rayclock {
 
 namespace {
 // In the order of DramCause.
-constexpr MemoryDeed deed_of[] = {MemoryDeed::busy, MemoryDeed::refresh, MemoryDeed::latency,
-                                  MemoryDeed::starved};
+constexpr MemoryOutcome outcome_of[] = {MemoryOutcome::busy, MemoryOutcome::refresh, MemoryOutcome::latency,
+                                        MemoryOutcome::starved};
 }   // namespace
 
 Memory::Memory(const Config& config, int khz, Traffic traffic)
@@ -64,14 +64,14 @@ void Memory::work(const Answer* request, std::uint32_t pixels) {
     if (dram_) {
         pay();
         dram_->clock(asks ? &asked : nullptr);
-        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->rests() & (written_.empty() || !writes());
+        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
     } else {
         const bool writes = asks && asked.is_write;
         if (writes) ideal_.write();
         writes_ += writes;
-        ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
-                                   : ideal_.waits() ? MemoryDeed::latency
-                                                    : MemoryDeed::starved)];
+        ++ideal_outcomes_[std::size_t(ideal_.valid()   ? MemoryOutcome::busy
+                                      : ideal_.waits() ? MemoryOutcome::latency
+                                                       : MemoryOutcome::starved)];
         const Answer read{asked.id, asked.addr};
         ideal_.clock(asks && !writes ? &read : nullptr);
     }
@@ -106,20 +106,21 @@ void Memory::skip(std::uint64_t cycles) {
     } else if (dram_) {
         dram_->skip(cycles);
     } else {
-        ideal_deeds_[std::size_t(ideal_.waits() ? MemoryDeed::latency : MemoryDeed::starved)] += cycles;
+        ideal_outcomes_[std::size_t(ideal_.waits() ? MemoryOutcome::latency : MemoryOutcome::starved)] +=
+            cycles;
         ideal_.skip(cycles);
     }
 }
 
-std::array<std::uint64_t, 8> Memory::deeds() const {
+std::array<std::uint64_t, 8> Memory::outcomes() const {
     std::array<std::uint64_t, 8> sums{};
-    for (std::size_t i = 0; i < memory_deeds; ++i) {
+    for (std::size_t i = 0; i < memory_outcomes; ++i) {
         if (dram_)
-            sums[std::size_t(deed_of[i])] = dram_->cycles(DramCause(i));
+            sums[std::size_t(outcome_of[i])] = dram_->cycles(DramCause(i));
         else
-            sums[i] = ideal_deeds_[i];
+            sums[i] = ideal_outcomes_[i];
     }
-    sums[std::size_t(MemoryDeed::starved)] += owed_;
+    sums[std::size_t(MemoryOutcome::starved)] += owed_;
     return sums;
 }
 

@@ -12,13 +12,13 @@
 namespace rayclock {
 
 /// The memory's activity in a cycle of the chip.
-enum class MemoryDeed : std::uint8_t {
+enum class MemoryOutcome : std::uint8_t {
     busy,      ///< moved data
     latency,   ///< has requests, and waits for rows and columns
     refresh,
     starved,   ///< has no request
 };
-constexpr std::size_t memory_deeds = 4;
+constexpr std::size_t memory_outcomes = 4;
 
 /// Totals of the memory.
 struct MemoryStats {
@@ -68,8 +68,8 @@ public:
         else
             work(request, pixels);
     }
-    /// Cycles by deed.
-    std::array<std::uint64_t, 8> deeds() const;
+    /// Cycles by outcome.
+    std::array<std::uint64_t, 8> outcomes() const;
 
     MemoryStats stats() const;
 
@@ -84,7 +84,7 @@ public:
     void skip(std::uint64_t cycles);
 
 private:
-    struct Late {
+    struct DelayedAnswer {
         Answer what;
         std::uint64_t due = 0;
     };
@@ -115,12 +115,12 @@ private:
                                // again
     std::uint64_t owed_ = 0;   // number of these cycles
     std::uint64_t reads_ = 0;
-    std::array<std::uint64_t, memory_deeds> ideal_deeds_{};
+    std::array<std::uint64_t, memory_outcomes> ideal_outcomes_{};
     std::vector<std::uint32_t> written_;   // lines that the host writes; the last left_ of them remain
     std::size_t left_ = 0;
-    std::uint64_t writes_ = 0;   // by the ideal memory
-    std::vector<Late> late_;     // answers that the traffic delays, oldest first
-    int offer_ = -1;             // the one of these on offer, or -1
+    std::uint64_t writes_ = 0;          // by the ideal memory
+    std::vector<DelayedAnswer> late_;   // answers that the traffic delays, oldest first
+    int offer_ = -1;                    // the one of these on offer, or -1
 };
 
 }   // namespace rayclock

@@ -33,7 +33,7 @@ template <class Value> Value spline(const Value* from, const Value* to, double s
 glm::dmat4 local_place(const MotionNode& node, double time) {
     if (!node.is_parts) return node.matrices.at(time, node.matrix);
     const glm::dmat4 moved = glm::translate(glm::dmat4(1), node.translates.at(time, node.translate));
-    const glm::dmat4 turned = moved * glm::mat4_cast(node.turns.at(time, node.turn));
+    const glm::dmat4 turned = moved * glm::mat4_cast(node.rotations.at(time, node.rotation));
     return glm::scale(turned, node.scales.at(time, node.scale));
 }
 
@@ -44,7 +44,7 @@ glm::dvec3 point_at(const glm::dmat4& place, const glm::dvec3& point) {
 double last_time(const MotionNode& node) {
     double last = 0;
     for (const auto* times :
-         {&node.matrices.times, &node.translates.times, &node.scales.times, &node.turns.times})
+         {&node.matrices.times, &node.translates.times, &node.scales.times, &node.rotations.times})
         if (!times->empty()) last = std::max(last, times->back());
     return last;
 }
@@ -59,13 +59,13 @@ bool is_bounded(const glm::dmat4& m) {
 
 template <class Value> Value Track<Value>::at(double time, const Value& otherwise) const {
     if (times.empty()) return otherwise;
-    const std::size_t width = between == Between::cubic ? 3 : 1, own = width / 2;
+    const std::size_t width = interpolation == Interpolation::cubic ? 3 : 1, own = width / 2;
     const auto after = std::upper_bound(times.begin(), times.end(), time);   // first key beyond
     if (after == times.begin()) return tidy(values[own]);
     const std::size_t k = std::size_t(after - times.begin()) - 1;
-    if (after == times.end() || between == Between::step) return tidy(values[width * k + own]);
+    if (after == times.end() || interpolation == Interpolation::step) return tidy(values[width * k + own]);
     const double span = times[k + 1] - times[k], s = (time - times[k]) / span;
-    if (between == Between::linear) return mixed(values[k], values[k + 1], s);
+    if (interpolation == Interpolation::linear) return mixed(values[k], values[k + 1], s);
     return spline(&values[3 * k], &values[3 * k + 3], s, span);
 }
 template struct Track<double>;
@@ -100,11 +100,12 @@ void pose(PlacedScene& scene, double time) {
     const Motion& motion = scene.motion;
     if (motion.empty()) return;
     const std::vector<glm::dmat4> places = node_places(motion, time);
-    for (const Hung& hung : motion.hung) {
-        Instance& instance = scene.instances[hung.instance];
-        instance.place = places[hung.node] * hung.place;
+    for (const AttachedInstance& attached : motion.attached) {
+        Instance& instance = scene.instances[attached.instance];
+        instance.place = places[attached.node] * attached.place;
         if (!is_bounded(instance.place))
-            throw UserError(motion.nodes[hung.node].name + " at " + text_of(time) + " s blows its mesh up");
+            throw UserError(motion.nodes[attached.node].name + " at " + text_of(time) +
+                            " s blows its mesh up");
     }
     for (const Deforming& deforming : motion.deforming)
         deform(deforming, time, places, scene.meshes[deforming.mesh]);

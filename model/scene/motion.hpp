@@ -25,14 +25,14 @@ struct MotionNode {
     Track<glm::dmat4> matrices{};
     bool is_parts = false;   ///< use the next three and their tracks instead of a matrix
     glm::dvec3 translate{0};
-    glm::dquat turn{1, 0, 0, 0};
+    glm::dquat rotation{1, 0, 0, 0};
     glm::dvec3 scale{1};
     Track<glm::dvec3> translates{}, scales{};
-    Track<glm::dquat> turns{};
+    Track<glm::dquat> rotations{};
 };
 
 /// An instance attached to a node, with its place in the node's space.
-struct Hung {
+struct AttachedInstance {
     std::uint32_t instance = 0, node = 0;
     glm::dmat4 place{1};
 };
@@ -56,13 +56,13 @@ struct LightMotion {
 
 /// All motion in a PlacedScene.
 struct Motion {
-    std::vector<MotionNode> nodes;   ///< parents before children
-    std::vector<Hung> hung;          ///< instances that move
+    std::vector<MotionNode> nodes;            ///< parents before children
+    std::vector<AttachedInstance> attached;   ///< instances that move
     CameraMotion camera;
     std::vector<LightMotion> lights;
     std::vector<Deforming> deforming;   ///< meshes whose corners move; each mesh at most once
 
-    bool empty() const { return hung.empty() && camera.empty() && lights.empty() && deforming.empty(); }
+    bool empty() const { return attached.empty() && camera.empty() && lights.empty() && deforming.empty(); }
     /// Returns the time of the last key of all tracks, in seconds; 0 without keys.
     double length() const;
 };

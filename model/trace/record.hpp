@@ -67,7 +67,7 @@ private:
 };
 
 struct RecordTotals {
-    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
+    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, dropped_groups = 0;
 };
 
 /// Memory that a thread reuses from block to block.

@@ -114,9 +114,9 @@ struct FromAnywhere {
 };
 
 /// Tests any ray with the units' own functions, in structures without a faster way.
-struct FromUnits : UnitWay {
+struct FromUnits : UnitPolicy {
     FromUnits(const Decoder& decoder_, const Config& config_, const Ray& from_)
-        : UnitWay{config_, decoder_, tri_test_of(config_)} {
+        : UnitPolicy{config_, decoder_, tri_test_of(config_)} {
         start(from_);
     }
     Closest closest() const { return hit.closest(); }
@@ -153,31 +153,31 @@ struct WordWriter {
             word[-1] |= Trace::last_flag;
             totals.triangle_tests += tests;
         }
-        flags |= enters ? Trace::entry_flags : dropped << Trace::turns_shift;
-        totals.turns += dropped;
+        flags |= enters ? Trace::entry_flags : dropped << Trace::dropped_shift;
+        totals.dropped_groups += dropped;
         *head = flags;
     }
     RAYCLOCK_INLINE std::size_t end() const { return std::size_t(word - words.data()); }
 };
 
 /// Walks one ray. Its words begin at `at` in scratch.words. Returns their end.
-template <class Way, class... Parts>
+template <class Policy, class... Parts>
 RAYCLOCK_INLINE std::size_t record_ray(std::uint32_t root, std::size_t at, RecordScratch& scratch,
                                        RecordTotals& totals, Closest& hit, const Parts&... parts) {
     WordWriter writer(scratch.words, at, totals);
-    Way way(parts...);
+    Policy policy(parts...);
     Stack stack = std::move(scratch.stack);
     WalkRoom<ByDistance> room;
-    TreeWalk<Way> walk(way, stack, room);
+    TreeWalk<Policy> walk(policy, stack, room);
     walk.run(root, writer);
     scratch.stack = std::move(stack);
-    hit = way.closest();
+    hit = policy.closest();
     return writer.end();
 }
 
-template <class Way, class... Parts> static void record_rays(const RecordJob& job, const RecordBlock& block,
-                                                             RecordScratch& scratch, Closest* hits,
-                                                             RecordTotals& totals, const Parts&... parts) {
+template <class Policy, class... Parts>
+static void record_rays(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
+                        RecordTotals& totals, const Parts&... parts) {
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
     std::size_t at = 0;
@@ -188,8 +188,8 @@ template <class Way, class... Parts> static void record_rays(const RecordJob& jo
         const std::uint32_t x = block.x0 + column, y = block.y0 + row;
         const Ray ray = raygen({0, x, y}, job.frame(), job.config());
         scratch.starts[std::size_t(row) * columns + column] = at;
-        at = record_ray<Way>(job.frame().root, at, scratch, totals,
-                             hits[std::size_t(y) * job.frame().width + x], parts..., ray);
+        at = record_ray<Policy>(job.frame().root, at, scratch, totals,
+                                hits[std::size_t(y) * job.frame().width + x], parts..., ray);
     }
     scratch.used = at;
 }

@@ -61,7 +61,7 @@ struct Recording::Work {
         trace.visits += totals.visits;
         trace.box_tests += totals.box_tests;
         trace.triangle_tests += totals.triangle_tests;
-        trace.turns += totals.turns;
+        trace.dropped_groups += totals.dropped_groups;
         if (shaded)
             trace.counts += shaded->counts();
         else if (job.config().is_stream())

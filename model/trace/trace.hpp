@@ -30,8 +30,8 @@ namespace rayclock {
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
-    static constexpr int turns_shift = 26;
-    static constexpr std::uint32_t entry_flags = ~0u << turns_shift;   ///< of an instance's visit
+    static constexpr int dropped_shift = 26;
+    static constexpr std::uint32_t entry_flags = ~0u << dropped_shift;   ///< of an instance's visit
     static constexpr bool enters(std::uint32_t head) { return head >= entry_flags; }
     static constexpr std::uint32_t last_flag = 1u << 31;    ///< of a triangle's word
     static constexpr std::uint32_t place_flag = 1u << 31;   ///< of a word with the line of an instance or its
@@ -50,7 +50,7 @@ struct Trace {
     std::vector<std::uint64_t> signatures;   ///< [y * width + x], if the chip shades: PathSignature
     RayCounts counts;
     std::vector<std::vector<std::uint32_t>> chunks;
-    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
+    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, dropped_groups = 0;
     double seconds = 0;   ///< host time of the recording
 
     /// Set if recording ended early. It moves with the trace as plain data, so do not move a trace during its

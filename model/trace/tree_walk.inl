@@ -8,7 +8,7 @@
 /// first, nearest first. Their primitives are tested one by one, none beyond the best hit. Then the stack
 /// decides where the ray goes. A blocked light ends the ray.
 ///
-/// `Way` tests boxes and primitives, and holds the best hit. It has
+/// `Policy` tests boxes and primitives, and holds the best hit. It has
 /// - `Order`, as in GroupStack;
 /// - `const WideNode& boxes(line, Time* t_near, uint32_t& hits)`: sets bit i of `hits` if child i is met, and
 ///   t_near[i];
@@ -19,13 +19,13 @@
 /// - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
 ///
 /// The caller owns way, stack and arrays, so that the rest can stay in registers.
-template <class Way> class TreeWalk {
+template <class Policy> class TreeWalk {
 public:
-    using Order = typename Way::Order;
+    using Order = typename Policy::Order;
     using Time = typename Order::Time;
 
-    RAYCLOCK_INLINE TreeWalk(Way& way, GroupStack<Order>& stack, WalkRoom<Order>& room)
-        : way_(way), stack_(stack), room_(room) {}
+    RAYCLOCK_INLINE TreeWalk(Policy& policy, GroupStack<Order>& stack, WalkRoom<Order>& room)
+        : policy_(policy), stack_(stack), room_(room) {}
 
     RAYCLOCK_INLINE void start(std::uint32_t root) {
         line_ = root;
@@ -36,8 +36,8 @@ public:
     const WideNode& node() const { return *node_; }   ///< the node visited
     std::uint32_t hits() const { return hits_; }   ///< children of this node that the ray meets, one bit each
     bool enters() const {                          ///< true if an instance was visited
-        if constexpr (requires { way_.enters(); })
-            return way_.enters();
+        if constexpr (requires { policy_.enters(); })
+            return policy_.enters();
         else
             return false;
     }
@@ -46,12 +46,12 @@ public:
 
     /// Tests a node's boxes. Returns true if there is a primitive to test.
     RAYCLOCK_INLINE bool visit() {
-        node_ = &way_.boxes(line_, room_.t_near.data(), hits_);
+        node_ = &policy_.boxes(line_, room_.t_near.data(), hits_);
         met_.node = node_;
         met_.keys = room_.leaves.data();
         met_.leaves =
             Order::sort(hits_ & ~std::uint32_t(node_->inner_mask), room_.t_near.data(), room_.leaves.data());
-        if (met_.leaves == 0 || way_.t() < met_.near(0)) return false;
+        if (met_.leaves == 0 || policy_.t() < met_.near(0)) return false;
         cursor_.leaf = 0;
         cursor_.enter(met_);
         return true;
@@ -59,23 +59,23 @@ public:
     /// Returns the half line of the primitive to test.
     std::uint32_t prim() const { return cursor_.half_line; }
     /// Advances after a test. Returns true if there is another primitive.
-    RAYCLOCK_INLINE bool advance() { return !way_.stop() && cursor_.advance(met_, way_.t()); }
+    RAYCLOCK_INLINE bool advance() { return !policy_.stop() && cursor_.advance(met_, policy_.t()); }
     /// Moves to the next node, or to the ray's end. Returns the number of groups dropped on the way.
     RAYCLOCK_INLINE std::uint32_t decide(bool& done) {
-        const bool stop = way_.stop();
-        if constexpr (requires { way_.next_page(line_); })
-            if (way_.is_list()) {
-                line_ = way_.next_page(line_);
+        const bool stop = policy_.stop();
+        if constexpr (requires { policy_.next_page(line_); })
+            if (policy_.is_list()) {
+                line_ = policy_.next_page(line_);
                 done = stop || line_ == 0;
                 return 0;
             }
         const std::uint32_t inner =
             stop ? 0 : Order::sort(hits_ & node_->inner_mask, room_.t_near.data(), stack_.place());
-        Decision decision = stack_.decide(way_.t(), stop, node_->base, inner);
+        Decision decision = stack_.decide(policy_.t(), stop, node_->base, inner);
         std::uint32_t dropped = 0;
-        for (; decision.kind == Decision::Kind::again; ++dropped)
-            decision = stack_.decide(way_.t(), false, 0, 0);
-        done = decision.kind == Decision::Kind::done;
+        for (; decision.action == Decision::Action::again; ++dropped)
+            decision = stack_.decide(policy_.t(), false, 0, 0);
+        done = decision.action == Decision::Action::done;
         if (!done) line_ = decision.addr;
         return dropped;
     }
@@ -90,7 +90,7 @@ public:
             for (; more; more = advance()) {
                 const std::uint32_t half_line = prim();
                 watch.test(half_line);
-                way_.test(half_line);
+                policy_.test(half_line);
             }
             const std::uint32_t dropped = decide(done);
             watch.decided(dropped, done);
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    Way& way_;
+    Policy& policy_;
     GroupStack<Order>& stack_;
     WalkRoom<Order>& room_;
     std::uint32_t line_ = 0, hits_ = 0;

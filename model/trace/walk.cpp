@@ -5,12 +5,12 @@
 
 namespace rayclock {
 
-const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, frame_, way_.config)); }
+const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, frame_, policy_.config)); }
 
 const Ray& Walk::start_at(const Ray& ray) {
-    way_.start(ray);
+    policy_.start(ray);
     steps_.start(frame_.root);
-    return way_.ray;
+    return policy_.ray;
 }
 
 }   // namespace rayclock

@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// Tests nodes and primitives of any structure for any ray, by the units' pure functions.
-struct UnitWay {
+struct UnitPolicy {
     using Order = ByDistance;
     const Config& config;
     const Decoder& decoder;
@@ -80,7 +80,7 @@ struct UnitWay {
 class Walk {
 public:
     Walk(const Frame& frame, const Config& config, const Decoder& decoder)
-        : frame_(frame), way_{config, decoder, tri_test_of(config)}, stack_(config) {}
+        : frame_(frame), policy_{config, decoder, tri_test_of(config)}, stack_(config) {}
     Walk(const Walk&) = delete;
 
     /// raygen: starts the camera ray of a pixel; the next node is the root.
@@ -103,38 +103,38 @@ public:
     std::uint32_t prim() const { return steps_.prim(); }
     /// Performs tri on the next triangle, and list on its answer.
     const TriRsp& test_triangle() {
-        way_.test(prim());
+        policy_.test(prim());
         return tri();
     }
     /// Advances. Returns true if there is another triangle.
     bool advance() { return steps_.advance(); }
 
     /// list -> trav, when no triangle is left.
-    Tested tested() const { return {ray().ray, way_.stop(), way_.t()}; }
+    Tested tested() const { return {ray().ray, policy_.stop(), policy_.t()}; }
     /// trav: moves to the next node, or the ray's end. Returns the number of groups dropped on the way.
     std::uint32_t decide(bool& done) { return steps_.decide(done); }
     /// Returns the number of groups on the ray's stack.
     int stack_height() const { return stack_.height(); }
 
-    const Ray& ray() const { return way_.ray; }
+    const Ray& ray() const { return policy_.ray; }
     /// Returns the ray in the form of the engine that decides the next node.
-    template <class E> const typename E::RayForm& form() const { return way_.form_at<E>(node()); }
-    bool enters() const { return way_.enters(); }   ///< true if the node visited last is an instance
-    const Change& change() const { return way_.inside.change; }   ///< xform's answer there
-    const Vec3i& o() const { return way_.o(); }                   ///< of the ray as tri sees it
-    const Vec3i& d() const { return way_.d(); }
+    template <class E> const typename E::RayForm& form() const { return policy_.form_at<E>(node()); }
+    bool enters() const { return policy_.enters(); }   ///< true if the node visited last is an instance
+    const Change& change() const { return policy_.inside.change; }   ///< xform's answer there
+    const Vec3i& o() const { return policy_.o(); }                   ///< of the ray as tri sees it
+    const Vec3i& d() const { return policy_.d(); }
     /// Returns the next primitive, or the one in flight.
-    PrimData primitive() const { return way_.primitive(prim()); }
-    const Best& best() const { return way_.hit.best(); }
-    const TriRsp& tri() const { return way_.tri; }
-    Closest closest() const { return way_.hit.closest(); }
+    PrimData primitive() const { return policy_.primitive(prim()); }
+    const Best& best() const { return policy_.hit.best(); }
+    const TriRsp& tri() const { return policy_.tri; }
+    Closest closest() const { return policy_.hit.closest(); }
 
 private:
     const Frame& frame_;
-    UnitWay way_;
+    UnitPolicy policy_;
     Stack stack_;
     WalkRoom<ByDistance> room_;
-    TreeWalk<UnitWay> steps_{way_, stack_, room_};
+    TreeWalk<UnitPolicy> steps_{policy_, stack_, room_};
     bool has_leaves_ = false;
 };
 

@@ -25,19 +25,19 @@ Told swept(const PyScene& scene, const PyConfig& config, const FrameOptions& o, 
         for (const std::string& axis : axes) parsed.push_back(sweep::parse_axis(axis));
         const Request request =
             request_of(scene.source(stop), config.choice, o.finish, seed, o.size, o.view, notes);
-        const SweepRun run = run_sweep({request,
-                                        o.size,
-                                        std::move(parsed),
-                                        clock,
-                                        cost,
-                                        std::nullopt,
-                                        {},
-                                        netlists,
-                                        fresh,
-                                        threads,
-                                        o.frames,
-                                        o.view},
-                                       stop);
+        const SweepResult run = run_sweep({request,
+                                           o.size,
+                                           std::move(parsed),
+                                           clock,
+                                           cost,
+                                           std::nullopt,
+                                           {},
+                                           netlists,
+                                           fresh,
+                                           threads,
+                                           o.frames,
+                                           o.view},
+                                          stop);
         if (!run.cache_trouble.empty())
             notes.push_back("nothing is kept for the next run: " + run.cache_trouble);
         return Told{sweep_json(run.swept, Limits{}, run.shard).dump(), notes};
@@ -55,8 +55,8 @@ std::tuple<std::string, std::string, std::vector<std::string>> explained(
         std::tuple<std::string, std::string, std::vector<std::string>> told;
         auto& [json, text, notes] = told;
         Film film(request_of(scene.source(stop), config.choice, o.finish, seed, o.size, o.view, notes),
-                  o.frames, o.view.is_asked(), o.size, stop);
-        const ExplainHow how{{jitter, stall, seed}, clock, o.is_compared, is_judged, threads};
+                  o.frames, o.view.is_given(), o.size, stop);
+        const ExplainSettings how{{jitter, stall, seed}, clock, o.is_compared, is_judged, threads};
         const auto pixel = std::size_t(y) * std::size_t(o.size.width) + std::size_t(x);
         explain_pixel(
             film, pixel, how, stop, [&](const Explanation& e, const std::vector<FrameError>& error) {

@@ -7,7 +7,7 @@
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
 #include "sim/app/clock.hpp"
-#include "sim/app/simulated.hpp"
+#include "sim/app/simulate_run.hpp"
 #include "sim/app/stream_run.hpp"
 
 namespace rayclock::python {
@@ -56,17 +56,17 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
         const Config machine = request.config;
         if (o.engine == "rtl") check_rtl(machine);
         const std::vector<int> clocks = clocks_of(clock, machine);
-        Film film(std::move(request), o.frames, o.view.is_asked(), o.size, stop);
-        const SimulatePlan work{film, o.size, clocks};
-        const SimulateHow how{o.engine == "model",
-                              traffic_of(seed, jitter, stall),
-                              seed,
-                              o.is_compared,
-                              is_judged,
-                              threads,
-                              o.frames.pan,
-                              ""};
-        Simulated s = run_simulation(how, work, stop);
+        Film film(std::move(request), o.frames, o.view.is_given(), o.size, stop);
+        const SimulateInput work{film, o.size, clocks};
+        const SimulateSettings how{o.engine == "model",
+                                   traffic_of(seed, jitter, stall),
+                                   seed,
+                                   o.is_compared,
+                                   is_judged,
+                                   threads,
+                                   o.frames.pan,
+                                   ""};
+        SimulateResult s = run_simulation(how, work, stop);
         if (how.is_compared) compare_frames(s, how, work, stop);
         made.json = simulation_json(how, work, s, Limits{}, totals_of(s)).dump();
         made.picture = last_frame_picture(work, s);
@@ -123,7 +123,7 @@ PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py
             const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
             const StreamJob stream = input.job(machine, stop);
             for (std::string& note : stream_notes(stream)) made.notes.push_back(std::move(note));
-            const StreamRun run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
+            const StreamResult run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
             const std::vector<std::uint64_t> retired =
                 retirements(machine, clocks[0], run.frame(), traffic, run.runs[0].last().cycles, stop);
             made.json = simulated_stream_json(stream, run, false, watch.seconds()).dump();

@@ -19,7 +19,7 @@ class Note(UserWarning):
     """A note of the program: content that is changed or not drawn, or an option without effect."""
 
 
-def tell(notes: Sequence[str]) -> None:
+def warn_notes(notes: Sequence[str]) -> None:
     for note in notes:
         warnings.warn(note, Note, stacklevel=3)
 
@@ -159,7 +159,7 @@ def load_scene(spec: str) -> Scene:
     """
     scene = Scene.__new__(Scene)
     scene._data = _rayclock.SceneData.load(str(spec))
-    tell(scene._data.notes)
+    warn_notes(scene._data.notes)
     return scene
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from . import _arrays, _rayclock
 from ._rayclock import Config, Error
 from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
-from ._scene import Scene, Vector, scene_data, tell, vector
+from ._scene import Scene, Vector, scene_data, warn_notes, vector
 
 Size = Union[str, Tuple[int, int]]
 Clock = Union[str, float, Iterable[float]]
@@ -160,7 +160,7 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
             raise Error(f"rays take the place of a camera, so {odd[0]} has no meaning here")
         traced = _rayclock.simulate_stream(data, machine, _ray_table(rays, machine), "rays", bool(any_hit), str(outside),
                                            *common)
-        tell(traced.notes)
+        warn_notes(traced.notes)
         return StreamReport(**json.loads(traced.json), hits=_arrays.read_npy(traced.take_hits()))
     if any_hit or outside != "clip":
         raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
@@ -169,7 +169,7 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
                        ground=ground, material=material, frames=frames, pan=pan, fps=fps, time=time, uploads=uploads,
                        rebuild=rebuild)
     made = _rayclock.simulate(data, machine, options, *common)
-    tell(made.notes)
+    warn_notes(made.notes)
     hits = made.take_hits()
     return SimulateReport(**json.loads(made.json), picture=made.take_picture(),
                           hits=hits.view(hit_dtype)[..., 0])
@@ -194,7 +194,7 @@ def trace(scene: Union[str, Scene], rays: Any, any_hit: bool = False, *, config:
     data, machine = scene_data(scene), config_of(config)
     traced = _rayclock.trace(data, machine, _ray_table(rays, machine), "rays", bool(any_hit), str(outside), str(engine),
                              whole("threads", threads, 0, 1024))
-    tell(traced.notes)
+    warn_notes(traced.notes)
     return _arrays.read_npy(traced.take_hits())
 
 
@@ -243,7 +243,7 @@ def sweep(scene: Union[str, Scene], axes: Mapping[str, Any], config: Union[str, 
         scene_data(scene), config_of(config), options, clocks_of(clock), whole("seed", seed, 1, 1 << 30),
         [_axis(str(key), values) for key, values in axes.items()], str(cost), bool(netlist), bool(fresh),
         whole("threads", threads, 0, 1024))
-    tell(notes)
+    warn_notes(notes)
     return SweepReport(**json.loads(told))
 
 
@@ -265,7 +265,7 @@ def explain(scene: Union[str, Scene], pixel: Tuple[int, int], config: Union[str,
         scene_data(scene), config_of(config), options, whole("column", x, -most, most), whole("row", y, -most, most),
         clocks_of(clock), whole("seed", seed, 1, 1 << 30), whole("jitter", jitter, 0, 100000),
         whole("stall", stall, 0, 99), bool(judge), whole("threads", threads, 0, 1024))
-    tell(notes)
+    warn_notes(notes)
     return ExplainReport(**json.loads(told), text=text)
 
 

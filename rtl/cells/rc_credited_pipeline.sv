@@ -13,7 +13,7 @@ module rc_credited_pipeline #(
   // Admission
   input  logic              req_valid_i,
   output logic              req_ready_o,
-  input  logic              rests_i,      // the unit accepts no request in this cycle
+  input  logic              occupied_i,   // the unit accepts no request in this cycle
   // From the result queue
   input  logic              leave_i,
   // To the stages
@@ -23,7 +23,7 @@ module rc_credited_pipeline #(
 
   logic is_open;
 
-  assign req_ready_o = is_open && !rests_i;
+  assign req_ready_o = is_open && !occupied_i;
   assign admit_o     = req_valid_i && req_ready_o;
 
   rc_credit_counter #(.Credits(Credits)) u_credits (

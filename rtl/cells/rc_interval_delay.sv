@@ -27,7 +27,7 @@ module rc_interval_delay #(
 
     // All cycles except the last lie in the memory. The last one is a register.
     rc_stage_delay #(.Width(Width), .Stages((Stages + Every - 2) / Every), .Every(Every)) u_beside (
-      .clk_i, .rst_ni, .come_i(there_i[0]), .leave_i(there_i[Stages-1]), .data_i, .data_o(last));
+      .clk_i, .rst_ni, .enter_i(there_i[0]), .leave_i(there_i[Stages-1]), .data_i, .data_o(last));
     rc_path_register #(.Width(Width), .Stages(1)) u_last (.clk_i, .data_i(last), .data_o);
 
     logic unused;

@@ -1,5 +1,5 @@
 // Delays data to match a pipeline in which each piece of work stays Every cycles in each stage, for
-// Stages stages. data_o holds what came with come_i until leave_i: then the same work enters the
+// Stages stages. data_o holds what came with enter_i until leave_i: then the same work enters the
 // stage that needs it. If Every is 1, this is rc_delay_ram.
 //
 // The data lies in a ring of LUT RAM. It lies in block RAM if work stays long and a cell of LUT RAM
@@ -7,7 +7,7 @@
 // leaves. So the entry is ready in the next cycle, as with LUT RAM.
 //
 // With Parts above 1, data wider than a block RAM lies in a block RAM of a part's width
-// (rc_ram_parts). It is written in the last Parts cycles up to the cycle of come_i; data_i must
+// (rc_ram_parts). It is written in the last Parts cycles up to the cycle of enter_i; data_i must
 // stay stable in these cycles. The next entry is in registers Parts + 2 cycles after work leaves.
 // Narrower data in block RAM reaches its register one cycle later than with Parts 1.
 `default_nettype none
@@ -23,21 +23,21 @@ module rc_stage_delay #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
-  input  logic             come_i,    // work leaves the stage that has the data
+  input  logic             enter_i,   // work leaves the stage that has the data
   input  logic             leave_i,   // the same work, Stages stages later
   input  logic [Width-1:0] data_i,
   output logic [Width-1:0] data_o
 );
   if (Every == 1) begin : gen_wait
     rc_delay_ram #(.Width(Width), .Stages(Stages)) u_wait (
-      .clk_i, .rst_ni, .valid_i(come_i), .data_i, .data_o);
+      .clk_i, .rst_ni, .valid_i(enter_i), .data_i, .data_o);
 
     logic unused;
     assign unused = leave_i;
   end else if (Stages == 1) begin : gen_register
     logic [Width-1:0] data_q;
     assign data_o = data_q;
-    always_ff @(posedge clk_i) if (come_i) data_q <= data_i;
+    always_ff @(posedge clk_i) if (enter_i) data_q <= data_i;
 
     logic unused;
     assign unused = ^{rst_ni, leave_i};
@@ -48,7 +48,7 @@ module rc_stage_delay #(
     // Write and read index of the ring.
     always_ff @(posedge clk_i) begin
       if (!rst_ni)      in_q <= '0;
-      else if (come_i)  in_q <= in_q == Last ? '0 : in_q + 1'b1;
+      else if (enter_i)  in_q <= in_q == Last ? '0 : in_q + 1'b1;
       if (!rst_ni)      out_q <= '0;
       else if (leave_i) out_q <= out_q == Last ? '0 : out_q + 1'b1;
     end
@@ -68,7 +68,7 @@ module rc_stage_delay #(
         last_q  <= data_i;
         still_q <= still;
       end
-      always_ff @(posedge clk_i) if (rst_ni && come_i) a_still: assert (still == '1)
+      always_ff @(posedge clk_i) if (rst_ni && enter_i) a_still: assert (still == '1)
         else $error("rc_stage_delay: data have moved while their parts were written");
 `endif
     end else if (Block) begin : gen_block
@@ -81,12 +81,12 @@ module rc_stage_delay #(
         .clk_i, .data_i(read_q), .data_o(data_o));
 
       always_ff @(posedge clk_i) begin
-        if (come_i) mem[in_q] <= data_i;
-        if (!come_i || in_q != out_d) read_q <= mem[out_d];
+        if (enter_i) mem[in_q] <= data_i;
+        if (!enter_i || in_q != out_d) read_q <= mem[out_d];
       end
     end else begin : gen_luts
       rc_ram #(.Width(Width), .Depth(Stages)) u_ram (
-        .clk_i, .write_i(come_i), .write_addr_i(in_q), .write_data_i(data_i), .read_addr_i(out_q),
+        .clk_i, .write_i(enter_i), .write_addr_i(in_q), .write_data_i(data_i), .read_addr_i(out_q),
         .read_data_o(data_o));
     end
   end

@@ -2,11 +2,11 @@
 // stage (rtl/unit/shade/rc_pass.sv). As few multipliers as possible compute them, one after the
 // other.
 //
-// turn_i[p] is high in cycle p of the Every cycles. All products are ready in the last cycle. If
+// phase_i[p] is high in cycle p of the Every cycles. All products are ready in the last cycle. If
 // Every is 1, each product has a multiplier without latency.
 //
 // In a fast chip a multiplier has registers at its operands and its products if the cycles suffice.
-// Operands may come Late cycles after the first; turn_i is then late by the same amount. Proof:
+// Operands may come Late cycles after the first; phase_i is then late by the same amount. Proof:
 // tests/formal/mul_held.sv.
 `default_nettype none
 module rc_mul_held #(
@@ -19,7 +19,7 @@ module rc_mul_held #(
   localparam int unsigned PW       = AW + BW
 ) (
   input  logic                   clk_i,
-  input  logic [Every-1:0]       turn_i,
+  input  logic [Every-1:0]       phase_i,
   input  logic [Products*AW-1:0] a_i,      // product 0 lowest
   input  logic [Products*BW-1:0] b_i,
   output logic [Products*PW-1:0] p_o
@@ -49,7 +49,7 @@ module rc_mul_held #(
       a = a_i[(First+Own-1)*AW +: AW];
       b = b_i[(First+Own-1)*BW +: BW];
       for (int i = 0; i < Early; i++)
-        if (turn_i[i]) begin
+        if (phase_i[i]) begin
           a = a_i[(First+i)*AW +: AW];
           b = b_i[(First+i)*BW +: BW];
         end
@@ -64,13 +64,13 @@ module rc_mul_held #(
         assign p_o[(First+i)*PW +: PW] = p;
       end else begin : gen_early
         logic [PW-1:0] p_q;
-        always_ff @(posedge clk_i) if (turn_i[i+Inside]) p_q <= p;
+        always_ff @(posedge clk_i) if (phase_i[i+Inside]) p_q <= p;
         assign p_o[(First+i)*PW +: PW] = p_q;
       end
     end
   end
 
   logic unused;
-  assign unused = ^turn_i;
+  assign unused = ^phase_i;
 endmodule
 `default_nettype wire

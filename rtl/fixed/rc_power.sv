@@ -19,11 +19,11 @@ module rc_power #(
   localparam int unsigned ExpW   = 28;
 
   // turn: the cycle of each stage. ends[i]: a power leaves stage i.
-  logic [Stages*Every-1:0] turn;
+  logic [Stages*Every-1:0] phase;
   logic [Stages-1:0]       ends;
 
   rc_phase #(.Stages(Stages), .Every(Every)) u_turns (
-    .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
+    .clk_i, .valid_i, .phase_o(phase), .ends_o(ends));
 
   // s1: normalises c: m = c 2^below, 2^16 <= m < 2^17.
   logic [4:0]  s0_below, s0_by, s1_below_q, s2_below_q;
@@ -66,7 +66,7 @@ module rc_power #(
   logic            s3_zero_q;
 
   rc_mul_held #(.AW(12), .BW(9), .Signed(1'b0), .Every(Every)) u_more (
-    .clk_i, .turn_i(turn[2*Every +: Every]), .a_i(s2_entry_q[11:0]), .b_i(s2_frac_q),
+    .clk_i, .phase_i(phase[2*Every +: Every]), .a_i(s2_entry_q[11:0]), .b_i(s2_frac_q),
     .p_o(s2_more));
 
   always_ff @(posedge clk_i) begin
@@ -87,7 +87,7 @@ module rc_power #(
   logic        s4_none_q;
 
   rc_mul_held #(.AW(23), .BW(14), .Signed(1'b0), .Every(Every)) u_product (
-    .clk_i, .turn_i(turn[3*Every +: Every]), .a_i(s3_neg_q), .b_i(s3_n), .p_o(s3_product));
+    .clk_i, .phase_i(phase[3*Every +: Every]), .a_i(s3_neg_q), .b_i(s3_n), .p_o(s3_product));
 
   always_ff @(posedge clk_i) begin
     if (ends[3]) begin
@@ -108,7 +108,7 @@ module rc_power #(
   logic [17:0]     s6_g_q;
 
   rc_mul_held #(.AW(10), .BW(11), .Signed(1'b0), .Every(Every)) u_less (
-    .clk_i, .turn_i(turn[5*Every +: Every]), .a_i(s5_entry_q[9:0]), .b_i(s5_frac_q),
+    .clk_i, .phase_i(phase[5*Every +: Every]), .a_i(s5_entry_q[9:0]), .b_i(s5_frac_q),
     .p_o(s5_less));
 
   always_ff @(posedge clk_i) begin
@@ -137,7 +137,7 @@ module rc_power #(
   assign power_o = s7_power_q;
 
   logic unused;
-  assign unused = ^{turn, s0_m[16], s2_more[8:0], s3_product[3:0], s5_less[10:0],
+  assign unused = ^{phase, s0_m[16], s2_more[8:0], s3_product[3:0], s5_less[10:0],
                     s6_moved[18], s6_moved[0]};
 endmodule
 `default_nettype wire

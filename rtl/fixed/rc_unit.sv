@@ -19,11 +19,11 @@ module rc_unit #(
   localparam int unsigned EntryW = 29;
 
   // turn: the cycle of each stage. ends[i]: a vector leaves stage i.
-  logic [Stages*Every-1:0] turn;
+  logic [Stages*Every-1:0] phase;
   logic [Stages-1:0]       ends;
 
   rc_phase #(.Stages(Stages), .Every(Every)) u_turns (
-    .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
+    .clk_i, .valid_i, .phase_o(phase), .ends_o(ends));
 
   // s1: magnitudes and signs.
   logic [3*W-1:0] s0_size, s1_size_q;
@@ -82,7 +82,7 @@ module rc_unit #(
   logic [3*34-1:0] s3_square, s4_square_q;
 
   rc_mul_held #(.AW(17), .BW(17), .Signed(1'b0), .Products(3), .Every(Every)) u_squares (
-    .clk_i, .turn_i(turn[3*Every +: Every]), .a_i(s3_a_q), .b_i(s3_a_q), .p_o(s3_square));
+    .clk_i, .phase_i(phase[3*Every +: Every]), .a_i(s3_a_q), .b_i(s3_a_q), .p_o(s3_square));
 
   always_ff @(posedge clk_i) begin
     if (ends[3]) begin
@@ -121,7 +121,7 @@ module rc_unit #(
   assign s5_index = s5_sum_q[18:10] - 9'd128;
 
   rc_mul_held #(.AW(10), .BW(10), .Signed(1'b0), .Every(Every)) u_less (
-    .clk_i, .turn_i(turn[6*Every +: Every]), .a_i(s6_entry_q[9:0]), .b_i(s6_frac_q),
+    .clk_i, .phase_i(phase[6*Every +: Every]), .a_i(s6_entry_q[9:0]), .b_i(s6_frac_q),
     .p_o(s6_less));
 
   always_ff @(posedge clk_i) begin
@@ -145,7 +145,7 @@ module rc_unit #(
 
   logic [3*36-1:0] s7_product;
   rc_mul_held #(.AW(17), .BW(19), .Signed(1'b0), .Products(3), .Every(Every)) u_products (
-    .clk_i, .turn_i(turn[7*Every +: Every]), .a_i(s7_a), .b_i({3{s7_r_q}}), .p_o(s7_product));
+    .clk_i, .phase_i(phase[7*Every +: Every]), .a_i(s7_a), .b_i({3{s7_r_q}}), .p_o(s7_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_out
     logic [35:0] product;
@@ -167,6 +167,6 @@ module rc_unit #(
   end
 
   logic unused;
-  assign unused = ^{turn, s6_less[9:0], s4_sum[14:0]};
+  assign unused = ^{phase, s6_less[9:0], s4_sum[14:0]};
 endmodule
 `default_nettype wire

@@ -11,8 +11,8 @@
 // - A look-up that cannot proceed stays at the head of the queue.
 //
 // When the last word of a line has come, the line's requests are answered before the next look-up.
-// The first answer leaves 3 cycles after that word, the others follow one per cycle. deed_o reports
-// what happened in a cycle.
+// The first answer leaves 3 cycles after that word, the others follow one per cycle. outcome_o
+// reports what happened in a cycle.
 //
 // With Cut the latency is two cycles longer. Tags are read when a request comes to the head. The
 // head is compared with them in a separate cycle, and waits for its look-up in a register. The data
@@ -57,9 +57,9 @@ module rc_cache #(
   input  logic                             fill_fires_i,
   input  logic [MissIdW-1:0]               fill_id_i,
   input  logic [Parts*PartW-1:0]           fill_word_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic                             waits_o,        // lines are in flight
-  output logic [rc_pkg::CauseBits-1:0]     deed_o
+  output logic [rc_pkg::CauseBits-1:0]     outcome_o
 );
   if (Parts < 1 || Parts > 2) begin : gen_refuse
     $error("rc_cache: Parts must be 1 or 2");
@@ -147,26 +147,26 @@ module rc_cache #(
   assign select     = addr[SelW-1:0] & SelW'((1 << SelB) - 1);
 
   // ---- Action of this cycle.
-  logic            open, draining, look, drain, found, full, conflict;
+  logic            open, draining, lookup, drain, found, full, conflict;
   logic            hit, merge, miss, joins;
   logic [WayW-1:0] way, line_way;
   logic [Ways-1:0] waiting, hits;
 
-  assign joins = (hits & waiting) != '0;
-  assign drain = draining && open;
-  assign look  = valid && !draining && open;
-  assign hit   = look && found && !joins;
-  assign merge = look && found && joins;
-  assign miss  = look && !found && !full && !conflict;
-  assign pop   = look && (found || (!full && !conflict));   // one of the three
+  assign joins  = (hits & waiting) != '0;
+  assign drain  = draining && open;
+  assign lookup = valid && !draining && open;
+  assign hit    = lookup && found && !joins;
+  assign merge  = lookup && found && joins;
+  assign miss   = lookup && !found && !full && !conflict;
+  assign pop    = lookup && (found || (!full && !conflict));   // one of the three
 
   always_comb begin
-    if (!draining && !valid) deed_o = rc_pkg::DeedStarved;
-    else if (!open)          deed_o = rc_pkg::DeedAnswers;
-    else if (draining)       deed_o = rc_pkg::DeedDrain;
-    else if (found)          deed_o = joins ? rc_pkg::DeedMerge : rc_pkg::DeedHit;
-    else if (full)           deed_o = rc_pkg::DeedMshrs;
-    else                     deed_o = conflict ? rc_pkg::DeedConflict : rc_pkg::DeedMiss;
+    if (!draining && !valid) outcome_o = rc_pkg::CacheStarved;
+    else if (!open)          outcome_o = rc_pkg::CacheAnswers;
+    else if (draining)       outcome_o = rc_pkg::CacheDrain;
+    else if (found)          outcome_o = joins ? rc_pkg::CacheMerge : rc_pkg::CacheHit;
+    else if (full)           outcome_o = rc_pkg::CacheMshrs;
+    else                     outcome_o = conflict ? rc_pkg::CacheConflict : rc_pkg::CacheMiss;
   end
 
   // Tags of the sets.

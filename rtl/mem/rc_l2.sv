@@ -21,9 +21,9 @@ module rc_l2 (
   output rc_pkg::mem_req_t miss_o,
   input  logic             fill_fires_i,
   input  rc_pkg::mem_rsp_t fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic             waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   logic                            next_fires;   // unused
   logic [rc_pkg::ClientIdBits-1:0] next_id;
@@ -37,7 +37,7 @@ module rc_l2 (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .next_fires_o(next_fires), .next_id_o(next_id),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i(fill_i.line), .waits_o, .deed_o);
+    .fill_word_i(fill_i.line), .waits_o, .outcome_o);
 
   logic unused;
   assign unused = ^{next_fires, next_id};

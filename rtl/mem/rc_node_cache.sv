@@ -22,9 +22,9 @@ module rc_node_cache (
   output rc_pkg::node_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::node_fill_t fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic               waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   // A node takes the lowest bits of a word, or all of them. With two levels the highest bits hold
   // the kind of the line.
@@ -50,7 +50,7 @@ module rc_node_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .next_fires_o, .next_id_o(next_ray_o),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i(word), .waits_o, .deed_o);
+    .fill_word_i(word), .waits_o, .outcome_o);
 
   logic unused;
   assign unused = ^line;

@@ -23,9 +23,9 @@ module rc_prim_cache (
   output rc_pkg::prim_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::prim_fill_t fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic               waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   localparam int unsigned PrimW = rc_pkg::PrimitiveW;
   localparam int unsigned RestW = rc_pkg::LineBits / 2 - PrimW;
@@ -43,7 +43,7 @@ module rc_prim_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .next_fires_o, .next_id_o(next_ray_o),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i({upper, lower}), .waits_o, .deed_o);
+    .fill_word_i({upper, lower}), .waits_o, .outcome_o);
 
   logic unused;
   assign unused = ^{beyond_upper, beyond_lower};

@@ -20,9 +20,9 @@ module rc_surf_cache (
   output rc_pkg::surf_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::surf_fill_t fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic               waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   localparam int unsigned SurfaceW = rc_pkg::SurfaceW;
   logic [SurfaceW-1:0]                      word;     // a surface takes the lowest bits of a word
@@ -41,7 +41,7 @@ module rc_surf_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .next_fires_o(next_fires), .next_id_o(next_ray),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i(word), .waits_o, .deed_o);
+    .fill_word_i(word), .waits_o, .outcome_o);
 
   logic unused;
   assign unused = ^{beyond, next_fires, next_ray};

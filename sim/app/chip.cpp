@@ -181,8 +181,8 @@ int print_chips(const ChipOptions& o, const ChipRequest& asked, const std::vecto
     return std::all_of(all.begin(), all.end(), [](const chip::Result& r) { return r.fits(); }) ? 0 : 1;
 }
 
-int tell_estimate(const ChipOptions& o, const chip::Request& request, jobs::Cache& cache,
-                  const Progress& progress) {
+int print_estimate(const ChipOptions& o, const chip::Request& request, jobs::Cache& cache,
+                   const Progress& progress) {
     const chip::Estimate estimate = chip::estimate(request, cache, progress);
     if (!o.json.is_alone()) fmt::print("{}", chip::text(estimate, request));
     o.json.write(chip::json(estimate, request));
@@ -205,7 +205,7 @@ int run_chip(const ChipOptions& o) {
     const std::vector<std::string> tops = tops_of(o, asked.config);
     const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);
-    if (o.fast) return tell_estimate(o, {asked.config, "chip", device, seeds, of_chip}, cache, progress);
+    if (o.fast) return print_estimate(o, {asked.config, "chip", device, seeds, of_chip}, cache, progress);
     std::vector<chip::Result> all;
     for (const std::string& top : tops)
         all.push_back(

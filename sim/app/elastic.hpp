@@ -14,7 +14,7 @@ struct ElasticChoice {
     std::optional<std::string> units;   ///< of --elastic
     std::vector<std::string> files;     ///< of --unit: "tri=my_tri.sv"
     std::optional<std::string> alone;   ///< of --unit-only
-    bool is_asked() const { return units.has_value(); }
+    bool is_given() const { return units.has_value(); }
 };
 void elastic_options(Parser& parser, ElasticChoice& choice);
 

@@ -8,7 +8,7 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/explain_run.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/app/streamed.hpp"
+#include "sim/app/stream_commands.hpp"
 #include "sim/view/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
@@ -118,8 +118,8 @@ int run_explain(const ExplainOptions& o) {
     check_report(o);
     const Progress progress = terminal_progress();
     Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
-              o.frames, o.view.is_asked(), size, stopping(progress));
-    const ExplainHow how{traffic, o.clock, !o.no_reference, !o.no_judge, o.threads};
+              o.frames, o.view.is_given(), size, stopping(progress));
+    const ExplainSettings how{traffic, o.clock, !o.no_reference, !o.no_judge, o.threads};
     explain_pixel(film, pixel, how, progress,
                   [&](const Explanation& e, const std::vector<FrameError>& error) {
                       write_explanation(o, heading(film.request().scene, size, film.job()) + "\n", e,

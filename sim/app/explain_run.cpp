@@ -19,12 +19,12 @@ PixelStory observed_story(const Job& job, const std::vector<RecordedFrame>& trac
     costs = observe(job.config, khz, traces, traffic, 0, &in_frame, progress);
     if (costs.partial) throw Interrupted("interrupted: nothing is written");
     observe_alone(job.config, khz, traces.back(), std::uint32_t(pixel), &alone);
-    return tell(job, traces.back(), costs, in_frame, alone);
+    return make_story(job, traces.back(), costs, in_frame, alone);
 }
 
 }   // namespace
 
-void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const Progress& progress,
+void explain_pixel(Film& film, std::size_t pixel, const ExplainSettings& how, const Progress& progress,
                    const std::function<void(const Explanation&, const std::vector<FrameError>&)>& use) {
     std::vector<RecordedFrame> traces;
     while (traces.size() < film.frames()) {
@@ -41,7 +41,7 @@ void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const P
     std::vector<FrameError> error;
     if (how.is_compared) {
         const Trace& trace = traces.back().trace;
-        const Compared compared = compare(
+        const FrameComparison compared = compare(
             request, job, {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
             how.is_judged, how.threads, progress, pixel);
         e.colour = colour_finding(compared, pixel);
@@ -50,7 +50,7 @@ void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const P
     use(e, error);
 }
 
-void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainHow& how,
+void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainSettings& how,
                  const Progress& progress,
                  const std::function<void(const Explanation&, const StreamJob&)>& use) {
     const int khz = one_clock_of(how.clock, config);

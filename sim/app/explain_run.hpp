@@ -7,14 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/app/explained.hpp"
+#include "sim/app/pixel_findings.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/run/stream/input.hpp"
 
 namespace rayclock {
 
 /// The way in which a pixel is explained.
-struct ExplainHow {
+struct ExplainSettings {
     Traffic traffic{};
     std::string clock = "66";   ///< MHz, or fmax
     bool is_compared = true;    ///< with the reference
@@ -23,12 +23,12 @@ struct ExplainHow {
 };
 /// Runs all frames of the film. Calls `use` with the explanation of a pixel of the last frame, and with that
 /// frame's errors if it was compared. Throws UserError, and Interrupted after Ctrl-C.
-void explain_pixel(Film& film, std::size_t pixel, const ExplainHow& how, const Progress& progress,
+void explain_pixel(Film& film, std::size_t pixel, const ExplainSettings& how, const Progress& progress,
                    const std::function<void(const Explanation&, const std::vector<FrameError>&)>& use);
 
 /// Traces a stream of rays. Calls `use` with the explanation of one of its rays. `how` compares nothing.
 /// Throws UserError, and Interrupted after Ctrl-C.
-void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainHow& how,
+void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainSettings& how,
                  const Progress& progress,
                  const std::function<void(const Explanation&, const StreamJob&)>& use);
 /// Returns the report of `explain --rays --json`: docs/report.md.

@@ -36,8 +36,8 @@ void declare_export(Parser& parser, ExportOptions& o) {
 
 /// Returns the command with the options that affect the export.
 std::string command_of(const ExportOptions& o) {
-    std::string text = fmt::format("rayclock export {} --size {} --config {}", told_path(o.scene), o.size,
-                                   told_path(o.config.name));
+    std::string text = fmt::format("rayclock export {} --size {} --config {}", page_path(o.scene), o.size,
+                                   page_path(o.config.name));
     for (const std::string& set : o.config.set) text += " --set " + set;
     return printable(text);
 }

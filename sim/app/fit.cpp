@@ -105,7 +105,7 @@ std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, 
         "; because of {} the scene is {} times as large as the rest", part->what,
         part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
     Measure rest(part->without, measure.size(), o.threads, measure.choice());
-    rest.tell = measure.tell;
+    rest.on_measured = measure.on_measured;
     const std::optional<int> bits = Search(rest, base, goal).smallest_coord_bits();
     return sentence + (bits ? fmt::format(", and without that N = {} would do", *bits)
                             : std::string(", but without that no width would do either"));
@@ -135,7 +135,7 @@ std::string picture_words(const FitOptions& o) {
 }
 
 /// The result of the search, and what it needed.
-struct Found {
+struct FitResult {
     const Scene& scene;
     FrameSize size;
     const PictureChoice& picture;
@@ -149,7 +149,7 @@ struct Found {
     double seconds = 0;
 };
 
-void print(const FitOptions& o, const Found& f) {
+void print(const FitOptions& o, const FitResult& f) {
     const Outcome& result = f.fit.outcome;
     fmt::print("{}, {}, {}x{}: {}\n\n", f.scene.name, primitives_text(f.scene), f.size.width, f.size.height,
                goal_text(f.goal));
@@ -170,7 +170,7 @@ void print(const FitOptions& o, const Found& f) {
                printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
 }
 
-nlohmann::ordered_json json_of(const Found& f) {
+nlohmann::ordered_json json_of(const FitResult& f) {
     const nlohmann::ordered_json psnr =
         f.goal.min_psnr ? nlohmann::ordered_json(*f.goal.min_psnr) : nlohmann::ordered_json(nullptr);
     nlohmann::ordered_json report{
@@ -199,7 +199,7 @@ nlohmann::ordered_json json_of(const Found& f) {
 /// Runs the search. If it finds nothing, throws with a sentence.
 Fit search_for(const FitOptions& o, const Goal& goal, const Config& base, Measure& measure,
                const Progress& progress) {
-    measure.tell = [&](const Config& c, std::size_t done) {
+    measure.on_measured = [&](const Config& c, std::size_t done) {
         constexpr std::size_t expected = 40;
         if (progress)
             progress(fmt::format("fit, N = {}, M = {}", c.coord_bits, c.dir_bits), done,
@@ -251,7 +251,8 @@ int run_fit(const FitOptions& o) {
     write_file(o.output, config_json_object(config).dump(2) + "\n");
 
     const double seconds = watch.seconds();
-    const Found found{scene, size, picture, goal, base, fit, config, device, ranges, measure.done(), seconds};
+    const FitResult found{scene,  size,   picture, goal,           base,   fit,
+                          config, device, ranges,  measure.done(), seconds};
     if (!o.json.is_alone() && o.output != "-") print(o, found);
     o.json.write(json_of(found));
     return device && device->routed && !device->routed->fits() ? 1 : 0;

@@ -7,7 +7,7 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/explore/balance/doors.hpp"
+#include "sim/explore/balance/scene_evaluator.hpp"
 #include "sim/explore/balance/report.hpp"
 #include "sim/silicon/chip/report.hpp"
 #include "sim/run/rtl/builder.hpp"
@@ -34,10 +34,10 @@ void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, cons
     jobs::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
     fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}, fit.goal.methods}, cache, progress);
     if (!fit.routed->fits()) return;
-    balance::SceneDoors at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,
-                                  fit.goal.fresh, progress, picture);
+    balance::SceneEvaluator at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,
+                                      fit.goal.fresh, progress, picture);
     std::vector<balance::Machine> one{{{}, fit.config, {}, {}}};
-    if (at_routed.doors().fps(one)) fit.routed_fps = one[0].fps;
+    if (at_routed.evaluator().fps(one)) fit.routed_fps = one[0].fps;
 }
 
 }   // namespace
@@ -86,8 +86,9 @@ std::optional<DeviceGoal> device_goal(const DeviceOptions& o) {
 DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size, const Config& formats,
                      int threads, const Progress& progress, const PictureChoice& picture) {
     DeviceFit fit{goal, {}, {}, {}, {}};
-    balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress, picture);
-    const std::optional<balance::Found> found = balance::search(formats, goal.room, doors.doors());
+    balance::SceneEvaluator evaluator(scene, size, goal.khz, threads, goal.fresh, progress, picture);
+    const std::optional<balance::SearchResult> found =
+        balance::search(formats, goal.room, evaluator.evaluator());
     if (!found)
         throw Interrupted("interrupted: nothing is written; the same command continues where it stopped");
     fit.found = *found;

@@ -32,7 +32,7 @@ std::optional<DeviceGoal> device_goal(const DeviceOptions& options);
 /// The result for a device.
 struct DeviceFit {
     DeviceGoal goal;
-    balance::Found found;
+    balance::SearchResult found;
     Config config;                        ///< the fastest machine
     std::optional<chip::Result> routed;   ///< the routed chip, if routing was requested
     std::optional<double> routed_fps;     ///< frames per second at the routed clock, if the chip fits

@@ -52,13 +52,13 @@ const std::vector<Group>& groups() {
 }
 
 /// A command and its state in the parser.
-struct Added {
+struct RegisteredCommand {
     Command command;
     CLI::App* parsed;
 };
 
-std::vector<Added> add_commands(CLI::App& app) {
-    std::vector<Added> all;
+std::vector<RegisteredCommand> add_commands(CLI::App& app) {
+    std::vector<RegisteredCommand> all;
     CLI::App* study = nullptr;
     for (const Group& group : groups()) {
         if (group.is_study) {
@@ -193,8 +193,8 @@ std::string word_after(std::string_view word, int argc, char** argv) {
 }
 
 /// Returns the parser's error as one sentence that quotes the user's words.
-std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
-                        char** argv) {
+std::string usage_error(const CLI::ParseError& error, const std::vector<RegisteredCommand>& commands,
+                        int argc, char** argv) {
     const CLI::App& root = *commands.front().parsed->get_parent();
     const CLI::App* used = nullptr;
     for (const CLI::App* sub : root.get_subcommands()) used = sub;
@@ -240,7 +240,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", RAYCLOCK_VERSION);
     if (argc == 3 && std::string_view(argv[1]) == "--print") return print_manual(argv[2]);
-    const std::vector<Added> commands = add_commands(app);
+    const std::vector<RegisteredCommand> commands = add_commands(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -254,7 +254,7 @@ int run(int argc, char** argv) {
     }
     show_builds();
     try {
-        for (const Added& added : commands)
+        for (const RegisteredCommand& added : commands)
             if (added.parsed->parsed()) return added.command.run();
     } catch (...) {
         return complain_of_exception();

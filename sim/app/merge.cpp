@@ -3,7 +3,7 @@
 
 #include "sim/app/options/commands.hpp"
 #include "sim/app/sweep_run.hpp"
-#include "sim/app/swept.hpp"
+#include "sim/app/sweep_outputs.hpp"
 
 namespace rayclock {
 
@@ -25,8 +25,8 @@ void declare_merge(Parser& parser, MergeOptions& o) {
 
 int run_merge(const MergeOptions& o) {
     check_outputs(o.outputs);
-    const sweep::Merged merged = sweep::merge(o.reports, axis_clock);
-    check_plots(o.outputs, merged.asked.axes, merged.asked.is_stream());
+    const sweep::MergedSweep merged = sweep::merge(o.reports, axis_clock);
+    check_plots(o.outputs, merged.settings.axes, merged.settings.is_stream());
     write_sweep(o.outputs, merged,
                 fmt::format("{} points from {} file{}", merged.outcome.results.size(), o.reports.size(),
                             o.reports.size() == 1 ? "" : "s"),

@@ -11,7 +11,7 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/app/streamed.hpp"
+#include "sim/app/stream_commands.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
@@ -72,24 +72,24 @@ bool may_be_film(const RenderOptions& o) {
 }
 
 /// A picture, the hits of its pixels, and its part of the report.
-struct Drawn {
+struct RenderResult {
     HitFrame hits;
     Picture picture;
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     double seconds = 0;   ///< excludes loading
 };
 
-Drawn draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
+RenderResult draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
     ReferencePicture reference = reference_picture(request, *request.scene.camera, size, threads, progress);
-    Drawn drawn{std::move(reference.frame.hits), std::move(reference.picture)};
+    RenderResult drawn{std::move(reference.frame.hits), std::move(reference.picture)};
     drawn.json["digest"] = digest_text(digest_of(drawn.hits));
     return drawn;
 }
 
 /// Renders the current frame.
-Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
+RenderResult draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
     FrameResult run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
-    Drawn drawn;
+    RenderResult drawn;
     drawn.picture = request.finished ? picture_from_colours(job.size, run.colours)
                                      : shade(request.scene, run.hits, progress);
     drawn.hits = std::move(run.hits);
@@ -99,7 +99,7 @@ Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Pr
     return drawn;
 }
 
-Drawn draw_next(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress) {
+RenderResult draw_next(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress) {
     film.next();
     const Request& request = film.request();
     return o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
@@ -117,7 +117,7 @@ struct PictureComparison {
                              [](const FrameError& a, const FrameError& b) { return a.psnr_db < b.psnr_db; });
         return least == errors.end() ? std::nullopt : std::make_optional(*least);
     }
-    void add(const Drawn& drawn, const Request& request, FrameSize size, int threads,
+    void add(const RenderResult& drawn, const Request& request, FrameSize size, int threads,
              const Progress& progress) {
         const ReferencePicture reference =
             reference_picture(request, *request.scene.camera, size, threads, progress);
@@ -131,7 +131,7 @@ std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const P
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
     StagedFiles staged(o.output);
     for (std::size_t f = 0; f < film.frames(); ++f) {
-        const Drawn drawn = draw_next(o, film, size, progress);
+        const RenderResult drawn = draw_next(o, film, size, progress);
         stop_if_interrupted();
         write_pictures(staged, {{frame_name(f), drawn.picture, drawn.hits}});
         digests.push_back(drawn.json.at("digest"));
@@ -191,7 +191,7 @@ int run_render(const RenderOptions& o) {
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     if (o.engine == "rtl") check_rtl(request.config);
     const Stopwatch watch;
-    Film film(std::move(request), o.frames, o.view.is_asked(), size, progress, o.engine != "reference");
+    Film film(std::move(request), o.frames, o.view.is_given(), size, progress, o.engine != "reference");
     const bool is_film = film.frames() > 1;
     if (is_film)
         check_film_folder(o.output, film.frames());
@@ -203,7 +203,7 @@ int run_render(const RenderOptions& o) {
     if (is_film) {
         said = draw_all(o, film, size, progress, comparison, json);
     } else {
-        const Drawn drawn = draw_next(o, film, size, progress);
+        const RenderResult drawn = draw_next(o, film, size, progress);
         stop_if_interrupted();
         write_picture(o.output, drawn.picture, drawn.hits, interrupted);
         json = drawn.json;

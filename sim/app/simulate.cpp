@@ -9,12 +9,12 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/explained.hpp"
+#include "sim/app/pixel_findings.hpp"
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/app/simulated.hpp"
-#include "sim/app/streamed.hpp"
+#include "sim/app/simulate_run.hpp"
+#include "sim/app/stream_commands.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
 #include "sim/view/observe/replay.hpp"
@@ -65,7 +65,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     json_option(parser, o.json);
 }
 
-void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, const Totals& t,
+void print(const SimulateInput& work, const SimulateResult& s, const Limits& limits, const Totals& t,
            double seconds) {
     const Config& config = work.request().config;
     const std::string far = far_frames(limits, s.errors());
@@ -84,7 +84,7 @@ void print(const SimulatePlan& work, const Simulated& s, const Limits& limits, c
 }
 
 /// Repeats the last frame at the first clock under observation.
-FrameCosts watch_frame(const SimulatePlan& work, const Simulated& s, Traffic traffic, EventSink* sink,
+FrameCosts watch_frame(const SimulateInput& work, const SimulateResult& s, Traffic traffic, EventSink* sink,
                        const Progress& progress) {
     constexpr std::uint64_t windows = 100;
     const FramesAtClock& run = s.runs[0];
@@ -97,7 +97,8 @@ FrameCosts watch_frame(const SimulatePlan& work, const Simulated& s, Traffic tra
 }
 
 /// Writes the pictures of the comparison. Returns the names of the files.
-std::string write_frame_pictures(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s) {
+std::string write_frame_pictures(const SimulateOptions& o, const SimulateInput& work,
+                                 const SimulateResult& s) {
     const Picture picture = last_frame_picture(work, s);
     const HitFrame hits =
         s.compared ? s.compared->hits : scaled(work.job(), s.traces.back().frame, s.answers());
@@ -115,14 +116,14 @@ std::string write_frame_pictures(const SimulateOptions& o, const SimulatePlan& w
 using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 
 /// Returns the explanations of the slowest pixels. A second run of the frame records only their events.
-Texts explain_slowest(const SimulatePlan& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
-                      const Progress& progress) {
+Texts explain_slowest(const SimulateInput& work, const SimulateResult& s, const FrameCosts& costs,
+                      Traffic traffic, const Progress& progress) {
     constexpr std::size_t most_bytes = 4 << 20;   // one pixel of a finished picture may have thousands of
                                                   // rays
     const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
-    PixelsEvents events(pixels);
+    PixelEventRecorder events(pixels);
     watch_frame(work, s, traffic, &events, progress);
     Texts texts;
     std::size_t bytes = 0;
@@ -132,7 +133,7 @@ Texts explain_slowest(const SimulatePlan& work, const Simulated& s, const FrameC
         PixelEvents alone{0};
         observe_alone(config, khz, s.traces.back(), pixel, &alone);
         Explanation e{
-            config, costs, khz, tell(work.job(), s.traces.back(), costs, events.of(pixel), alone), {}};
+            config, costs, khz, make_story(work.job(), s.traces.back(), costs, events.of(pixel), alone), {}};
         if (s.compared) e.colour = colour_finding(*s.compared, pixel);
         texts.emplace_back(pixel, explanation_text(e, false));
         bytes += texts.back().second.size();
@@ -141,7 +142,7 @@ Texts explain_slowest(const SimulatePlan& work, const Simulated& s, const FrameC
     return texts;
 }
 
-void write_report(const SimulateOptions& o, const SimulatePlan& work, const Simulated& s,
+void write_report(const SimulateOptions& o, const SimulateInput& work, const SimulateResult& s,
                   const FrameCosts& costs, const Texts& texts, const nlohmann::ordered_json& json,
                   const Progress& progress) {
     if (progress) progress("writing the page", 0, 1);
@@ -189,12 +190,12 @@ int run_simulate(const SimulateOptions& o) {
     const Config config = request.config;
     if (o.engine == "rtl") check_rtl(config);
     const std::vector<int> clocks = clocks_of(o.clock, config);
-    Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
-    const SimulatePlan work{film, size, clocks};
-    const SimulateHow how{o.engine == "model", traffic,   o.traffic.seed, !o.no_reference,
-                          !o.no_judge,         o.threads, o.frames.pan,   o.output};
-    Simulated simulated = run_simulation(how, work, progress);
+    const SimulateInput work{film, size, clocks};
+    const SimulateSettings how{o.engine == "model", traffic,   o.traffic.seed, !o.no_reference,
+                               !o.no_judge,         o.threads, o.frames.pan,   o.output};
+    SimulateResult simulated = run_simulation(how, work, progress);
     if (how.is_compared && !simulated.partial) compare_frames(simulated, how, work, stop);
     const double seconds = watch.seconds();
 

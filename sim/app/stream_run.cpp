@@ -6,7 +6,7 @@
 #include "model/trace/hits.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/run/request/idle.hpp"
+#include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/view/report/accounts.hpp"
 
@@ -17,15 +17,15 @@ Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes
     const Config config =
         with_settings(settled(streaming(widened(named, choice.set))), choice.set, named.name);
     if (!config.is_stream()) throw UserError("--rays needs source=stream; leave out --set source=camera");
-    for (std::string& note : idle_settings(config, choice.set)) notes.push_back(std::move(note));
+    for (std::string& note : ineffective_settings(config, choice.set)) notes.push_back(std::move(note));
     return config;
 }
 
-StreamRun run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic, bool is_judged,
-                     int threads, const Progress& progress) {
+StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic,
+                        bool is_judged, int threads, const Progress& progress) {
     const Progress stop = stopping(progress);
     const Job& job = stream.job;
-    StreamRun run;
+    StreamResult run;
     run.frames.push_back(record_frame(job, job.frame, threads, stop));
     for (const int khz : clocks) {
         const std::vector<FrameTiming> timings = replay(job.config, khz, run.frames, traffic, progress);
@@ -80,7 +80,7 @@ nlohmann::ordered_json stream_run_json(const StreamJob& s, const std::vector<Clo
             {"judge", judgement_json(judged)}};
 }
 
-nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamRun& run, bool partial,
+nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamResult& run, bool partial,
                                              double seconds) {
     nlohmann::ordered_json json = stream_run_json(stream, run.answers(), run.runs, partial, run.judged);
     Digest digest;

@@ -18,7 +18,7 @@ namespace rayclock {
 Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes);
 
 /// The results of a stream at each clock.
-struct StreamRun {
+struct StreamResult {
     std::vector<RecordedFrame> frames;   ///< one
     std::vector<FramesAtClock> runs;
     std::optional<StreamJudgement> judged;
@@ -28,8 +28,8 @@ struct StreamRun {
     bool partial() const { return runs.back().partial(); }
 };
 /// Runs a stream on the model at each clock. The result is partial if Ctrl-C stopped it.
-StreamRun run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic, bool is_judged,
-                     int threads, const Progress& progress);
+StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic,
+                        bool is_judged, int threads, const Progress& progress);
 
 /// Returns the report's entry for the rays of a stream, without their answers.
 nlohmann::ordered_json stream_json(const StreamJob& stream);
@@ -38,7 +38,7 @@ nlohmann::ordered_json stream_run_json(const StreamJob& stream, const std::vecto
                                        const std::vector<FramesAtClock>& runs, bool partial,
                                        const std::optional<StreamJudgement>& judged);
 /// Returns the report of `simulate --rays --json`: docs/streams.md.
-nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamRun& run, bool partial,
+nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamResult& run, bool partial,
                                              double seconds);
 
 }   // namespace rayclock

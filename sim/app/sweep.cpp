@@ -4,9 +4,9 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/streamed.hpp"
+#include "sim/app/stream_commands.hpp"
 #include "sim/app/sweep_run.hpp"
-#include "sim/app/swept.hpp"
+#include "sim/app/sweep_outputs.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/files/process/stopping.hpp"
@@ -89,7 +89,7 @@ int run_sweep_command(const SweepOptions& o) {
     } else {
         request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
     }
-    const SweepRun run = run_sweep(
+    const SweepResult run = run_sweep(
         {request, is_stream ? FrameSize{0, 0} : size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
          !o.no_netlist, o.fresh, o.threads, o.frames, o.view, stream.input.get()},
         progress);

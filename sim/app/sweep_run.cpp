@@ -14,7 +14,7 @@ int axis_clock(const std::string& value) { return parse_clocks(value).at(0); }
 namespace {
 
 /// Returns the requested points of the grid, each with its own clock.
-std::vector<sweep::Point> points_of(const SweepAsk& o) {
+std::vector<sweep::Point> points_of(const SweepRequest& o) {
     const bool at_fmax = o.clock == "fmax";
     std::vector<sweep::Point> points =
         sweep::make_points(o.axes, o.request.config, at_fmax ? 0 : parse_clocks(o.clock)[0], axis_clock);
@@ -35,7 +35,7 @@ std::vector<std::size_t> keep_part(std::vector<sweep::Point>& points, const swee
 
 }   // namespace
 
-SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
+SweepResult run_sweep(SweepRequest ask, const Progress& progress) {
     const sweep::Cost cost = sweep::parse_cost(ask.cost);
     const Scene& scene = ask.request.scene;
     PictureChoice picture;
@@ -44,13 +44,13 @@ SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
     std::vector<sweep::Point> points = points_of(ask);
     const std::vector<std::size_t> mine = keep_part(points, ask.shard);
     jobs::Cache cache(rtl_cache() / "sweep", ask.fresh);
-    sweep::Merged swept{scene_json(scene),
-                        ask.request.config,
-                        ask.size,
-                        {std::move(ask.axes), ask.clock, ask.cost, ask.cache_bytes, ask.netlists,
-                         ask.stream ? nlohmann::ordered_json() : sweep::picture_json(picture),
-                         ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json()},
-                        {}};
+    sweep::MergedSweep swept{scene_json(scene),
+                             ask.request.config,
+                             ask.size,
+                             {std::move(ask.axes), ask.clock, ask.cost, ask.cache_bytes, ask.netlists,
+                              ask.stream ? nlohmann::ordered_json() : sweep::picture_json(picture),
+                              ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json()},
+                             {}};
     sweep::Outcome& outcome = swept.outcome;
     const bool netlists = ask.netlists && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
     outcome = sweep::run({scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream},
@@ -64,17 +64,17 @@ SweepRun run_sweep(SweepAsk ask, const Progress& progress) {
     return {std::move(swept), sweep::shard_json(ask.shard, mine, scene), cache.trouble()};
 }
 
-nlohmann::ordered_json sweep_json(const sweep::Merged& swept, const Limits& limits,
+nlohmann::ordered_json sweep_json(const sweep::MergedSweep& swept, const Limits& limits,
                                   const nlohmann::ordered_json& shard) {
-    const std::vector<sweep::Axis>& axes = swept.asked.axes;
+    const std::vector<sweep::Axis>& axes = swept.settings.axes;
     const std::vector<sweep::Result>& results = swept.outcome.results;
-    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
+    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.settings.cost));
     return {{"scene", swept.scene},
             {"config", config_json_object(swept.config)},
-            {"frame", swept.asked.is_stream() ? nlohmann::ordered_json()
-                                              : nlohmann::ordered_json{{"width", swept.size.width},
-                                                                       {"height", swept.size.height}}},
-            {"sweep", sweep::asked_json(swept.asked)},
+            {"frame", swept.settings.is_stream() ? nlohmann::ordered_json()
+                                                 : nlohmann::ordered_json{{"width", swept.size.width},
+                                                                          {"height", swept.size.height}}},
+            {"sweep", sweep::settings_json(swept.settings)},
             {"shard", shard},
             {"partial", swept.outcome.partial},
             {"front",

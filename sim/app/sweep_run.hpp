@@ -15,7 +15,7 @@
 namespace rayclock {
 
 /// The input of a sweep.
-struct SweepAsk {
+struct SweepRequest {
     const Request& request;
     FrameSize size;
     std::vector<sweep::Axis> axes;
@@ -31,19 +31,19 @@ struct SweepAsk {
 };
 
 /// The results of a sweep.
-struct SweepRun {
-    sweep::Merged swept;
+struct SweepResult {
+    sweep::MergedSweep swept;
     nlohmann::ordered_json shard;
     std::string cache_trouble;   ///< the reason why nothing is kept for the next run, or empty
 };
 /// Runs a sweep. The result is partial if Ctrl-C stopped it. Throws UserError.
-SweepRun run_sweep(SweepAsk ask, const Progress& progress);
+SweepResult run_sweep(SweepRequest ask, const Progress& progress);
 
 /// Parses a value of the axis `clock` to kHz. Throws UserError.
 int axis_clock(const std::string& value);
 
 /// Returns the report of `sweep --json`: docs/report.md.
-nlohmann::ordered_json sweep_json(const sweep::Merged& swept, const Limits& limits,
+nlohmann::ordered_json sweep_json(const sweep::MergedSweep& swept, const Limits& limits,
                                   const nlohmann::ordered_json& shard);
 
 }   // namespace rayclock

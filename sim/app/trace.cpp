@@ -123,7 +123,7 @@ int run_trace(const TraceOptions& o) {
     Request asked = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
     if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
         throw UserError("--rays: this picture has only camera rays; use --depth for a picture with others");
-    Film film(std::move(asked), o.frames, o.view.is_asked(), size, stopping(progress));
+    Film film(std::move(asked), o.frames, o.view.is_given(), size, stopping(progress));
     std::vector<RecordedFrame> traces;
     while (traces.size() < film.frames()) {
         film.next();

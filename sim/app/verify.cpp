@@ -17,7 +17,7 @@
 #include "sim/app/options/options.hpp"
 #include "sim/app/elastic.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/app/streamed.hpp"
+#include "sim/app/stream_commands.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/view/divergence/divergence.hpp"
 #include "sim/view/report/elastic.hpp"
@@ -52,7 +52,7 @@ struct VerifyOptions {
 };
 
 void declare_verify(Parser& parser, VerifyOptions& o) {
-    const Declared scene = scene_option(parser, o.scene);
+    const DeclaredOption scene = scene_option(parser, o.scene);
     parser
         .flag("--torture", o.torture,
               "instead of a scene, run the torture set: small frames on seven chips that reach the corners "
@@ -111,7 +111,7 @@ struct VerifyPlan {
 };
 
 /// The results of a verification.
-struct Verified {
+struct VerifyResult {
     Job job;   ///< job of the last frame
     std::vector<RecordedFrame> traces;
     FilmStrip strip;
@@ -148,14 +148,15 @@ struct Verified {
     }
 };
 
-Diverged diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const Verified& v,
-                  const Divergence& first) {
+DivergedRun diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const VerifyResult& v,
+                     const Divergence& first) {
     return {v.job, v.traces, traffic, int(o.traffic.seed), first, work.request().scene.name, command_line()};
 }
 
 /// Repeats diverging machines to record a waveform, before they continue. An error here must not hide the
 /// divergence.
-void capture_first(const VerifyOptions& o, const Diverged& diverged, Verified& v, const Progress& progress) {
+void capture_first(const VerifyOptions& o, const DivergedRun& diverged, VerifyResult& v,
+                   const Progress& progress) {
     if (o.no_wave || o.netlist || interrupted()) return;
     try {
         v.show = std::make_unique<DivergenceShow>(diverged, o.output.empty() ? "." : o.output, progress);
@@ -165,9 +166,9 @@ void capture_first(const VerifyOptions& o, const Diverged& diverged, Verified& v
 }
 
 /// Runs the frames on both machines, and renders the reference's picture.
-Verified run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const Stopwatch& watch,
-                      const Progress& progress) {
-    Verified v;
+VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
+                          const Stopwatch& watch, const Progress& progress) {
+    VerifyResult v;
     v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
     const Request& request = work.request();
     // The lockstep has one thread: the reference works at the same time, and Ctrl-C ends both.
@@ -175,7 +176,7 @@ Verified run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic tr
         return reference_picture(request, work.film.camera(), work.size, o.threads, stopping({}));
     });
     v.job = work.job();
-    if (o.elastic.is_asked()) {
+    if (o.elastic.is_given()) {
         v.elastic = run_elastic(v.job, v.traces, parse_free_units(*o.elastic.units, v.job.config), traffic,
                                 progress, int(o.traffic.seed));
         v.result = as_lockstep(*v.elastic);
@@ -194,7 +195,7 @@ Verified run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic tr
 
 /// Writes the page of the first divergence. Returns the paths of its files as text.
 std::string show_first_divergence(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
-                                  Verified& v) {
+                                  VerifyResult& v) {
     if (!v.result.first) return {};
     if (!v.no_show.empty()) return fmt::format("    no waveform: {}\n", printable(v.no_show));
     if (!v.show) return {};
@@ -214,7 +215,8 @@ Picture drawn(const VerifyPlan& work, const FrameResult& made) {
 }
 
 /// Compares the machines' pictures with the reference and the golden picture, and judges their answers.
-void compare_machines(Verified& v, const VerifyOptions& o, const VerifyPlan& work, const Progress& progress) {
+void compare_machines(VerifyResult& v, const VerifyOptions& o, const VerifyPlan& work,
+                      const Progress& progress) {
     const Scene& scene = work.request().scene;
     Pictures& p = v.pictures;
     p.model = drawn(work, v.result.model), p.rtl = drawn(work, v.result.rtl);
@@ -222,23 +224,24 @@ void compare_machines(Verified& v, const VerifyOptions& o, const VerifyPlan& wor
     v.model = frame_error(v.result.model.hits, p.model, hits, p.reference.picture);
     v.rtl = frame_error(v.result.rtl.hits, p.rtl, hits, p.reference.picture);
     const FrameResult& judged = v.judged();
-    const Asked asked{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
-                      work.request().config};
+    const FrameInputs inputs{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
+                             work.request().config};
     const bool judges = !v.partial() && !o.no_judge;
     if (judges && !work.request().finished)
-        v.judgement =
-            judge(asked, v.job.image, {hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
-    const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
+        v.judgement = judge(inputs, v.job.image, {hits, judged.answers, shade(scene, judged.hits)}, o.threads,
+                            progress);
+    const MachineOutput given{judged.answers, judged.colours, v.traces.back().trace.signatures};
     if (judges && work.request().finished)
         v.judgement =
-            judge_finished(asked, v.job.image, work.request().settings,
+            judge_finished(inputs, v.job.image, work.request().settings,
                            {p.reference.frame, drawn(work, judged), given}, judged.hits, o.threads, progress);
     if (v.judgement) v.difference = cause_picture(p.reference.picture, *v.judgement);
-    if (!work.request().finished && !o.view.is_asked())
+    if (!work.request().finished && !o.view.is_given())
         v.golden = golden_result(o.scene, scene, work.request().config);
 }
 
-void print(const VerifyOptions& o, const VerifyPlan& work, const Verified& v, const std::string& wave_lines) {
+void print(const VerifyOptions& o, const VerifyPlan& work, const VerifyResult& v,
+           const std::string& wave_lines) {
     const Config& config = work.request().config;
     const FramesAtClock run{work.khz, {v.result.model}};
     fmt::print("{}\n{}\n{}\n{}\n", heading(work.request().scene, work.size, v.job),
@@ -262,7 +265,7 @@ nlohmann::ordered_json seconds_or_null(const std::optional<double>& seconds) {
     return seconds ? nlohmann::ordered_json(*seconds) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, const Verified& v,
+nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, const VerifyResult& v,
                                const Limits& limits, double seconds) {
     const Config& config = work.request().config;
     const LockstepResult& result = v.result;
@@ -305,16 +308,16 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 int run_verify(const VerifyOptions& typed) {
     VerifyOptions o = typed;
     take_elastic(o.elastic, o.scene);
-    if (o.torture && (o.elastic.is_asked() || o.elastic.alone))
+    if (o.torture && (o.elastic.is_given() || o.elastic.alone))
         throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
     if (o.elastic.alone)
-        refuse_with_unit_only(o.elastic.is_asked()   ? "--elastic"
+        refuse_with_unit_only(o.elastic.is_given()   ? "--elastic"
                               : o.stream.rays        ? "--rays"
                               : o.netlist            ? "--netlist"
                               : !o.output.empty()    ? "--output"
                               : o.no_wave            ? "--no-wave"
-                              : o.frames.is_asked()  ? "an option of films"
+                              : o.frames.is_given()  ? "an option of films"
                               : o.traffic.jitter > 0 ? "--jitter"
                               : o.traffic.stall > 0  ? "--stall"
                                                      : nullptr);
@@ -346,15 +349,15 @@ int run_verify(const VerifyOptions& typed) {
     Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
     const Config config = request.config;
     check_rtl(config);
-    if (o.elastic.is_asked()) parse_free_units(*o.elastic.units, config);   // refuses a wrong list early
+    if (o.elastic.is_given()) parse_free_units(*o.elastic.units, config);   // refuses a wrong list early
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
-    Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
     if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const VerifyPlan work{film, size, clocks[0]};
-    Verified verified = run_machines(o, work, traffic, watch, progress);
+    VerifyResult verified = run_machines(o, work, traffic, watch, progress);
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
     compare_machines(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) {

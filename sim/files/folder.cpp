@@ -12,7 +12,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/named.hpp"
+#include "sim/files/input_registry.hpp"
 #include "sim/files/output.hpp"
 
 namespace rayclock {

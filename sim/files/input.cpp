@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/files/named.hpp"
+#include "sim/files/input_registry.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {

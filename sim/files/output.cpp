@@ -13,7 +13,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/named.hpp"
+#include "sim/files/input_registry.hpp"
 #include "sim/files/scratch.hpp"
 
 namespace rayclock {

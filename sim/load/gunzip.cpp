@@ -45,7 +45,7 @@ std::string gunzip(const std::filesystem::path& path, const std::string& bytes, 
             if (inflateReset(&z) != Z_OK) at.refuse("cannot be decompressed");
             is_open = true;
         }
-        loading.tell("decompressing", bytes.size() - rest.size(), bytes.size());
+        loading.report_progress("decompressing", bytes.size() - rest.size(), bytes.size());
         char buffer[piece];
         const std::size_t given = std::min<std::size_t>(rest.size(), std::numeric_limits<uInt>::max());
         z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(rest.data()));

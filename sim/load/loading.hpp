@@ -40,7 +40,7 @@ public:
     explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {})
         : progress_(progress), allowance_(allowance), average_(std::move(average)) {}
     const Progress& progress() const { return progress_; }
-    void tell(std::string_view what, std::uint64_t done, std::uint64_t total) const {
+    void report_progress(std::string_view what, std::uint64_t done, std::uint64_t total) const {
         if (progress_) progress_(what, done, total);
     }
 

@@ -18,12 +18,12 @@ namespace rayclock::streams {
 
 namespace {
 
-struct Kind {
+struct StreamKind {
     const char* name;
     RayStreamKind kind;
     int bounce;
 };
-constexpr Kind kinds[]{
+constexpr StreamKind kinds[]{
     {"camera", RayStreamKind::camera, 1},        {"shadow", RayStreamKind::shadow, 1},
     {"mirror", RayStreamKind::mirror, 1},        {"ambient occlusion", RayStreamKind::ao, 1},
     {"diffuse, 1st", RayStreamKind::diffuse, 1}, {"diffuse, 2nd", RayStreamKind::diffuse, 2},
@@ -77,7 +77,7 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
             machines.push_back(
                 {structure.name, config, compile_scene(scene, scene.camera->eye, config, progress)});
         }
-        for (const Kind& kind : kinds) {
+        for (const StreamKind& kind : kinds) {
             if (progress) progress("streams", done++, all);
             RayStreamPlan plan;
             plan.kind = kind.kind, plan.bounce = kind.bounce, plan.size = study.size;
@@ -147,7 +147,7 @@ Every ray of a stream waits for its record of 32 bytes. The column "bytes" inclu
         std::vector<std::string> head{"rays"};
         head.insert(head.end(), structures.begin(), structures.end());
         Table table(head);
-        for (const Kind& kind : kinds) {
+        for (const StreamKind& kind : kinds) {
             std::vector<double> cycles;
             for (const std::string& structure : structures)
                 for (const Row& row : rows)

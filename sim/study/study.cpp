@@ -13,9 +13,9 @@ namespace {
 
 int no_clock(const std::string&) { return 0; }   // no axis of the study is a clock
 
-class Maker {
+class StudyBuilder {
 public:
-    explicit Maker(int khz) : khz_(khz) {}
+    explicit StudyBuilder(int khz) : khz_(khz) {}
 
     std::vector<std::size_t> add(const std::vector<Axis>& axes, const Config& base) {
         std::vector<std::size_t> indices;
@@ -44,7 +44,7 @@ private:
 }   // namespace
 
 Study make_study(int khz) {
-    Maker maker(khz);
+    StudyBuilder maker(khz);
     const Config base = named_config("default");
     Config deep = base;
     deep.stack_depth = 64;

@@ -6,7 +6,7 @@
 namespace rayclock {
 
 /// Returns a path for a page. Absolute paths lose their folders, which only this machine has.
-inline std::string told_path(const std::filesystem::path& path) {
+inline std::string page_path(const std::filesystem::path& path) {
     return (path.is_absolute() ? path.filename() : path).string();
 }
 

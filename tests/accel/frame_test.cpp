@@ -27,7 +27,7 @@ struct Seen {
     std::int64_t largest = 0, sum = 0;
     double power = 1, error = 0;
 };
-Seen look(const PixelRays& rays, const Frame& frame, double scale, int x, int y, const Config& config) {
+Seen measure(const PixelRays& rays, const Frame& frame, double scale, int x, int y, const Config& config) {
     const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), frame, config);
     const glm::dvec3 wanted = scale * rays.direction(x, y), made{d[0], d[1], d[2]};
     Seen pixel;
@@ -91,7 +91,7 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     for (int i = 0; i < 1000; ++i) {
         const int x = i < 4 ? (i & 1) * (size.width - 1) : int(draw() % std::uint32_t(size.width));
         const int y = i < 4 ? (i >> 1) * (size.height - 1) : int(draw() % std::uint32_t(size.height));
-        const Seen pixel = look(rays, frame, scale, x, y, config);
+        const Seen pixel = measure(rays, frame, scale, x, y, config);
         longest = std::max(longest, pixel.sum);
         shortest = std::min(shortest, pixel.largest);
         is_near =
@@ -102,7 +102,7 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     CHECK(shortest >= 1 << (bits - 2));
 }
 
-TEST_CASE("a camera that is too wide is refused, and no other") {
+TEST_CASE("a camera that is too wide is refused, and all others are accepted") {
     const auto make = [](double fov, FrameSize size, int bits) {
         make_frame({{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, fov}, size, Lattice{}, with_dir_bits(bits));
     };
@@ -131,7 +131,7 @@ TEST_CASE("small pictures are right in every pixel") {
     const double scale = double(frame.corner[2]) / rays.corner[2] / (1 << guard_bits);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            const Seen pixel = look(rays, frame, scale, x, y, config);
+            const Seen pixel = measure(rays, frame, scale, x, y, config);
             REQUIRE(pixel.largest <= 1 << (config.dir_bits - 1));
             REQUIRE(pixel.largest >= 1 << (config.dir_bits - 2));
             REQUIRE(pixel.error < 1 + pixel.power * 60 / (1 << guard_bits));
@@ -160,7 +160,7 @@ TEST_CASE("every sample's direction fits, half a pixel around the outer pixels' 
     if (size.width > 2 && size.height > 2) CHECK(double(largest) > 0.98 * double(most));
 }
 
-TEST_CASE("what a configuration's addresses and numbers cannot tell is refused in a sentence") {
+TEST_CASE("a scene that exceeds the configuration's addresses or numbers is refused in a sentence") {
     const Scene scene = sheet(10);
     const glm::dvec3 eye{0, 0, 5};
     Config config;

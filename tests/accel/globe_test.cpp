@@ -58,7 +58,7 @@ MemoryImage image_of(const std::string& name, const Config& config, Primitives p
 
 }   // namespace
 
-TEST_CASE("the least globe around corners", "[globe]") {
+TEST_CASE("a globe around corners is the smallest", "[globe]") {
     Draw draw{3};
     for (int i = 0; i < 12; ++i) {
         std::vector<Bead> beads;
@@ -74,7 +74,7 @@ TEST_CASE("the least globe around corners", "[globe]") {
     }
 }
 
-TEST_CASE("the least globe around spheres, and what cannot be made worse", "[globe]") {
+TEST_CASE("a globe around spheres is the smallest, and its radius never grows", "[globe]") {
     Draw draw{4};
     for (int i = 0; i < 8; ++i) {
         std::vector<Bead> beads;
@@ -125,7 +125,7 @@ TEST_CASE("globes are written outward, with the least step", "[globe]") {
     }
 }
 
-TEST_CASE("images of globes hold what they say", "[globe]") {
+TEST_CASE("an image of globes holds every primitive in its globes", "[globe]") {
     const int width = GENERATE(8, 4, 2);
     for (const char* name : {"gears:1", "balls:2", "rings:1", "mount:4", "teapot:4"}) {
         INFO(name << ", " << width);
@@ -138,7 +138,7 @@ TEST_CASE("images of globes hold what they say", "[globe]") {
     }
 }
 
-TEST_CASE("images of globes hold spheres and planes, and what the sheared test adds", "[globe]") {
+TEST_CASE("an image of globes holds spheres, planes and the sheared test's margin", "[globe]") {
     Config config = globes();
     config.shading = config.spheres = config.planes = config.refraction = config.smooth = 1;
     for (const char* name : {"spheres", "balls:1", "plane"})

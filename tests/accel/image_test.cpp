@@ -44,7 +44,7 @@ std::string error_of(const Scene& scene, const Config& config) {
 
 }   // namespace
 
-TEST_CASE("the image holds the scene, soundly") {
+TEST_CASE("a compiled image holds every primitive and passes the validator") {
     const int bits = GENERATE(12, 16, 18, 20), width = GENERATE(2, 4, 8), leaf = GENERATE(1, 2, 4, 6);
     const Config config = shape(bits, width, leaf);
     for (const Scene& scene :

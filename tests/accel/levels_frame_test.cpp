@@ -26,7 +26,7 @@ std::uint32_t same_in_reverse(const PlacedScene& scene, std::uint32_t prim) {
 
 }   // namespace
 
-TEST_CASE("where a map is exact on the lattice, two levels are one, bit for bit", "[levels]") {
+TEST_CASE("with maps that are exact on the lattice, two levels equal one level bit for bit", "[levels]") {
     const Config config = of_structure(format(18, 20), GENERATE(from_range(tree_structures())));
     const glm::dmat4 swapped(glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(1, 0, 0, 0),
                              glm::dvec4(0, 0, 0, 1));
@@ -110,7 +110,7 @@ TEST_CASE("the order of instances does not change what is hit", "[levels]") {
     CHECK(found > 100);
 }
 
-TEST_CASE("what two levels cannot do is refused", "[levels]") {
+TEST_CASE("two levels refuse scenes and configurations that they cannot compile", "[levels]") {
     const PlacedScene scene = solids(2, 1, 1, 1, 0);
     const auto refused = [&](Config config, const PlacedScene& asked) {
         try {

@@ -9,7 +9,7 @@
 #include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/unit/isect/any.hpp"
-#include "sim/judge/oracle/sight.hpp"
+#include "sim/judge/oracle/visibility.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/bounce.hpp"
 #include "model/unit/shade/dot.hpp"
@@ -23,7 +23,7 @@
 namespace rayclock::test::levels_secondary_test {
 
 using namespace rayclock;
-using oracle::Sight;
+using oracle::Visibility;
 using rayclock::Draw;   // not the one of the support
 
 namespace {
@@ -106,7 +106,7 @@ public:
         in.surface = unpack<Surface>(levels_.image.line(line), config_);
         ShadeState state = fresh_state(0, 0);
         surf(in, config_, state);
-        turn_surface(in, config_, state);
+        transform_surface(in, config_, state);
         return state;
     }
 
@@ -149,26 +149,26 @@ int side_of(const Vec3l& n, const Vec3i& d) {
 }
 
 /// Judges the path in the mesh's space with the instance's own triangles.
-Sight::Answer truth(const std::vector<PrimData>& mesh, std::uint32_t own, int facing,
-                    const oracle::Path& path) {
+Visibility::Answer truth(const std::vector<PrimData>& mesh, std::uint32_t own, int facing,
+                         const oracle::Path& path) {
     const auto corners = [](const PrimData& p) { return oracle::Corners{p.a, p.b, p.c}; };
     const auto home =
         std::find_if(mesh.begin(), mesh.end(), [&](const PrimData& p) { return p.prim == own; });
     REQUIRE(home != mesh.end());
     REQUIRE(oracle::in_plane(path.from, corners(*home)));
-    Sight sight(path, corners(*home), facing);
+    Visibility visibility(path, corners(*home), facing);
     for (const PrimData& prim : mesh)
-        if (!sight.look(corners(prim))) break;
-    return sight.answer();
+        if (!visibility.add(corners(prim))) break;
+    return visibility.answer();
 }
 
 struct Tally {
     std::uint64_t ways = 0, blocked = 0, wrong_free = 0, wrong_blocked = 0, either = 0;
-    void add(bool is_blocked, Sight::Answer right) {
+    void add(bool is_blocked, Visibility::Answer right) {
         ++ways, blocked += is_blocked;
-        either += right == Sight::Answer::either;
-        wrong_free += !is_blocked && right == Sight::Answer::blocked;
-        wrong_blocked += is_blocked && right == Sight::Answer::free;
+        either += right == Visibility::Answer::either;
+        wrong_free += !is_blocked && right == Visibility::Answer::blocked;
+        wrong_blocked += is_blocked && right == Visibility::Answer::free;
     }
 };
 
@@ -305,9 +305,8 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
     CHECK(shadows > 50);
 }
 
-TEST_CASE(
-    "how far a ray is off where it leaves an instance grows with the edges, and its box allows for that",
-    "[levels][secondary]") {
+TEST_CASE("a ray's error at the exit of an instance grows with the edges and stays within the instance's box",
+          "[levels][secondary]") {
     Config config = shaded({18, 24, 12});
     config.bary_bits = 12, config.bounces = 1;   // only u and v are coarse
     check_config(config, "the test");

@@ -82,7 +82,7 @@ Census census_of(const std::vector<PrimData>& prims, const Config& config) {
 
 }   // namespace
 
-TEST_CASE("an octree halves its cells in the middle, on three axes, while they hold more than a leaf may") {
+TEST_CASE("an octree halves each cell on three axes until its primitives fit one leaf") {
     const int leaf_size = GENERATE(1, 4);
     const auto prims = triangles(3000, 60000);
     const Census census = census_of(prims, octree_of(leaf_size, Straddlers::leaves));
@@ -93,7 +93,7 @@ TEST_CASE("an octree halves its cells in the middle, on three axes, while they h
     CHECK(census.beside == 0);
 }
 
-TEST_CASE("what straddles stays in the inner node, if told to, and is nowhere else") {
+TEST_CASE("with straddlers in inner nodes, each straddling primitive is in its inner node and nowhere else") {
     const auto prims = triangles(3000, 60000);
     const Census census = census_of(prims, octree_of(1, Straddlers::inner));
     CHECK(census.seen.size() == prims.size());

@@ -54,7 +54,7 @@ std::vector<PrimData> tangle(unsigned seed, int count, int extent) {
 
 }   // namespace
 
-TEST_CASE("a normal is the nearest of its bits", "[slant]") {
+TEST_CASE("a normal is rounded to the nearest with its number of bits", "[slant]") {
     CHECK(bsp::nearest_normal({0, 0, 0}) == Vec3i{});
     CHECK(bsp::nearest_normal({0, -7e5, 0}) == Vec3i{0, -1, 0});
     CHECK(bsp::nearest_normal({-4e9, 4e9, 2e9}) == Vec3i{-2, 2, 1});
@@ -87,7 +87,7 @@ TEST_CASE("halves of a solid have their surfaces", "[slant]") {
     CHECK(solid.area() == Approx((28 + lid - 4) / 2 + 4));
 }
 
-TEST_CASE("images of planes in any direction hold what they say", "[slant]") {
+TEST_CASE("an image of planes in any direction holds every primitive in its cells", "[slant]") {
     const int width = GENERATE(8, 4, 2);
     const Straddlers rule = GENERATE(Straddlers::leaves, Straddlers::stop);
     const Config config = bsp_of(width, rule);
@@ -131,7 +131,7 @@ TEST_CASE("some planes of real scenes lie across no axis", "[slant]") {
     CHECK(oblique < planes);
 }
 
-TEST_CASE("hopeless scenes become leaves", "[slant]") {
+TEST_CASE("a scene that no plane divides becomes a leaf", "[slant]") {
     const Straddlers rule = GENERATE(Straddlers::leaves, Straddlers::stop);
     const Config config = bsp_of(8, rule);
     std::vector<PrimData> same, flat;
@@ -147,7 +147,8 @@ TEST_CASE("hopeless scenes become leaves", "[slant]") {
     CHECK(complaints({same[0]}, config) == none);
 }
 
-TEST_CASE("planes in any direction hold spheres and planes, and what the sheared test adds", "[slant]") {
+TEST_CASE("an image of planes in any direction holds spheres, planes and the sheared test's margin",
+          "[slant]") {
     Config config = bsp_of();
     config.shading = config.spheres = config.planes = config.refraction = config.smooth = 1;
     for (const char* name : {"spheres", "balls:1", "plane"})

@@ -135,7 +135,7 @@ TEST_CASE("boxes with spatial splits hold what lies in them", "[splits]") {
     }
 }
 
-TEST_CASE("triangles that overlap are cut, and no more of them than the rule says", "[splits]") {
+TEST_CASE("overlapping triangles are cut, at most as many as the rule allows", "[splits]") {
     const std::vector<PrimData> rings = test::prims_of("rings:1", {}, Primitives::triangles);
     CHECK(references(rings, split()) > rings.size() + rings.size() / 20);
     Config off = split();
@@ -148,7 +148,7 @@ TEST_CASE("triangles that overlap are cut, and no more of them than the rule say
     CHECK(references(row, split()) == row.size());
 }
 
-TEST_CASE("spatial splits come to an end with triangles that are all the same, and with one", "[splits]") {
+TEST_CASE("spatial splits end with identical triangles, and with a single one", "[splits]") {
     for (const std::uint32_t n : {1u, 2u, 300u}) {
         std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 400}, {0, 1000, 0}, 0, 0});
         for (std::uint32_t i = 0; i < n; ++i) prims[i].prim = i;

@@ -185,7 +185,7 @@ std::size_t treelets_in(const Cell& cell, int levels) {
 
 }   // namespace
 
-TEST_CASE("a treelet begins where it was decided, and nowhere else but where planes end", "[treelets]") {
+TEST_CASE("treelets begin only at chosen planes and at the ends of planes", "[treelets]") {
     for (const char* name : {"gears:1", "balls:2", "mount:4"}) {
         Config config;
         config.structure = Structure::kd;

@@ -30,7 +30,7 @@ TEST_CASE("a cell belongs to the outermost unit that its name has") {
     CHECK(Units("rank").of("u_rank.s4_q") == "rank");
 }
 
-TEST_CASE("registers without numbers of bits") {
+TEST_CASE("names of registers lose their bit numbers") {
     CHECK(register_of("u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5", "box") == "u_rank.s4_q");
     CHECK(register_of("u_box.s3_q_TRELLIS_FF_Q_CE_LUT4_Z", "box") == "s3_q");
     CHECK(register_of("u_sched.u_tiles.mem.0.2$DPRAM_COMB2", "sched") == "u_tiles.mem.0.2");
@@ -62,7 +62,7 @@ TEST_CASE("the source of a cell is not where an instance stands, but what is in 
     CHECK(source_of_name("tri", "u_ray", rtl).empty());
 }
 
-TEST_CASE("devices have names") {
+TEST_CASE("a device is found by its name") {
     CHECK(device_of("lfe5u-85").has.lut == 83640);
     CHECK(device_of("lfe5u-25").has.dsp == 28);
     CHECK_THROWS_WITH(device_of("lfe5u-84"), Catch::Contains("did you mean 'lfe5u-85'"));
@@ -135,7 +135,7 @@ TEST_CASE("a word in a comment or an assertion is not what is synthesised; a lin
     CHECK(synth::synthesised_text("/* // */ x;\n") == "/* // */ x;\n");
 }
 
-TEST_CASE("of the sources all that is synthesised is kept") {
+TEST_CASE("all synthesised parts of the sources are kept") {
     std::size_t all = 0, kept = 0;
     for (const RtlText& source : rtl_texts()) {
         const std::string text = synth::synthesised_text(source.text);

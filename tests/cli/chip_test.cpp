@@ -112,7 +112,7 @@ TEST_CASE("a router that fails is one sentence, and nothing of it is kept") {
     CHECK(fake.kept("yosys-") == 0);
 }
 
-TEST_CASE("a router that gets no further is stopped, and another seed may be routed") {
+TEST_CASE("a router without progress is stopped, and another seed may be routed") {
     const FakeNextpnr fake;
     const std::string stuck =
         "echo 'Info: Running router2...'; i=0; while [ $i -lt 110 ]; do i=$((i+1)); "
@@ -210,7 +210,7 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     CHECK(fake.routed() == 5);
 }
 
-TEST_CASE("a chip that is stopped while it is placed once more goes on after the placement before") {
+TEST_CASE("a chip that is interrupted during a second placement continues after the first") {
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *anchored*--seed*) sleep 100;; esac");
     const std::vector<std::string> placed{"--placements", "3", "--router", "router1"};
@@ -237,7 +237,7 @@ TEST_CASE("a chip that is stopped while it is placed once more goes on after the
     }
 }
 
-TEST_CASE("an estimate is the sum of all units and the slowest clock, and is compared with the routed chip") {
+TEST_CASE("an estimate has the sum of all units and the slowest clock, next to the routed chip") {
     const FakeNextpnr fake;
     std::vector<std::string> environment = fake.environment();
     environment.push_back(fake_yosys(fake, 1));
@@ -314,7 +314,7 @@ TEST_CASE(
                   {"was not routed"});
 }
 
-TEST_CASE("a disk that fills up is one sentence, whichever step meets it, and nothing of that step is kept") {
+TEST_CASE("a full disk gives one sentence in every step, and nothing of that step is kept") {
     const FakeNextpnr fake;
     const std::string variables = "RAYCLOCK_NEXTPNR='" + fake.folder().name("nextpnr") +
                                   "' RAYCLOCK_CACHE='" + fake.folder().name("cache") + "' ";
@@ -359,7 +359,7 @@ TEST_CASE("chip refuses what makes no sense") {
     CHECK(fake.routed() == 0);
 }
 
-TEST_CASE("a router that is missing, too old or something else is one sentence, and the doctor knows it") {
+TEST_CASE("a missing, old or wrong router gives one sentence, and doctor reports it") {
     const FakeNextpnr fake;
     const auto with = [&](const std::string& nextpnr, std::vector<std::string> words) {
         return run_program(words,

@@ -29,7 +29,7 @@ std::vector<std::string> blocks(const std::string& language) {
 
 }   // namespace
 
-TEST_CASE("the walk through docs/elastic.md ends as it says") {
+TEST_CASE("the steps in docs/elastic.md give the results that it states") {
     const Folder folder;
     const std::vector<std::string> commands = blocks("sh"), modules = blocks("systemverilog");
     REQUIRE(commands.size() == 3);
@@ -181,7 +181,7 @@ TEST_CASE("the run lines of a template for streams work") {
     CHECK(runs == 2);   // the rays and one verification
 }
 
-TEST_CASE("files that the cache cannot know, or that end the program, are refused") {
+TEST_CASE("sources that the cache cannot track, or that end the program, are refused") {
     const Folder folder;
     const auto refused = [&](const std::string& name, const std::string& text) {
         const std::string file = folder.write(name, text);

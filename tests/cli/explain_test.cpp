@@ -54,7 +54,7 @@ void check_closed(const json& report) {
 
 }   // namespace
 
-TEST_CASE("explain tells every ray, visit, test and wait of a pixel, and why its colour differs") {
+TEST_CASE("explain reports every ray, visit, test and wait of a pixel, and why its colour differs") {
     const json plain = explained({"gears:2", "20,14", "--size", "40x30"});
     check_closed(plain);
     CHECK(plain["pixel"] == json{20, 14});
@@ -75,9 +75,9 @@ TEST_CASE("explain counts look-ups that asked memory, and those that found their
         const json report = explained({"gears:2", pixel, "--size", "40x30", "--no-reference"});
         CAPTURE(pixel);
         check_closed(report);
-        const char* deed = std::string(pixel) == "12,8" ? "miss" : "merge";
+        const char* outcome = std::string(pixel) == "12,8" ? "miss" : "merge";
         std::uint64_t those = 0;
-        for (const json& step : report["rays"][0]["steps"]) those += step.value("cache", json()) == deed;
+        for (const json& step : report["rays"][0]["steps"]) those += step.value("cache", json()) == outcome;
         CHECK(those > 1);
         CHECK(those == report["cost"]["cache_misses"]);
     }
@@ -95,7 +95,7 @@ TEST_CASE("the mean that explain reports is the frame's") {
           Approx(report["clocks"][0]["dram_bytes"].get<double>() / 1200));
 }
 
-TEST_CASE("explain prints its steps for people") {
+TEST_CASE("explain prints its steps as text") {
     const Outcome text = run_program({"explain", "gears:2", "20,14", "--size", "40x30", "--steps"});
     CHECK(text.code == 0);
     for (const char* words : {"pixel (20, 14):", "alone on the chip", "times the mean", "where it was",

@@ -171,7 +171,7 @@ TEST_CASE("a cache that others can write to is refused, since what is in it is r
               .code == 0);
 }
 
-TEST_CASE("names of other users among temporary files are in nobody's way") {
+TEST_CASE("temporary files of other users do not disturb a run") {
     // Only their number is known before: none of these may be needed.
     const Folder folder;
     const Outcome outcome = run_in_shell(

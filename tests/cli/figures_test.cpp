@@ -10,7 +10,7 @@
 using namespace rayclock::test;
 using nlohmann::json;
 
-TEST_CASE("figures writes a page that shows every picture it made, and each number that it has") {
+TEST_CASE("the page of figures shows every picture and every number") {
     const Folder folder;
     const Outcome outcome =
         run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
@@ -95,7 +95,7 @@ TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %
 }
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999. Means change little with the picture's size.
-TEST_CASE("rays do in octrees what was published, within 3 %") {
+TEST_CASE("visits and tests in octrees are the published ones, within 3 %") {
     const Outcome outcome = run_program(
         {"study", "counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
     INFO(outcome.err);

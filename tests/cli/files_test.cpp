@@ -191,7 +191,7 @@ TEST_CASE("outputs that cannot be written") {
                   {"/proc/rayclock.json"});
 }
 
-TEST_CASE("a report that cannot be written in the end is said") {
+TEST_CASE("a report that cannot be written at the end gives an error") {
     const Outcome full = run_program({"simulate", "tetra:1", "--size", "8x8", "--json", "/dev/full"});
     CHECK(full.code == 2);
     CHECK(full.err == "rayclock: /dev/full: cannot be written: No space left on device\n");
@@ -254,7 +254,7 @@ TEST_CASE("a mesh without a mirror says so when it is asked for reflections, and
                   {"--material", "everything in gears:1 has one"});
 }
 
-TEST_CASE("a memory from a file: as good as the one it was made from, in a report that can be run again") {
+TEST_CASE("a memory from a file equals the named memory, and its report can be run again") {
     const Folder folder;
     const auto simulate = [&](const std::vector<std::string>& more, const std::string& json) {
         std::vector<std::string> words{"simulate",       "gears:1",    "--size", "16x12",

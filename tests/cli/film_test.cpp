@@ -97,7 +97,7 @@ TEST_CASE("without the program that makes films there are frames, and a sentence
                Catch::Contains("films stay separate frames"));
 }
 
-TEST_CASE("a film that is not whole leaves the old one and its frames") {
+TEST_CASE("an incomplete film keeps the old film and its frames") {
     const Folder folder;
     const std::string out = folder.name("film"),
                       path = "PATH=" + folder.name("bin") + ":" + std::getenv("PATH");
@@ -141,7 +141,7 @@ TEST_CASE("times of frames are what --fps and --time say, and a second buffer dr
     CHECK(later[2]["time"].get<double>() <= 0.75);
 }
 
-TEST_CASE("the report tells of every frame which trees were refitted and which were built anew") {
+TEST_CASE("the report lists refitted and rebuilt trees of every frame") {
     const Folder folder;
     // Strips that are first next to each other and then cross each other.
     std::ostringstream a, b, faces;

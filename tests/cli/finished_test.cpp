@@ -102,7 +102,7 @@ TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
     CHECK(report["error"]["causes"]["bug"] == 0);
 }
 
-TEST_CASE("depth, threshold and samples do what they say") {
+TEST_CASE("depth, threshold and samples limit the rays of a picture") {
     const auto rays = [](const json& report) {
         return report["rays"]["reflection"].get<std::uint64_t>() +
                report["rays"]["refraction"].get<std::uint64_t>();
@@ -122,7 +122,7 @@ TEST_CASE("depth, threshold and samples do what they say") {
           simulate({"plane", "--aa", "2", "--jittered", "--seed", "3"})["digest"]);
 }
 
-TEST_CASE("units that a scene does not need are not there") {
+TEST_CASE("units that a scene does not need are absent") {
     const json triangles = simulate({"gears:1", "--depth", "2"})["config"],
                spheres = simulate({"spheres", "--depth", "2"})["config"];
     CHECK(triangles["shading"] == 1);

@@ -57,7 +57,7 @@ TEST_CASE("the RTL makes several frames as the model does") {
     CHECK(checked["account_mismatches"] == 0);
 }
 
-TEST_CASE("a sweep says the same as single simulations") {
+TEST_CASE("a sweep gives the figures of single simulations") {
     const Folder folder;
     const std::string table = folder.name("sweep.csv");
     const json report = report_of({"sweep", "tetra:4", "--size", "64x48", "--axis", "node_sets=1,64",

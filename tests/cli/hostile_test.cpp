@@ -207,7 +207,7 @@ void check_cheap(const std::vector<std::string>& words, const std::vector<std::s
 
 }   // namespace
 
-TEST_CASE("what compare reads is refused with the name of what is wrong") {
+TEST_CASE("compare refuses a damaged report and names the fault") {
     const Folder folder;
     const std::string good = folder.write("good.json", report_of_simulate().dump());
     json deep = report_of_simulate();
@@ -239,7 +239,7 @@ TEST_CASE("what compare reads is refused with the name of what is wrong") {
     CHECK(run_program({"compare", sound, sound}).code == 0);
 }
 
-TEST_CASE("what merge reads is refused with the name of what is wrong") {
+TEST_CASE("merge refuses a damaged report and names the fault") {
     const Folder folder;
     const json part = {{"scene", {{"name", "x"}}},
                        {"config", json::object()},

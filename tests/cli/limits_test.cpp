@@ -167,7 +167,7 @@ TEST_CASE("the report has the limits and what is beyond them") {
                                    {"far", true}});
 }
 
-TEST_CASE("limits that are none are refused") {
+TEST_CASE("limits that are no percentages or numbers are refused") {
     check_refused(run("verify", {"--max-other", "many"}), {"--max-other", "many"});
     check_refused(run("simulate", {"--max-other", "-1%"}), {"--max-other", "-1"});
     check_refused(run("explain", {"1,1", "--max-other", "3\xd4" + std::string(500, '7')}),

@@ -65,7 +65,7 @@ Watched watch(const std::vector<std::string>& arguments, const std::string& fold
 
 }   // namespace
 
-TEST_CASE("nobody waits at a terminal for two seconds without being told for what", "[slow]") {
+TEST_CASE("a terminal shows progress within two seconds", "[slow]") {
     const std::vector<std::vector<std::string>> commands{
         {"explain", "tree:8", "255,190", "--report", "out.html"},
         {"trace", "gears:8", "--cycles", "100000:101000", "-o", "out.kanata"},

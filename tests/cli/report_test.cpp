@@ -229,7 +229,7 @@ TEST_CASE("every command has help with an example") {
     CHECK(run_program({"--version"}).code == 0);
 }
 
-TEST_CASE("render writes what it says, in place of what was there, and nothing else") {
+TEST_CASE("render replaces its output file and writes no other file") {
     const Folder folder;
     for (const std::string engine : {"reference", "model", "rtl"})
         for (const std::string ending : {".png", ".exr"}) {

@@ -156,7 +156,7 @@ TEST_CASE("any file in place of the lock is tolerated") {
     CHECK_FALSE(fs::exists(fs::symlink_status(lock)));
 }
 
-TEST_CASE("a cache that can be no folder is refused, and the doctor says so") {
+TEST_CASE("a cache that cannot be a folder is refused, and doctor reports it") {
     const FakeTools tools;
     tools.folder().write("file", "taken");
     fifo(tools.path("pipe"));
@@ -172,7 +172,7 @@ TEST_CASE("a cache that can be no folder is refused, and the doctor says so") {
     }
 }
 
-TEST_CASE("what dead builders have left is swept, and nothing else") {
+TEST_CASE("only the remains of dead builds are removed") {
     const FakeTools tools;
     fs::create_directory(tools.cache());
     const std::string dead = tools.cache() + "/rc_top-0123456789abcdef-0123456789abcdef",
@@ -242,7 +242,7 @@ TEST_CASE("RTL that is built needs no tools any more") {
     check_refused(tools.rtl(), {"verilator is not installed"});
 }
 
-TEST_CASE("without a home RTL is kept in a folder of one's own, with a warning") {
+TEST_CASE("without HOME the RTL cache is a private temporary folder, with a warning") {
     const FakeTools tools;
     const std::string place = tools.path("rayclock-" + std::to_string(geteuid()));
     std::vector<std::string> environment = tools.environment();

@@ -135,7 +135,7 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
     check_refused(p.run(together(grid, {"--shard", "1/2"})), {"--shard needs --json"});
 }
 
-TEST_CASE("a part that was interrupted goes on where it was, and until then nothing is merged") {
+TEST_CASE("an interrupted part continues where it stopped, and cannot be merged before it ends") {
     const SharedFolder p;
     const Words long_grid{"sweep",        "rings:1",   "--size", "128x96", "--axis", "coord_bits=12:20",
                           "--no-netlist", "--threads", "1"};

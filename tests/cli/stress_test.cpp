@@ -39,7 +39,7 @@ TEST_CASE("stress reports every test, lattice and family") {
     CHECK(report["host"]["rays_per_core_second"].get<double>() > 0);
 }
 
-TEST_CASE("stress says what came of it, and exits with 1 if a demand is not met") {
+TEST_CASE("stress prints its verdict and exits with 1 if a demand is not met") {
     const Outcome good = run_program(
         {"stress", "--bits", "16", "--test", "exact,inclusive", "--family", "corners", "--rays", "20000"});
     CHECK(good.code == 0);

@@ -272,7 +272,7 @@ TEST_CASE("a sweep weighs the chip's cells", "[slow]") {
     CHECK(report["points"][0]["chip"]["luts"] != report["points"][1]["chip"]["luts"]);
 }
 
-TEST_CASE("a sweep draws its front, whole or not at all") {
+TEST_CASE("a sweep writes the plot of its front completely or not at all") {
     const Folder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     REQUIRE(run_program(sweep({"--plot", folder.name("plot")}), cache).code == 0);

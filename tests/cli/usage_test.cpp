@@ -248,7 +248,7 @@ TEST_CASE("stress runs that make no sense") {
            stress({"tetra:1"}, {"tetra:1"})});
 }
 
-TEST_CASE("a configuration's name is what is meant, though a folder is called the same", "[cli]") {
+TEST_CASE("a configuration's name takes precedence over a folder of the same name", "[cli]") {
     const Folder folder;
     std::filesystem::create_directory(folder.name("small"));
     const std::string there = "cd '" + folder.name("") + "' && \"$@\"";

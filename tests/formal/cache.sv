@@ -26,7 +26,7 @@ module cache #(
   input logic [MissIdW-1:0]  fill_id_i
 );
   logic                        req_ready_o, rsp_valid_o, miss_valid_o, waits_o, rsp_bit;
-  logic [2:0]                  deed_o;
+  logic [2:0]                  outcome_o;
   logic [IdBits-1:0]           rsp_id;
   logic [MissIdW-1:0]          miss_id;
   logic [AddrBits-1:0]         miss_addr;
@@ -37,7 +37,7 @@ module cache #(
     .req_i({req_id_i, req_addr_i}), .rsp_valid_o(rsp_valid_o), .rsp_ready_i(rsp_ready_i), .rsp_o({rsp_id, rsp_bit}),
     .miss_valid_o(miss_valid_o), .miss_ready_i(miss_ready_i), .miss_o({miss_id, miss_addr}),
     .fill_fires_i(fill_fires_i), .fill_id_i(fill_id_i), .fill_word_i(memory_i[asked_addr_q[AddrBits*fill_id_i +: AddrBits]]),
-    .waits_o(waits_o), .deed_o(deed_o));
+    .waits_o(waits_o), .outcome_o(outcome_o));
 
   logic [1:0]       begun_q = 2'd0;
   logic [Cells-1:0] memory_q;

@@ -20,14 +20,14 @@ module cache_always (
   localparam int unsigned Ids = 4;
   logic       req_ready_o, rsp_valid_o, rsp_bit, miss_valid_o, miss_id, waits_o;
   logic [1:0] rsp_id, miss_addr;
-  logic [2:0] deed_o;
+  logic [2:0] outcome_o;
   logic [3:0] line_q;   // of each MSHR
   rc_cache #(.IdBits(2), .AddrBits(2), .Parts(1), .PartW(1), .Sets(1), .Ways(2), .Words(1), .Mshrs(2), .Queue(2)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .req_valid_i(req_valid_i), .req_ready_o(req_ready_o),
     .req_i({req_id_i, req_addr_i}), .rsp_valid_o(rsp_valid_o), .rsp_ready_i(rsp_ready_i), .rsp_o({rsp_id, rsp_bit}),
     .miss_valid_o(miss_valid_o), .miss_ready_i(miss_ready_i), .miss_o({miss_id, miss_addr}),
     .fill_fires_i(fill_fires_i), .fill_id_i(fill_id_i), .fill_word_i(memory_i[asked_q[2*fill_id_i +: 2]]),
-    .waits_o(waits_o), .deed_o(deed_o));
+    .waits_o(waits_o), .outcome_o(outcome_o));
 
   logic       begun_q = 1'b0;
   logic [3:0] memory_q;

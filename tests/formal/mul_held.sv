@@ -1,5 +1,5 @@
 // What rc_mul_held promises: every product of operands that are held for Every cycles, for every operand, in the last of them.
-// If operands come Late, turn_i counts from there, and the last of the cycles is as much earlier by it.
+// If operands come Late, phase_i counts from there, and the last of the cycles is as much earlier by it.
 module mul_held #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 3,
@@ -11,14 +11,14 @@ module mul_held #(
   localparam int unsigned PW       = AW + BW
 ) (
   input logic                   clk_i,
-  input logic [Every-1:0]       turn_i,
+  input logic [Every-1:0]       phase_i,
   input logic [Products*AW-1:0] a_i,
   input logic [Products*BW-1:0] b_i
 );
   logic [Products*PW-1:0] p_o;
   rc_mul_held #(.AW(AW), .BW(BW), .Signed(Signed), .Products(Products), .Every(Every),
     .Late(Late)) u_dut (
-    .clk_i(clk_i), .turn_i(turn_i), .a_i(a_i), .b_i(b_i), .p_o(p_o));
+    .clk_i(clk_i), .phase_i(phase_i), .a_i(a_i), .b_i(b_i), .p_o(p_o));
 
   // Operands that were held for all turns before the last one.
   logic [Every-1:0]       turn_q = '0;
@@ -26,15 +26,15 @@ module mul_held #(
   logic [Products*AW-1:0] a_q;
   logic [Products*BW-1:0] b_q;
   always @(posedge clk_i) begin
-    turn_q <= turn_i;
-    held_q <= turn_i[Every-2:0] & ({held_q, 1'b0} | 1'b1);
+    turn_q <= phase_i;
+    held_q <= phase_i[Every-2:0] & ({held_q, 1'b0} | 1'b1);
     a_q    <= a_i;
     b_q    <= b_i;
   end
   always @* begin
-    assume (turn_i[Every-1:1] == turn_q[Every-2:0]);
-    assume ((turn_i & (turn_i - 1'b1)) == '0);
-    if (turn_i[Every-1:1] != '0) assume (a_i == a_q && b_i == b_q);
+    assume (phase_i[Every-1:1] == turn_q[Every-2:0]);
+    assume ((phase_i & (phase_i - 1'b1)) == '0);
+    if (phase_i[Every-1:1] != '0) assume (a_i == a_q && b_i == b_q);
   end
   logic [Products-1:0] is_product;
   for (genvar i = 0; i < Products; i++) begin : gen_product
@@ -43,7 +43,7 @@ module mul_held #(
     assign b = {{AW{Signed && b_i[i*BW+BW-1]}}, b_i[i*BW +: BW]};
     assign is_product[i] = p_o[i*PW +: PW] == a * b;
   end
-  always @* if (turn_i[Told] && held_q[Told-1]) begin
+  always @* if (phase_i[Told] && held_q[Told-1]) begin
     a_products: assert (is_product == '1);
   end
 endmodule

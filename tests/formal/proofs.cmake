@@ -138,19 +138,19 @@ prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)
 prove(mutant:formal_cache_hits_what_is_on_its_way TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
-  OLD [[assign hit   = look && found && !joins;]]
-  NEW [[assign hit   = look && found && (!joins || fill_fires_i);]])
+  OLD [[assign hit    = lookup && found && !joins;]]
+  NEW [[assign hit   = lookup && found && (!joins || fill_fires_i);]])
 prove(mutant:formal_cache_ways_and_mshrs_run_out TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
-  OLD [[assign miss  = look && !found && !full && !conflict;]]
-  NEW [[assign miss  = look && !found;]])
+  OLD [[assign miss   = lookup && !found && !full && !conflict;]]
+  NEW [[assign miss  = lookup && !found;]])
 prove(mutant:formal_cache_drain_without_a_place TOP cache_always RTL ${cache} CYCLES 11 SLOW FILE mem/rc_cache.sv
-  OLD [[assign drain = draining && open;]]
+  OLD [[assign drain  = draining && open;]]
   NEW [[assign drain = draining;]])
 prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
   OLD [[.clk_i, .rst_ni, .push_i(miss), .data_i({free, line}),]]
   NEW [[.clk_i, .rst_ni, .push_i(miss || merge), .data_i({free, line}),]])
 prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 FILE mem/rc_cache.sv
-  OLD [[assign pop   = look && (found || (!full && !conflict));]]
+  OLD [[assign pop    = lookup && (found || (!full && !conflict));]]
   NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
 
 # ---- The host's view of a frame's cycles, beyond what any simulation counts.
@@ -293,5 +293,5 @@ prove(mutant:formal_mul_parts_lower_has_no_sign TOP mul_shared RTL ${shared} WIT
   NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HW +: HW]))]])
 prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 CYCLES 6
   FILE fixed/rc_mul_held.sv
-  OLD [[if (turn_i[i+Inside]) p_q <= p;]]
+  OLD [[if (phase_i[i+Inside]) p_q <= p;]]
   NEW [[p_q <= p;]])

@@ -76,7 +76,7 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
     CHECK_THAT(said, Contains("b.fbx: Assimp cannot read it: ") && !Contains("ERROR"));
 }
 
-TEST_CASE("assimp: a name is one word for it, whatever is in it") {
+TEST_CASE("assimp: a file name is one argument, whatever its characters") {
     if (!is_there()) return;   // without Assimp nothing can be tested
     const Folder folder;
     CHECK(folder.load("a $(touch x) ; -b.x3d", x3d).triangles.size() == 2);

@@ -86,7 +86,7 @@ TEST_CASE("binary STL may carry something behind its triangles") {
     check_octahedron(folder.load("more.stl", "x" + Octahedron().stl_binary().substr(1) + "and more"));
 }
 
-TEST_CASE("the result passes its own check and is told about") {
+TEST_CASE("a loaded scene passes check_scene(), and progress is reported") {
     const Folder folder;
     int calls = 0;
     const Scene scene = load_scene(folder.write("a.obj", Octahedron().obj()),
@@ -138,7 +138,7 @@ TEST_CASE("normals: kept if the file has them, and facets next to them stay flat
     CHECK(ply.normals[1] == glm::dvec3(0, 0, -1));
 }
 
-TEST_CASE("a key light over the right shoulder and a weaker one are added, to scale") {
+TEST_CASE("a scene without lights gets a key light and a fill light at its scale") {
     const Folder folder;
     const Scene small = folder.load("a.obj", Octahedron().obj());
     const Scene large =

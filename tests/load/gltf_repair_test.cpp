@@ -66,7 +66,7 @@ std::size_t seen(const Scene& scene) {
 
 }   // namespace
 
-TEST_CASE("gltf: an unlit material and a light's own colour are drawn whatever falls on them") {
+TEST_CASE("gltf: unlit and emissive colours do not depend on the lights") {
     const Material unlit = with_material({{"extensions", {{"KHR_materials_unlit", Json::object()}}},
                                           {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0.5, 0, 1}}}}})
                                .scene.materials[0];
@@ -147,7 +147,7 @@ TEST_CASE("gltf: a file without a visible surface gives an empty picture") {
     CHECK(made.notes.size() == 1);
 }
 
-TEST_CASE("gltf: cameras with parallel rays and cones of lights are told") {
+TEST_CASE("gltf: orthographic cameras and spot lights are reported") {
     Animated file;
     file.json["cameras"] = {
         {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0}}}}};
@@ -274,7 +274,7 @@ TEST_CASE("gltf: a key of scale 0 hides its node until the next one") {
     CHECK(seen(made.scene) == 8);
 }
 
-TEST_CASE("gltf: what no triangle uses may be no number") {
+TEST_CASE("gltf: values that no triangle uses may be NaN") {
     Animated file;
     const float nan = NAN;
     std::vector<float> positions, normals;

@@ -68,7 +68,7 @@ const std::string one_face = "element face 1\nproperty list uchar int vertex_ind
 
 }   // namespace
 
-TEST_CASE("obj: a statement that the format does not have is skipped and told") {
+TEST_CASE("obj: a statement unknown to the format is skipped and reported") {
     const Folder folder;
     check_triangle(
         read(folder, "a.obj", "$ contributed by nobody\n" + v3 + "t interpolateboundary 1/0\nf 1 2 3\n"),
@@ -77,7 +77,7 @@ TEST_CASE("obj: a statement that the format does not have is skipped and told") 
           folder.name("b.obj") + ": line 1: 'solid' is not an OBJ statement");
 }
 
-TEST_CASE("obj: a vertex without a place is refused where a face uses it, and else told") {
+TEST_CASE("obj: a vertex without coordinates is refused if a face uses it, and reported otherwise") {
     const Folder folder;
     const std::string told = "unused vertex with coordinates that are not finite, left out (line 4, ";
     check_triangle(read(folder, "a.obj", v3 + "v nan nan nan\nf 1 2 3\n"), {"1 " + told + "'nan nan nan')"});
@@ -111,7 +111,7 @@ TEST_CASE("obj: corners without their normal are flat, and their neighbours stay
     CHECK(read(folder, "c.obj", v3 + "f 1//1 2//1 3//1\nvn 0 0 1\n").notes.empty());
 }
 
-TEST_CASE("obj: colours of vertices are those of faces, and their mean where they differ") {
+TEST_CASE("obj: a face has the mean of its vertices' colours") {
     const Folder folder;
     const std::string red = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n";
     const Read plain = read(folder, "a.obj", red + "v 1 1 0 0.25 0.5 1 1\nf 1 2 3\nf 2 4 3\nf 1 2 3\n");
@@ -139,7 +139,7 @@ TEST_CASE("mtl: a material without a name is the default one") {
     CHECK(made.colour(0) == glm::dvec3(1, 0, 0));
 }
 
-TEST_CASE("mtl: a value that makes no sense is refused in a material that a face has, and else told") {
+TEST_CASE("mtl: a senseless value is refused if a face uses the material, and reported otherwise") {
     const Folder folder;
     folder.write("m.mtl", "newmtl good\nKd 1 0 0\nnewmtl bad\nNs nan\nKd 1 2 blue\nnewmtl worse\nd\n");
     const std::string head = "mtllib m.mtl\n" + v3;
@@ -151,7 +151,7 @@ TEST_CASE("mtl: a value that makes no sense is refused in a material that a face
           folder.name("m.mtl") + ": line 4: 'nan' is not a finite number");
 }
 
-TEST_CASE("mtl: a surface gives off light of its own colour, and of another one it is told") {
+TEST_CASE("mtl: emission in the surface's own colour is drawn, and any other colour is reported") {
     const Folder folder;
     folder.write("m.mtl",
                  "newmtl lamp\nKd 0 0 0\nKe 1 0.5 0\nnewmtl both\nKd 0.5 0.25 0\nKe 0.5 0.25 0\n"
@@ -210,7 +210,7 @@ TEST_CASE("ply: of binary data behind a header whose lines end in a return alone
     }
 }
 
-TEST_CASE("ply: strips of triangles turn every second one over, and -1 begins a new one") {
+TEST_CASE("ply: every second triangle of a strip is reversed, and -1 begins a new strip") {
     const Folder folder;
     const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n",
                       corners = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
@@ -232,7 +232,7 @@ TEST_CASE("ply: strips of triangles turn every second one over, and -1 begins a 
                Catch::Contains("no triangles"));
 }
 
-TEST_CASE("ply: unknown lines of the header and words beyond the declared ones are skipped and told") {
+TEST_CASE("ply: unknown header lines and excess words are skipped and reported") {
     const Folder folder;
     const std::string head = ply("ascii", "", one_face);
     check_triangle(
@@ -300,7 +300,7 @@ TEST_CASE("stl: a binary file may begin with solid and have bytes behind its las
                Catch::Contains("cut off") && Catch::Contains("8 triangles take 484 bytes and there are 483"));
 }
 
-TEST_CASE("stl: statements of other programs and words behind coordinates are skipped and told") {
+TEST_CASE("stl: unknown statements and excess words are skipped and reported") {
     const Folder folder;
     const Read made = read(
         folder, "a.stl",

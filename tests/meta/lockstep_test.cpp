@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "model/machine/machine.hpp"
-#include "model/machine/witness.hpp"
+#include "model/machine/payload_replay.hpp"
 #include "sim/view/divergence/fields.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/lockstep/driver.hpp"
@@ -70,14 +70,14 @@ template <class P> std::uint32_t id_of(const P& payload) {
 template <class Payload, class Wanted> Event first_event(const Job& job, Link link, Wanted wanted) {
     const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine(job.config, job.khz);
-    Witness witness(job.image, job.config);
+    PayloadReplay payloads(job.image, job.config);
     machine.start(frame.frame, frame.trace);
-    witness.start(frame.frame);
+    payloads.start(frame.frame);
     Event found;
     for (bool done = false; !done && !machine.done();) {
         const std::uint64_t now = machine.cycle();
         machine.step([&](const Move& move) {
-            witness(move, [&](int pipeline, Link c, const auto& payload) {
+            payloads(move, [&](int pipeline, Link c, const auto& payload) {
                 if constexpr (std::is_same_v<std::decay_t<decltype(payload)>, Payload>) {
                     if (done || c != link || !wanted(payload)) return;
                     const Slot pixel = machine.pixel(pipeline, id_of(payload));
@@ -283,7 +283,7 @@ TEST_CASE("every field that a unit before a cache sends is a field of a link beh
     for (const std::string_view name : sent_by_trav) CHECK(of_trav.count(std::string(name)) == 1);
 }
 
-TEST_CASE("a ray that ends too early is told of the unit that ends it") {
+TEST_CASE("a ray that ends too early is reported with the unit that ended it") {
     const Job job = small_job();
     // The group below the top never matters: the ray is done when it is left.
     const Mutant mutant("unit/trav/rc_stack.sv", "below_matters = top_below <= tested.t_best;",
@@ -293,7 +293,7 @@ TEST_CASE("a ray that ends too early is told of the unit that ends it") {
     CHECK(result.first->unit == "trav");
 }
 
-TEST_CASE("a build tells each of its minutes once") {
+TEST_CASE("a build reports each minute once") {
     BuildLines lines;
     const auto line = [&](double seconds, const char* stage = "Yosys") {
         return lines.line({"the netlist of 'small'", stage, seconds, {}}).value_or("");
@@ -307,7 +307,7 @@ TEST_CASE("a build tells each of its minutes once") {
     CHECK(line(0) == "building the netlist of 'small', once for all runs");
 }
 
-TEST_CASE("a wrong register of cycles is told in a sentence") {
+TEST_CASE("a wrong cycle register is reported in a sentence") {
     LockstepResult result;
     result.counter = CounterDifference{"host", "cycles", 24352, 24300, 0};
     CHECK_THAT(

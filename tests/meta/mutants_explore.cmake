@@ -15,7 +15,7 @@ mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST unit "what fit fin
 mutant(stress_sheared_rounds_by_triangle FILE model/unit/isect/sheared.cpp TEST system "controls are noticed*"
   OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
   NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
-mutant(stress_stack_need_one_short FILE model/layout/written.hpp WITH model/compile/emit.cpp TEST system "the exact test stands*"
+mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp TEST system "the exact test stands*"
   OLD [[image.report.stack_need = nodes_[0].need;]]
   NEW [[image.report.stack_need = nodes_[0].need - 1;]])
 mutant(stress_judge_forgets_leaks FILE sim/explore/stress/judge.cpp TEST system "controls are noticed*"

@@ -71,10 +71,10 @@ mutant(files_film_is_not_read_back FILE sim/run/film/strip.cpp TEST cli "a film 
 mutant(waveform_may_be_cut FILE sim/view/wave/fst_writer.cpp TEST cli "a waveform that the disk*"
   OLD [[if (rc_fst_error != 0) not_written(file_->path, rc_fst_error);]]
   NEW [[]])
-mutant(output_replaces_an_input FILE sim/files/named.cpp TEST cli "no output replaces an input*"
+mutant(output_replaces_an_input FILE sim/files/input_registry.cpp TEST cli "no output replaces an input*"
   OLD [[inputs.insert_or_assign(key_of(file), path);]]
   NEW [[]])
-mutant(input_is_read_from_an_output FILE sim/files/named.cpp TEST cli "no output replaces an input*"
+mutant(input_is_read_from_an_output FILE sim/files/input_registry.cpp TEST cli "no output replaces an input*"
   OLD [[outputs.insert_or_assign(key_of(file), path);]]
   NEW [[]])
 mutant(published_files_stay_announced FILE sim/files/folder.cpp TEST load "a published file*"

@@ -157,21 +157,21 @@ mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit
   NEW [[if (held_ && valid == 0) return chosen_;]])
 mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
   OLD [[        count_ = frame.ray_count;
-        look();]]
+        select_pixel();]]
   NEW [[        count_ = frame.ray_count;]])
 mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit [shade][interval]
   OLD [[i < late_; ++i)]]
-  NEW [[i < late_ && !(i == 0 && closest.there); ++i)]])
+  NEW [[i < late_ && !(i == 0 && closest.valid); ++i)]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine/machine.cpp TEST unit "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])
 mutant(model_sleeps_beside_an_l2 FILE model/machine/machine.cpp TEST unit "idle cycles that are passed over*"
-  OLD [[if (l2_deed_ <= CacheDeed::drain) return;]]
+  OLD [[if (l2_outcome_ <= CacheOutcome::drain) return;]]
   NEW [[]])
 mutant(model_where_forgets_trav FILE model/machine/pipeline.cpp TEST unit [stuck]
   OLD [[    if (const char* place = trav_.where(ray)) return place;
 ]]
   NEW [[]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[Trace::entry_flags : dropped << Trace::turns_shift;]]
-  NEW [[Trace::entry_flags : std::uint32_t(dropped > 0) << Trace::turns_shift;]])
+  OLD [[Trace::entry_flags : dropped << Trace::dropped_shift;]]
+  NEW [[Trace::entry_flags : std::uint32_t(dropped > 0) << Trace::dropped_shift;]])

@@ -28,14 +28,14 @@ mutant(short_refracted_ray_goes FILE model/unit/shade/bounce.cpp TEST unit [boun
   OLD [[&& is_held(c, out.d);]]
   NEW [[&& (is_held(c, out.d) || c.has_homes());]])
 mutant(rtl_xform_rests_too_little_every_2 FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]
-  OLD [[RestW'(rc_pkg::XformInterval - 1)]]
-  NEW [[RestW'(rc_pkg::XformInterval - (rc_pkg::XformInterval == 2 ? 2 : 1))]])
+  OLD [[LeftW'(rc_pkg::XformInterval - 1)]]
+  NEW [[LeftW'(rc_pkg::XformInterval - (rc_pkg::XformInterval == 2 ? 2 : 1))]])
 mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system "model and RTL walk two structures alike*"
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
 mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike*"
-  OLD [[((box_rest_ == 0) | (m.lower_request != box_is_low_))]]
-  NEW [[(box_rest_ == 0)]])
+  OLD [[((box_hold_left_ == 0) | (m.lower_request != box_is_low_))]]
+  NEW [[(box_hold_left_ == 0)]])
 
 # ---- Keyframes, shapes and skins.
 mutant(keyframes_may_stand_still FILE sim/load/json/motion.cpp TEST motion [motion]

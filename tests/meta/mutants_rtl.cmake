@@ -91,10 +91,10 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
   OLD [[  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
     slack = '0;
     for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
-      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+      if (begin_state_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
   end]]
   NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
-    .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
+    .clk_i, .data_i(6'd3 * ({2'd0, begin_state_i.depth} + 6'd1)), .data_o(slack));]])
 mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
   NEW [[&& sum[ProductW:0] != '1;]])

@@ -111,7 +111,7 @@ mutant(rule_normals_of_instances_turned_by_the_map_itself FILE model/unit/shade/
 mutant(rule_weights_of_corners_change_places_in_hits FILE model/trace/record.inl WITH model/trace/record.cpp TEST simulate "teapot:3 | gears:1"
   OLD [[e.num, e.det, e.u, e.v};]]
   NEW [[e.num, e.det, e.v, e.u};]]
-  FILE2 sim/judge/cause/truth.cpp
+  FILE2 sim/judge/cause/exact_answers.cpp
   OLD2 [[size(oracle::volume<Int128>(d, oracle::area(c, a))),
             size(oracle::volume<Int128>(d, oracle::area(a, b)))};]]
   NEW2 [[size(oracle::volume<Int128>(d, oracle::area(a, b))),
@@ -137,7 +137,7 @@ mutant(rule_panes_are_no_borders FILE model/unit/shade/pass.cpp TEST simulate "s
   OLD [[s.across = s.cell ^ pane_of(in.surface, c);]]
   NEW [[s.across = s.cell;]]
   FILE2 sim/judge/paths/path_surface.cpp
-  OLD2 [[pane_bit(rules_.asked, answer_.prim) : 0;]]
+  OLD2 [[pane_bit(rules_.inputs, answer_.prim) : 0;]]
   NEW2 [[0 : 0;]])
 mutant(rule_far_bounces_take_the_background FILE model/unit/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
   OLD [[if (!c.horizon || s.lost) return std::nullopt;]]

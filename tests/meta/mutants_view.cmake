@@ -3,7 +3,7 @@
 
 # ---- Observers, timelines and waveforms.
 mutant(observer_counts_no_merge FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
-  OLD [[    ++(deed == CacheDeed::miss ? sums.misses : sums.merges)[cache];]]
+  OLD [[    ++(outcome == CacheOutcome::miss ? sums.misses : sums.merges)[cache];]]
   NEW [[    ++sums.misses[cache];]])
 mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
   OLD [[    context.since = now_;
@@ -11,8 +11,8 @@ mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe 
   NEW [[    context.since = now_ + 1;
     context.place = place_after(link, streams_);]])
 mutant(story_waits_for_its_own_work FILE sim/view/observe/story.cpp TEST observe "a pixel*"
-  OLD [[std::uint64_t left = look - begin - times.before;]]
-  NEW [[std::uint64_t left = look - begin;]])
+  OLD [[std::uint64_t left = lookup_cycle - begin - times.before;]]
+  NEW [[std::uint64_t left = lookup_cycle - begin;]])
 mutant(timeline_misses_the_first_cycle FILE sim/view/timeline/timeline.cpp TEST observe "a timeline of a whole frame*"
   OLD [[note_accounts(machine, now_ > choice_.first);]]
   NEW [[note_accounts(machine, now_ > choice_.first + 1);]])

@@ -91,7 +91,7 @@ TEST_CASE("a film has the same hits whether trees are refitted or rebuilt", "[mo
     CHECK(made[1].traces.back().trace.visits > made[0].traces.back().trace.visits);   // a degraded tree
 }
 
-TEST_CASE("a sheet that is a line at first is drawn when it has opened", "[motion][deform]") {
+TEST_CASE("a sheet that begins as a line is drawn once it opens", "[motion][deform]") {
     constexpr FrameSize size{64, 48};
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);

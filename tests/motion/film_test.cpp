@@ -120,7 +120,7 @@ TEST_CASE("the order of instances changes no hit", "[motion][film]") {
     const Config config = two("default", 2);
     PlacedScene scene = make_placed("flight:60"), turned = scene;
     std::reverse(turned.instances.begin(), turned.instances.end());
-    for (Hung& hung : turned.motion.hung) hung.instance = 59 - hung.instance;
+    for (AttachedInstance& attached : turned.motion.attached) attached.instance = 59 - attached.instance;
     const FrameSize size{48, 36};
     std::vector<std::vector<Closest>> hits;
     for (PlacedScene* one : {&scene, &turned}) {
@@ -194,8 +194,7 @@ TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "
     }
 }
 
-TEST_CASE("what is flattened too much to move as an instance is made anew, and still right",
-          "[motion][film]") {
+TEST_CASE("a frame whose instances become too flat is compiled anew and correct", "[motion][film]") {
     const Folder folder;
     const std::string path = folder.write("flat.json", R"({
       "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],

@@ -26,14 +26,14 @@ double angle_of(const glm::dquat& turn) {
 }   // namespace
 
 TEST_CASE("a track keeps its ends, and goes straight between its keys or jumps", "[motion]") {
-    Track<double> track{{1, 2, 4}, {10, 20, 0}, Between::linear};
+    Track<double> track{{1, 2, 4}, {10, 20, 0}, Interpolation::linear};
     CHECK(track.at(-5, 7) == 10);
     CHECK(track.at(1, 7) == 10);
     CHECK(track.at(1.25, 7) == 12.5);
     CHECK(track.at(2, 7) == 20);
     CHECK(track.at(3, 7) == 10);
     CHECK(track.at(99, 7) == 0);
-    track.between = Between::step;
+    track.interpolation = Interpolation::step;
     CHECK(track.at(1.999, 7) == 10);
     CHECK(track.at(2, 7) == 20);
     CHECK(track.at(3.999, 7) == 20);
@@ -41,13 +41,13 @@ TEST_CASE("a track keeps its ends, and goes straight between its keys or jumps",
 }
 
 TEST_CASE("rotations are slerped: evenly, on the shorter way, and stay rotations", "[motion]") {
-    const Track<glm::dquat> track{{0, 2}, {about_z(10), about_z(90)}, Between::linear};
+    const Track<glm::dquat> track{{0, 2}, {about_z(10), about_z(90)}, Interpolation::linear};
     for (const double t : {0.0, 0.5, 1.0, 1.7, 2.0}) {
         const glm::dquat turn = track.at(t, {});
         CHECK(angle_of(turn) == Approx(10 + 40 * t).margin(1e-9));
         CHECK(glm::length(turn) == Approx(1).epsilon(1e-12));
     }
-    const Track<glm::dquat> back{{0, 1}, {about_z(170), about_z(-170)}, Between::linear};
+    const Track<glm::dquat> back{{0, 1}, {about_z(170), about_z(-170)}, Interpolation::linear};
     CHECK(std::abs(angle_of(back.at(0.5, {}))) == Approx(180));
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("a cubic track is the Hermite spline through its keys with its tangent
     // itself.
     const auto p = [](double t) { return ((t - 2) * t + 3) * t - 1; };
     const auto slope = [](double t) { return (3 * t - 4) * t + 3; };
-    Track<double> track{{1, 3}, {slope(1), p(1), slope(1), slope(3), p(3), slope(3)}, Between::cubic};
+    Track<double> track{{1, 3}, {slope(1), p(1), slope(1), slope(3), p(3), slope(3)}, Interpolation::cubic};
     for (const double t : {1.0, 1.3, 2.0, 2.9, 3.0}) CHECK(track.at(t, 0) == Approx(p(t)));
     CHECK(track.at(0, 0) == p(1));
     CHECK(track.at(9, 0) == p(3));
@@ -70,15 +70,15 @@ TEST_CASE("nodes move in their parents, and what hangs at them moves with both",
     MotionNode turns{.name = "arm"};
     turns.is_parts = true;
     turns.translate = {5, 0, 0};
-    turns.turns = {{0, 1}, {about_z(0), about_z(90)}, Between::linear};
+    turns.rotations = {{0, 1}, {about_z(0), about_z(90)}, Interpolation::linear};
     MotionNode slides{.name = "hand", .parent = 0};
     slides.is_parts = true;
-    slides.translates = {{0, 1}, {{1, 0, 0}, {3, 0, 0}}, Between::linear};
+    slides.translates = {{0, 1}, {{1, 0, 0}, {3, 0, 0}}, Interpolation::linear};
     slides.scale = glm::dvec3(2);
     scene.motion.nodes = {turns, slides};
     const glm::dmat4 rest = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 7));
     scene.instances = {{"i", 0, glm::dmat4(1), {}}, {"still", 0, glm::dmat4(1), {}}};
-    scene.motion.hung = {{0, 1, rest}};
+    scene.motion.attached = {{0, 1, rest}};
     LightMotion light;
     light.node = 1, light.point = {1, 0, 0};
     scene.motion.lights = {light};
@@ -100,11 +100,11 @@ TEST_CASE("nodes move in their parents, and what hangs at them moves with both",
     }
     // On its way to a mirror image a mesh is flat for an instant. A flat mesh is legal; lengths beyond the
     // limit are refused.
-    scene.motion.nodes[1].scales = {{0, 2}, {{1, 1, 1}, {-1, 1, 1}}, Between::linear};
+    scene.motion.nodes[1].scales = {{0, 2}, {{1, 1, 1}, {-1, 1, 1}}, Interpolation::linear};
     pose(scene, 1);
     CHECK(glm::length(scene.instances[0].place[0]) == 0);
     CHECK(glm::length(scene.instances[0].place[2]) == Approx(1));
-    scene.motion.nodes[1].scales = {{0, 2}, {{1, 1, 1}, {1e200, 1, 1}}, Between::linear};
+    scene.motion.nodes[1].scales = {{0, 2}, {{1, 1, 1}, {1e200, 1, 1}}, Interpolation::linear};
     CHECK_THROWS_WITH(pose(scene, 1), Catch::Contains("hand at 1 s blows its mesh up"));
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("scenes that move have exactly the triangles that they say, and hundre
         INFO(spec);
         PlacedScene scene = make_placed(spec);
         CHECK(scene.instances.size() == instances);
-        CHECK(scene.motion.hung.size() == instances);   // all move
+        CHECK(scene.motion.attached.size() == instances);   // all move
         CHECK(primitive_count(scene) == triangles);
         CHECK(builtin_counts(spec, Primitives::triangles).triangles == triangles);
         CHECK(scene.motion.length() == length);

@@ -139,8 +139,7 @@ endmodule
     CHECK(wave.way(wrong, sources) == Lines{"2 rsp_o 9 q"});
 }
 
-TEST_CASE(
-    "of two branches the one is told whose signal held the value, and without one the others are named") {
+TEST_CASE("the trace follows the branch whose signal held the value, and lists all branches if none did") {
     const std::vector<RtlText> sources{{"box/rc_box.sv", R"(module rc_box ();
   always_comb begin
     if (flag) rsp_o = one;   // rsp_o = three;

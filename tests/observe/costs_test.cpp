@@ -64,7 +64,8 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
     CHECK(costs.moved[index(Link::change)] == costs.moved[index(Link::xform_req)]);
     CHECK(costs.moved[index(Link::tri_req)] * std::uint64_t(config.tri_interval) == account(Unit::tri, 0));
     CHECK(costs.moved[index(Link::ray)] * std::uint64_t(config.raygen_interval) == account(Unit::raygen, 0));
-    // raygen is held up where a ray begins. It refuses a pixel as well while it rests, or takes shade's ray.
+    // raygen is held up where a ray begins. It refuses a pixel as well while it is occupied, or takes shade's
+    // ray.
     const Link first = config.is_stream() ? Link::record : Link::slot;
     const std::uint64_t refused = costs.refused[index(first)] + costs.refused[index(Link::spawn)];
     CHECK(account(Unit::raygen, 2) <= refused);

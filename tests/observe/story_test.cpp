@@ -12,7 +12,7 @@ PixelStory story_of(const Watching& made, const Watched& w, std::uint32_t pixel)
     PixelEvents in_frame(pixel), alone(0);
     const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 0, &in_frame);
     observe_alone(made.job.config, 66000, made.traces.back(), pixel, &alone);
-    return tell(made.job, made.traces.back(), costs, in_frame, alone);
+    return make_story(made.job, made.traces.back(), costs, in_frame, alone);
 }
 
 /// A list's pages are visited without a request.
@@ -83,7 +83,7 @@ TEST_CASE("a pixel that is alone on the chip waits for nobody but the memory") {
     }
 }
 
-TEST_CASE("a pixel that waits says for what") {
+TEST_CASE("a pixel that waits has a cause for every wait") {
     const Watched narrow{"mount:4",
                          {{"node_sets", "1"}, {"node_ways", "2"}, {"node_mshrs", "1"}, {"prim_sets", "1"}}};
     const Watching made = watching(narrow, {16, 12});
@@ -100,7 +100,7 @@ TEST_CASE("a pixel that waits says for what") {
     }
 }
 
-TEST_CASE("the rays of a pixel know whose they are") {
+TEST_CASE("each ray of a pixel has its purpose and its parent") {
     const Watched& w = watched_machines()[4];
     const Watching made = watching(w);
     const std::vector<RayValues> rays =

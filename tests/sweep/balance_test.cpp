@@ -31,7 +31,7 @@ Use size(const Config& c) {
 struct Formulas {
     std::size_t sizes = 0;   ///< number of machines whose size was requested
     int answers = 1000000;   ///< answers before the interrupt
-    Doors doors() {
+    Evaluator evaluator() {
         return {[this](std::vector<Machine>& machines) {
                     for (Machine& m : machines) m.fps = speed(m.config);
                     return --answers >= 0;
@@ -64,7 +64,7 @@ bool inside(const Use& use, const Use& room) {
 
 /// Machines that differ in only three steps: node_sets (1), prim_sets (2) and node_mshrs (4). `speeds` are
 /// the frames per second for each set of steps. Each step costs five block RAMs.
-Doors three_steps(const std::array<double, 8>& speeds) {
+Evaluator three_steps(const std::array<double, 8>& speeds) {
     const auto taken = [](const Config& c) {
         return std::size_t(c.node_sets > 32) + 2 * std::size_t(c.prim_sets > 32) +
                4 * std::size_t(c.node_mshrs > 4);
@@ -88,7 +88,7 @@ constexpr Use rooms[] = {{12000, 90000, 60, 20},   {20000, 90000, 100, 40}, {400
 TEST_CASE("what the search finds fits, and no step, pair or exchange that fits is faster") {
     for (const Use& room : rooms) {
         Formulas formulas;
-        const std::optional<Found> found = search(named_config("default"), room, formulas.doors());
+        const std::optional<SearchResult> found = search(named_config("default"), room, formulas.evaluator());
         REQUIRE(found);
         const Config& best = found->best().config;
         INFO(room.lut << " LUTs, " << room.dsp << " multipliers:\n" << text(*found, room));
@@ -114,7 +114,7 @@ TEST_CASE("what the search finds fits, and no step, pair or exchange that fits i
 
 TEST_CASE("the path goes from the least machine to the best, and each machine on it fits") {
     Formulas formulas;
-    const std::optional<Found> found = search(named_config("default"), rooms[3], formulas.doors());
+    const std::optional<SearchResult> found = search(named_config("default"), rooms[3], formulas.evaluator());
     REQUIRE(found);
     Config at = found->first.config;
     for (const Ladder& ladder : ladders()) CHECK(at.*ladder.member == ladder.rungs.front());
@@ -154,7 +154,7 @@ TEST_CASE("the brute-force best of small devices is met") {
                             for (c.pipelines = 1; c.pipelines <= 8; c.pipelines *= 2)
                                 if (inside(size(c), room)) most = std::max(most, speed(c));
         Formulas formulas;
-        const std::optional<Found> found = search(named_config("default"), room, formulas.doors());
+        const std::optional<SearchResult> found = search(named_config("default"), room, formulas.evaluator());
         REQUIRE(found);
         INFO(text(*found, room));
         CHECK(*found->best().fps >= 0.98 * most);   // a local optimum may miss the global one slightly
@@ -165,14 +165,14 @@ TEST_CASE("the brute-force best of small devices is met") {
 TEST_CASE("a step is given back for a better one, and when it has become useless") {
     // The first is best alone. With the second, the third is better, and only two fit.
     const Use two{0, 0, 0, 10};
-    const std::optional<Found> exchanged =
+    const std::optional<SearchResult> exchanged =
         search(named_config("default"), two, three_steps({100, 130, 125, 140, 110, 135, 150, 160}));
     REQUIRE(exchanged);
     CHECK(exchanged->best().config.node_sets == 32);
     CHECK(*exchanged->best().fps == 150);
     // All fit, and with the two others the first has no gain.
     const Use all{0, 0, 0, 15};
-    const std::optional<Found> given_back =
+    const std::optional<SearchResult> given_back =
         search(named_config("default"), all, three_steps({100, 130, 125, 150, 100, 131, 170, 170}));
     REQUIRE(given_back);
     CHECK(given_back->best().config.node_sets == 32);
@@ -183,20 +183,20 @@ TEST_CASE("a step is given back for a better one, and when it has become useless
 TEST_CASE("a device without room for the least machine, and an interrupted search") {
     Formulas formulas;
     const Use room{100, 90000, 60, 20};
-    const std::optional<Found> none = search(named_config("default"), room, formulas.doors());
+    const std::optional<SearchResult> none = search(named_config("default"), room, formulas.evaluator());
     REQUIRE(none);
     CHECK(none->path.empty());
     CHECK(excess(*none->best().use, room) == "5,510 of 100 LUTs");
     for (const int answers : {0, 1, 2, 3, 5, 8, 20}) {
         Formulas stopped;
         stopped.answers = answers;
-        CHECK_FALSE(search(named_config("default"), rooms[2], stopped.doors()));
+        CHECK_FALSE(search(named_config("default"), rooms[2], stopped.evaluator()));
     }
 }
 
 TEST_CASE("a search as text and JSON") {
     Formulas formulas;
-    const std::optional<Found> found = search(named_config("default"), rooms[4], formulas.doors());
+    const std::optional<SearchResult> found = search(named_config("default"), rooms[4], formulas.evaluator());
     REQUIRE(found);
     const nlohmann::ordered_json made = json(*found, rooms[4]);
     CHECK(made["path"].size() == found->path.size());

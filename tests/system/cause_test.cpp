@@ -9,7 +9,7 @@
 
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/cause.hpp"
-#include "sim/judge/cause/truth.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 #include "sim/files/image/srgb.hpp"
 #include "tests/system/frames.hpp"
 
@@ -117,7 +117,7 @@ TEST_CASE("few bits for u and v: what differs was rounded", "[cause]") {
     CHECK(j.causes_other == PixelCauses{});
 }
 
-TEST_CASE("right answers with another colour: not the reference's local light", "[cause]") {
+TEST_CASE("a wrong local light with right hits has the cause shading", "[cause]") {
     Case made = make_case(waves(16), formats(16, 24, 24));
     const Judgement before = made.judged();
     const auto same =
@@ -233,7 +233,7 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
     CHECK(renamed.judged().wrong == 0);
 }
 
-TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "[cause]") {
+TEST_CASE("errors of an inexact primitive test have the cause primitive_test, not bug", "[cause]") {
     const int test = GENERATE(1, 2, 3, 4, 5);   // all except exact
     const Case made =
         make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
@@ -242,7 +242,7 @@ TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "
     CHECK(j.wrong > 0);
     CHECK(j.bugs() == 0);
     // Another primitive is never blamed on it where it holds the oracle's.
-    const Truth truth(made.scene, made.job.image.lattice, made.job.config);
+    const ExactAnswers truth(made.scene, made.job.image.lattice, made.job.config);
     for (std::size_t i = 0; i < j.pixels.size(); ++i) {
         if (j.pixels[i] != PixelCause::primitive_test || !j.other[i]) continue;
         const std::uint32_t right =

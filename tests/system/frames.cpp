@@ -112,7 +112,7 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
     const std::uint64_t steps = run.visits - entered;   // a transformed ray continues without a step
     CHECK(code(Unit::trav, 0) >= steps);
     // A turn is work, or holds a step up.
-    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == steps + trace.turns);
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == steps + trace.dropped_groups);
     const std::uint64_t nodes = config.is_list() ? 0 : run.visits;   // pages are not nodes
     CHECK(code(Unit::box, 0) % std::uint64_t(config.box_interval()) == 0);
     std::uint64_t decided = 0;

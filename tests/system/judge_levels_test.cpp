@@ -42,7 +42,7 @@ struct Case {
         job = make_job(scene, *scene.camera, size, units, {}, settings);
         trace = record_frame(job, job.frame);
     }
-    Asked asked() const { return {scene, *scene.camera, trace.frame, job.image.lattice, job.config}; }
+    FrameInputs asked() const { return {scene, *scene.camera, trace.frame, job.image.lattice, job.config}; }
     PictureJudgement judged() const {
         return judge_picture(asked(), job.image, settings,
                              {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
@@ -144,7 +144,7 @@ TEST_CASE("every ray of planes and true spheres beside instances is judged, in e
 TEST_CASE("an answer of planes and true spheres next to instances with any fault is wrong",
           "[judge][levels]") {
     const Case made(mixed_with_round(false), true, named_config("default"), 2);
-    const Asked asked = made.asked();
+    const FrameInputs asked = made.asked();
     const PlacedWorld world(asked, made.job.image);
     REQUIRE(world.faults().empty());
     const std::vector<Closest>& hits = made.trace.trace.hits;

@@ -27,7 +27,7 @@ struct Case {
         trace = record_frame(job, job.frame);
     }
     PictureJudgement judged() const {
-        const Asked asked{scene, *scene.camera, trace.frame, job.image.lattice, job.config};
+        const FrameInputs asked{scene, *scene.camera, trace.frame, job.image.lattice, job.config};
         return judge_picture(asked, job.image, settings,
                              {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
     }

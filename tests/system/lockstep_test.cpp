@@ -195,7 +195,7 @@ TEST_CASE("model and RTL agree on pictures of odd shapes") {
         check_lockstep(make_shot("teapot:3", size, quick_config(config)).job, {4, 25, 9});
 }
 
-TEST_CASE("a ray that sees nothing and a picture that sees nothing") {
+TEST_CASE("model and RTL agree on a ray and a picture without hits") {
     for (const std::string& config : quick_configs()) {
         Shot shot = make_shot("tetra:3", {24, 18}, quick_config(config));
         shot.scene.camera->at = 2.0 * shot.scene.camera->eye - shot.scene.camera->at;   // turned around

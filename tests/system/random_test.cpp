@@ -107,14 +107,14 @@ TEST_CASE("the RTL of random configurations, and of any units that shade, is cle
     CHECK(lint_rtl(config) == "");
 }
 
-TEST_CASE("every node width with every coordinate width", "[slow]") {
+TEST_CASE("model and RTL agree for every node width and coordinate width", "[slow]") {
     const int width = GENERATE(2, 4, 8), bits = GENERATE(12, 16, 20);
     check_config_in_lockstep(
         with(named_config("default"),
              {{"node_width", width}, {"coord_bits", bits}, {"stack_depth", 64}, {"contexts", 16}}));
 }
 
-TEST_CASE("one and two contexts, queues of two", "[slow]") {
+TEST_CASE("model and RTL agree with one and two contexts and queues of two", "[slow]") {
     const int contexts = GENERATE(1, 2), queue = GENERATE(2, 4);
     check_config_in_lockstep(with(named_config("default"), {{"contexts", contexts},
                                                             {"raygen_queue", queue},
@@ -123,7 +123,7 @@ TEST_CASE("one and two contexts, queues of two", "[slow]") {
                                                             {"stack_depth", 32}}));
 }
 
-TEST_CASE("the least and the most of every other width", "[slow]") {
+TEST_CASE("model and RTL agree at both ends of every other width", "[slow]") {
     const std::vector<std::pair<std::string, int>> values = GENERATE(
         std::vector<std::pair<std::string, int>>{{"t_frac_bits", 0}},
         std::vector<std::pair<std::string, int>>{{"t_frac_bits", 8}},

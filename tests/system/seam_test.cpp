@@ -63,7 +63,7 @@ Judgement judged_finished(const Scene& scene, Config config, const Whitted& sett
     const RecordedFrame trace = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     const Picture picture = picture_from_colours(size, trace.trace.colours);
-    const Given given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
+    const MachineOutput given{trace.trace.hits, trace.trace.colours, trace.trace.signatures};
     return judge_finished({scene, *scene.camera, trace.frame, job.image.lattice, job.config}, job.image,
                           settings, {reference, picture, given}, scaled(job, job.frame, trace.trace.hits));
 }

@@ -2,13 +2,13 @@
 #include <catch2/catch.hpp>
 
 #include "model/unit/isect/origin.hpp"
-#include "sim/judge/oracle/sight.hpp"
+#include "sim/judge/oracle/visibility.hpp"
 #include "sim/explore/stress/shadow_scenes.hpp"
 #include "sim/explore/stress/shadows.hpp"
 
 using namespace rayclock;
 using oracle::Corners;
-using oracle::Sight;
+using oracle::Visibility;
 using Method = OriginScheme::Method;
 
 namespace {
@@ -110,14 +110,15 @@ TEST_CASE("from every point of a small solid to every light, on either side", "[
                     const int facing = side_of_point(prim, light);
                     if (facing == 0) continue;
                     const Vec3l d = shadow_direction(light, p);
-                    Sight sight({{{p.at[0], p.at[1], p.at[2]}, one}, light, {}}, mesh[own], facing);
+                    Visibility visibility({{{p.at[0], p.at[1], p.at[2]}, one}, light, {}}, mesh[own], facing);
                     bool said = false;
                     for (const Corners& t : mesh) {
                         said = said || shadow_test(light, d, frac_bits, prim_of(t));
-                        sight.look(t);
+                        visibility.add(t);
                     }
                     CAPTURE(own, u, v, light[0], light[1], light[2]);
-                    REQUIRE(sight.answer() != (said ? Sight::Answer::free : Sight::Answer::blocked));
+                    REQUIRE(visibility.answer() !=
+                            (said ? Visibility::Answer::free : Visibility::Answer::blocked));
                     // Normals point outwards. A ray that leaves outwards and ends inside the solid, or the
                     // reverse, was stopped.
                     const Prism in = in_prism(light);

@@ -195,7 +195,7 @@ TEST_CASE("a stress run gives the same counts with any threads, and when it is s
     CHECK_THROWS_WITH(run(plan), Catch::Contains("line 1, column 9"));
 }
 
-TEST_CASE("other seeds are other rays", "[stress]") {
+TEST_CASE("different seeds give different rays", "[stress]") {
     Plan plan = small_plan({"moller"}, 50'000);
     plan.families = {"edges"};
     const std::vector<Counts> first = counts_of(run(plan));

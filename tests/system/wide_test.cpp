@@ -8,7 +8,7 @@
 #include "model/base/error.hpp"
 #include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/judge/reference/reference.hpp"
-#include "sim/judge/cause/truth.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 #include "sim/judge/paths/camera.hpp"
 #include "sim/view/report/json.hpp"
 #include "tests/system/exact.hpp"
@@ -34,7 +34,7 @@ Scene loaded(const std::string& name) {
 /// Requires that every answer is the only correct one, and that none reaches the end of t's range or exceeds
 /// half of it.
 void check_answers(const Scene& scene, const Job& job, const RecordedFrame& frame) {
-    const Truth truth(scene, job.image.lattice, job.config);
+    const ExactAnswers truth(scene, job.image.lattice, job.config);
     std::size_t wrong = 0, other_direction = 0, beyond = 0, short_directions = 0;
     for (std::size_t i = 0; i < frame.trace.hits.size(); ++i) {
         const int x = int(i % job.frame.width), y = int(i / job.frame.width);
@@ -127,7 +127,7 @@ TEST_CASE("wide and narrow cameras: exact in every pixel, no distance saturates,
         }
 }
 
-TEST_CASE("a picture at 140 degrees is as near to the reference as one at 40") {
+TEST_CASE("a picture at 140 degrees has the error of one at 40 degrees") {
     for (const char* name : {"gears:2", "balls:1", "cornell"}) {
         Scene scene = loaded(name);
         const double scale = glm::distance(scene.camera->eye, scene.camera->at);

@@ -101,7 +101,7 @@ Truth truth(const TriReq& r, const Config& c) {
 /// crossing and its upper bound, both computed from f in 128 bits.
 bool right_distance(const TriReq& r, const TriRsp& rsp, bool far, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
-    const oracle::Meets which = far ? oracle::Meets::far : oracle::Meets::near;
+    const oracle::SphereRoot which = far ? oracle::SphereRoot::far : oracle::SphereRoot::near;
     const oracle::Rational unit = unit_of(c);
     return (rsp.t == most_t(c) || oracle::reached(ball, which, oracle::Rational(rsp.t) / unit)) &&
            !oracle::reached(ball, which, (oracle::Rational(rsp.t) - sphere_excess(ball, c)) / unit);
@@ -153,7 +153,7 @@ const Vec3i middle{0, 0, 0}, corner{-2, 1, -2};
 
 }   // namespace
 
-TEST_CASE("the integers that judge small spheres say what exact fractions say", "[any][small]") {
+TEST_CASE("the integer judge of small spheres agrees with exact fractions", "[any][small]") {
     const Config config = tiny();
     const std::uint32_t kind = GENERATE(0, 1, 2, 3);
     const Space space{kind, corner};
@@ -161,9 +161,9 @@ TEST_CASE("the integers that judge small spheres say what exact fractions say", 
         const TriReq r = space.at(i, config);
         CAPTURE(kind, i);
         REQUIRE(truth(r, config).met ==
-                (kind >= 2 ? blocked_truth(r, config) : sphere_truth(r, config) != oracle::Meets::no));
+                (kind >= 2 ? blocked_truth(r, config) : sphere_truth(r, config) != oracle::SphereRoot::none));
         if (kind < 2 && truth(r, config).met)
-            REQUIRE(truth(r, config).far == (sphere_truth(r, config) == oracle::Meets::far));
+            REQUIRE(truth(r, config).far == (sphere_truth(r, config) == oracle::SphereRoot::far));
     }
 }
 

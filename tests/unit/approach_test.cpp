@@ -84,7 +84,7 @@ TEST_CASE("a ray from beyond the lattice comes into it where division says", "[a
     REQUIRE(entered > 30000);
 }
 
-TEST_CASE("from as far as shade can say every ray to what has an end comes in before it", "[approach]") {
+TEST_CASE("every ray to a finite primitive enters the lattice before that primitive", "[approach]") {
     const Config c = shaded_format(GENERATE("all", "narrow", "broad", "short"));
     Draw draw{2};
     for (int i = 0; i < 100000; ++i) {
@@ -184,7 +184,7 @@ TEST_CASE("what a path sees through a pane lies in another cell, until it comes 
     REQUIRE(through_panes > 500);
 }
 
-TEST_CASE("lights ask what has an end for points beyond the lattice, unless a plane is in their way",
+TEST_CASE("shadow rays of points beyond the lattice test finite primitives unless a plane blocks them",
           "[far]") {
     const Config c = shaded_format("all");
     Draw draw{5};
@@ -230,7 +230,7 @@ TEST_CASE("lights ask what has an end for points beyond the lattice, unless a pl
     REQUIRE((from_light > 1000 && to_light > 100 && dark > 1000 && free > 100));
 }
 
-TEST_CASE("a ray that asks what has an end meets no plane", "[far]") {
+TEST_CASE("a ray that tests finite primitives only hits no plane", "[far]") {
     const Config c = shaded_format("all");
     PrimData prim;
     prim.a = {0, 0, 0}, prim.b = {100, 0, 0}, prim.c = {0, 100, 0};

@@ -86,8 +86,8 @@ template <class Dut> void give_tiles(const Config& config, unsigned seed, int wa
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("dispatch gives tiles row by row to those who want them, in turn", "[dispatch]",
-                   DispatchModel, DispatchRtl) {
+TEMPLATE_TEST_CASE("dispatch gives tiles row by row to requesting pipelines, in round-robin order",
+                   "[dispatch]", DispatchModel, DispatchRtl) {
     const int pipelines = GENERATE(1, 2, 8);
     for (const int want_percent : {3, 30, 100})
         for (unsigned seed = 1; seed <= 4; ++seed)
@@ -100,8 +100,8 @@ TEMPLATE_TEST_CASE("dispatch gives tiles of every size", "[dispatch][slow]", Dis
         give_tiles<TestType>(machine_of(pipelines, tile_bits), seed, 40);
 }
 
-TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle from the first, and passes nobody over",
-                   "[dispatch]", DispatchModel, DispatchRtl) {
+TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle and skips no requesting pipeline", "[dispatch]",
+                   DispatchModel, DispatchRtl) {
     TestType dut{machine_of(8, 3)};
     dut.want = 0xff;
     dut.start(frame_of(80, 8));

@@ -47,11 +47,11 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
     const auto count = static_cast<std::size_t>(n);
     std::vector<std::vector<Issued>> commands(count), alone(count);
     for (int c = 0; c < n; ++c) channels.record(c, &commands[std::size_t(c)]);
-    struct Given {
+    struct MachineOutput {
         std::uint64_t cycle;
         std::uint32_t addr;
     };
-    std::vector<Given> given;
+    std::vector<MachineOutput> given;
     const auto asked = drive(channels, 12'000, ids, [&] {
         if (channels.valid()) given.push_back({channels.now(), channels.answer().addr});
     });
@@ -59,7 +59,7 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
     CAPTURE(name, n, khz);
 
     // The same requests, each to a separate DRAM.
-    std::vector<Given> due;
+    std::vector<MachineOutput> due;
     for (int c = 0; c < n; ++c) {
         Dram dram(part, khz, ids);
         dram.record(&alone[std::size_t(c)]);
@@ -79,7 +79,7 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
     REQUIRE(commands == alone);
     // One answer per cycle. Of answers in the same cycle, the lowest channel's comes first.
     std::stable_sort(due.begin(), due.end(),
-                     [](const Given& a, const Given& b) { return a.cycle < b.cycle; });
+                     [](const MachineOutput& a, const MachineOutput& b) { return a.cycle < b.cycle; });
     std::uint64_t free = 0;
     REQUIRE(given.size() <= due.size());
     for (std::size_t i = 0; i < given.size(); ++i) {

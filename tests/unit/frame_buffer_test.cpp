@@ -164,7 +164,7 @@ TEST_CASE("a memory with a picture that is skipped is the same as one that is st
         REQUIRE(stepped.ready() == skipped.ready());
         REQUIRE(stepped.valid() == skipped.valid());
         REQUIRE(stepped.stats() == skipped.stats());
-        REQUIRE(stepped.deeds() == skipped.deeds());
+        REQUIRE(stepped.outcomes() == skipped.outcomes());
     }
     CHECK(skips > 1000);
     CHECK(stepped.stats().scanned > 5000);

@@ -139,8 +139,8 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     REQUIRE(code(Unit::sched, 0) == count(Link::slot));
     REQUIRE(code(Unit::raygen, 0) == job.config.raygen_interval * count(Link::ray));
     // A turn is work, or holds a step up.
-    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);
-    REQUIRE(frame.trace.turns > 0);
+    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.dropped_groups);
+    REQUIRE(frame.trace.dropped_groups > 0);
     REQUIRE(code(Unit::box, 0) == job.config.box_interval() * count(Link::box_req));
     REQUIRE(code(Unit::tri, 0) == job.config.tri_interval * count(Link::tri_req));
     REQUIRE(code(Unit::dispatch, 0) == count(Link::tile));

@@ -126,7 +126,7 @@ TEST_CASE("without traffic a memory is as its kind says, and counts what it does
         again.clock(cycle == 5 ? &request : nullptr);
     }
     // The answer; the cycles between it and the request; the rest.
-    REQUIRE(again.deeds() == std::array<std::uint64_t, 8>{1, 7, 0, 22});
+    REQUIRE(again.outcomes() == std::array<std::uint64_t, 8>{1, 7, 0, 22});
 }
 
 TEST_CASE("jitter lets answers overtake each other within its bound and loses nothing", "[memport]") {

@@ -110,10 +110,10 @@ struct MaterialBits {
 /// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
     const bool looks = in && in->state.event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
-    REQUIRE(got(rtl, "look_valid")[0] == std::uint32_t(looks));
+    REQUIRE(got(rtl, "material_valid")[0] == std::uint32_t(looks));
     if (!looks) return;
-    REQUIRE(got(rtl, "look_ray")[0] == in->ray);
-    const Words wanted = pack(pass(*in, frame, c).state, c), told = got(rtl, "look");
+    REQUIRE(got(rtl, "material_ray")[0] == in->ray);
+    const Words wanted = pack(pass(*in, frame, c).state, c), told = got(rtl, "material");
     MaterialBits material;
     ShadeState{}.fields(material, c);
     for (int at = 0; at < material.bits; ++at) {
@@ -175,7 +175,7 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     REQUIRE(times(ShadeEvent::pop, pixel) > 5);
     if (c.refraction)
         REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
-    if (c.has_homes()) REQUIRE(times(ShadeEvent::turn, again) > 50);
+    if (c.has_homes()) REQUIRE(times(ShadeEvent::transform, again) > 50);
 }
 
 }   // namespace

@@ -76,19 +76,19 @@ TEST_CASE("a delay answers in the cycle after its latency, whatever was skipped 
         const bool due = !plain.empty() && plain.front().second == cycle;
         REQUIRE(delay.ready() == (int(plain.size()) < depth));
         REQUIRE(delay.due(cycle) == (plain.empty() ? ~std::uint64_t(0) : plain.front().second));
-        const OnLink answer = delay.answer(cycle);
-        REQUIRE(answer.there == due);
+        const LinkRay answer = delay.answer(cycle);
+        REQUIRE(answer.valid == due);
         REQUIRE(answer.ray < 1024);   // a valid context number even without an answer
         if (due) REQUIRE(answer.ray == plain.front().first);
-        const OnLink in{delay.ready() && draw.percent(cycle / 1000 % 2 ? 90 : 30),
-                        std::uint32_t(draw.below(1024))};
+        const LinkRay in{delay.ready() && draw.percent(cycle / 1000 % 2 ? 90 : 30),
+                         std::uint32_t(draw.below(1024))};
         delay.clock(cycle, in);
         if (due) plain.pop_front();
-        if (in.there) plain.emplace_back(in.ray, cycle + std::uint64_t(latency) + 1);
+        if (in.valid) plain.emplace_back(in.ray, cycle + std::uint64_t(latency) + 1);
         const std::uint32_t absent = (in.ray + 1) % 1024;
         const bool known =
             std::any_of(plain.begin(), plain.end(), [&](const auto& entry) { return entry.first == absent; });
         REQUIRE(delay.contains(RayNumber(absent), cycle + 1) == known);
-        if (in.there) REQUIRE(delay.contains(RayNumber(in.ray), cycle + 1));
+        if (in.valid) REQUIRE(delay.contains(RayNumber(in.ray), cycle + 1));
     }
 }

@@ -2,7 +2,7 @@
 #include <map>
 
 #include "model/machine/machine.hpp"
-#include "model/machine/where.hpp"
+#include "model/machine/stuck_rays.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 #include "tests/support/machine/machines.hpp"
 #include "tests/support/world/traffic.hpp"
@@ -108,7 +108,7 @@ TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
     const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine{job.config, job.khz, {20, 50, 4}};
     machine.start(frame.frame, frame.trace);
-    REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
+    REQUIRE_THAT(describe_stuck_rays(machine), Contains("no ray is under way"));
     std::array<int, 2> under_way{};
     while (!machine.done()) {
         REQUIRE(machine.cycle() < 100000);
@@ -116,17 +116,17 @@ TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
             if (move.link == Link::slot) ++under_way[std::size_t(move.pipeline)];
             if (move.link == Link::hit) --under_way[std::size_t(move.pipeline)];
         });
-        const std::string text = where_rays_are(machine);
+        const std::string text = describe_stuck_rays(machine);
         INFO("cycle " << machine.cycle() << "\n" << text);
         if (lines_with(text, "nowhere") > 0) FAIL("a ray is nowhere");
         for (int p = 0; p < 2; ++p)
             if (lines_with(text, "pipeline " + std::to_string(p) + " ray") != under_way[std::size_t(p)])
                 FAIL(under_way[std::size_t(p)] << " rays in " << p);
     }
-    REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
+    REQUIRE_THAT(describe_stuck_rays(machine), Contains("no ray is under way"));
 }
 
-TEST_CASE("a run that stands still ends with where every ray is", "[machine][stuck]") {
+TEST_CASE("a hung run ends with a list of the places of all rays", "[machine][stuck]") {
     const Job job = small_job("tetra:3", {16, 12}, shaped(format("small"), {{"contexts", 4}}));
     const auto said = [](auto run) -> std::string {
         try {
@@ -154,8 +154,7 @@ TEST_CASE("a run that stands still ends with where every ray is", "[machine][stu
     REQUIRE(rtl.find("with 0 of 192 pixels done") != std::string::npos);
 }
 
-TEST_CASE("a memory that takes tens of thousands of cycles to answer is not a standstill",
-          "[machine][stuck]") {
+TEST_CASE("a memory latency of tens of thousands of cycles is not reported as a hang", "[machine][stuck]") {
     const std::string memory = GENERATE("sdr", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
     Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
     set_parameter(job.config, "dram", memory, "test");

@@ -135,7 +135,7 @@ TEST_CASE("no product of weights loses its tie in fifteen bounces, and none far 
         }
 }
 
-TEST_CASE("what is above zero is traced without a threshold", "[threshold]") {
+TEST_CASE("without a threshold every weight above zero is traced", "[threshold]") {
     Chip chip;
     chip.scene.materials[0].mirror = 1e-9, chip.scene.materials[0].transmit = 1e-9;
     const Surface s = surface_of(chip.scene, chip.image.lattice, chip.config, 0);

@@ -89,7 +89,7 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
         }
     REQUIRE((trace.counts == shader.counts() && trace.visits == totals.visits &&
              trace.triangle_tests == totals.triangle_tests));
-    REQUIRE((trace.box_tests == totals.box_tests && trace.turns == totals.turns));
+    REQUIRE((trace.box_tests == totals.box_tests && trace.dropped_groups == totals.dropped_groups));
     CHECK(kinds[0] > 0);
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// A ray's words, read as the trace's description defines them.
 struct RayTrace {
     std::vector<std::uint32_t> words;
-    std::uint64_t visits = 0, tests = 0, turns = 0;
+    std::uint64_t visits = 0, tests = 0, dropped_groups = 0;
 };
 RayTrace read_ray(const std::uint32_t* at) {
     RayTrace ray;
@@ -21,7 +21,7 @@ RayTrace read_ray(const std::uint32_t* at) {
         const std::uint32_t head = *at++;
         ray.words.push_back(head);
         ++ray.visits;
-        ray.turns += head >> Trace::turns_shift;
+        ray.dropped_groups += head >> Trace::dropped_shift;
         end = head & Trace::end_flag;
         for (bool more = head & Trace::tests_flag; more;) {
             ray.words.push_back(*at);
@@ -40,7 +40,7 @@ void require_same(const Trace& a, const Trace& b, const Config& config) {
         if (!same(a.hits[i], b.hits[i], config)) FAIL("pixel " << i << " hits something else");
     }
     REQUIRE((a.visits == b.visits && a.box_tests == b.box_tests && a.triangle_tests == b.triangle_tests &&
-             a.turns == b.turns));
+             a.dropped_groups == b.dropped_groups));
 }
 
 void require_same(const FrameTiming& a, const FrameTiming& b) {
@@ -65,17 +65,18 @@ TEST_CASE("a trace is the same whatever the number of threads", "[trace]") {
 TEST_CASE("a trace's sums are those of its rays, and every ray begins at the root", "[trace]") {
     const Job job = small_job(GENERATE("gears:2", "mount:3"), {50, 35}, format("small"));
     const Trace trace = record_trace(job.image, job.frame, job.config);
-    std::uint64_t visits = 0, tests = 0, turns = 0;
+    std::uint64_t visits = 0, tests = 0, dropped_groups = 0;
     for (const std::uint32_t* at : trace.rays) {
         const RayTrace ray = read_ray(at);
         REQUIRE((ray.words[0] & Trace::node_mask) == job.frame.root);
         visits += ray.visits;
         tests += ray.tests;
-        turns += ray.turns;
+        dropped_groups += ray.dropped_groups;
     }
-    REQUIRE((trace.visits == visits && trace.triangle_tests == tests && trace.turns == turns));
+    REQUIRE(
+        (trace.visits == visits && trace.triangle_tests == tests && trace.dropped_groups == dropped_groups));
     REQUIRE((trace.box_tests >= visits && trace.box_tests <= visits * std::uint64_t(job.config.node_width)));
-    REQUIRE((turns > 0 && tests > 0));
+    REQUIRE((dropped_groups > 0 && tests > 0));
     std::size_t words = 0;
     for (const auto& chunk : trace.chunks) words += chunk.size();
     REQUIRE(words == visits + tests);   // the trace has nothing else

@@ -140,13 +140,15 @@ BoxRsp leaf_at(std::uint32_t ray, std::uint32_t near) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("trav visits what can still matter, nearest first", "[trav]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav visits the nodes nearer than the distance to beat, nearest first", "[trav]",
+                   TravModel, TravRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 3; ++seed) walk_rays<TestType>(format("default"), seed, flow, 300);
 }
 
-TEMPLATE_TEST_CASE("trav visits what can still matter with four children and a deep stack", "[trav][slow]",
-                   TravModel, TravRtl) {
+TEMPLATE_TEST_CASE(
+    "trav visits the nodes nearer than the distance to beat, with four children and a deep stack",
+    "[trav][slow]", TravModel, TravRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 10; ++seed) walk_rays<TestType>(format("small"), seed, flow, 300);
 }
@@ -177,7 +179,9 @@ TEMPLATE_TEST_CASE("trav's decisions take two cycles, and two more for each grou
     REQUIRE(seen.done.offer);
 }
 
-TEMPLATE_TEST_CASE("trav ends a ray at once when nothing below can matter", "[trav]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE(
+    "trav ends a ray immediately when no group on its stack is nearer than the distance to beat", "[trav]",
+    TravModel, TravRtl) {
     Hand<TestType> hand{format("default")};
     hand.start(0);
     hand.cycle();
@@ -211,12 +215,12 @@ TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its s
 TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
     Stack stack{format("shading:default")};
     for (int level = 0; level < 10; ++level)
-        REQUIRE(stack.decide({3, 0, 1000}, children_of(visit_of(3, 1000, {1, 500}).boxes)).kind ==
-                Decision::Kind::visit);
+        REQUIRE(stack.decide({3, 0, 1000}, children_of(visit_of(3, 1000, {1, 500}).boxes)).action ==
+                Decision::Action::visit);
     REQUIRE(stack.height() == 10);
     Visit stop = visit_of(3, 1000, {2, 3});
     stop.tested.stop = 1;
-    REQUIRE(stack.decide(stop.tested, children_of(stop.boxes)).kind == Decision::Kind::done);
+    REQUIRE(stack.decide(stop.tested, children_of(stop.boxes)).action == Decision::Action::done);
     REQUIRE(stack.height() == 0);
 }
 
@@ -233,7 +237,7 @@ TEMPLATE_TEST_CASE("trav takes a child exactly as far as the best hit", "[trav]"
     REQUIRE(seen.done.offer);
 }
 
-TEMPLATE_TEST_CASE("trav gives a node's leaves to list at once, if the nearest can matter", "[trav]",
+TEMPLATE_TEST_CASE("trav sends a node's leaves to list immediately if the nearest is in reach", "[trav]",
                    TravModel, TravRtl) {
     const Config config = format("shading:default");
     Hand<TestType> hand{config};
@@ -286,7 +290,7 @@ TEMPLATE_TEST_CASE("trav gives a node's leaves to list at once, if the nearest c
     }
 }
 
-TEMPLATE_TEST_CASE("a fast trav gives leaves to list some cycles later, as far as the ray looks",
+TEMPLATE_TEST_CASE("a fast trav sends leaves to list some cycles later, up to the distance to beat",
                    "[trav][shading]", TravModel, TravRtl) {
     const Config config = format("fast:shading:default");
     Hand<TestType> hand{config};

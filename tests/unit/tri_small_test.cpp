@@ -117,7 +117,7 @@ std::vector<TriReq> fractions(const Config& config) {
 
 }   // namespace
 
-TEST_CASE("signed volumes say what exact fractions say", "[tri][small]") {
+TEST_CASE("signed volumes agree with exact fractions", "[tri][small]") {
     for (const Config& config : {cube, lattice})
         for (std::uint64_t i = 0, n = tri_requests(config); i < n; i += n / 20011 + 1) {
             CAPTURE(config.name, i);

@@ -114,8 +114,8 @@ TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "
     }
 }
 
-TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri reports no hit for triangles edge-on, behind the origin, or at it", "[tri]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = format("default");
     TestType dut{config};
     TriReq ahead;

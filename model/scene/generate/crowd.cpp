@@ -72,8 +72,8 @@ public:
         const glm::dvec3 eye(0.9 * size_, 1.2 + 0.45 * size_, 4 + 0.9 * size_), at(0, 0.6, 0),
             ahead(0, 0, walk_seconds);
         scene_.own.camera = Camera{eye, at, {0, 1, 0}, 45};
-        scene_.motion.camera.eye = {{0, walk_seconds}, {eye, eye + ahead}, Between::linear};
-        scene_.motion.camera.at = {{0, walk_seconds}, {at, at + ahead}, Between::linear};
+        scene_.motion.camera.eye = {{0, walk_seconds}, {eye, eye + ahead}, Interpolation::linear};
+        scene_.motion.camera.at = {{0, walk_seconds}, {at, at + ahead}, Interpolation::linear};
         pose(scene_, 0);
         return std::move(scene_);
     }
@@ -88,7 +88,8 @@ private:
         MotionNode body{.name = name};
         body.is_parts = true;
         const glm::dvec3 from(step * (column - 0.5 * (size_ - 1)), 0.9, -step * (row - 0.5 * (size_ - 1)));
-        body.translates = {{0, walk_seconds}, {from, from + glm::dvec3(0, 0, walk_seconds)}, Between::linear};
+        body.translates = {
+            {0, walk_seconds}, {from, from + glm::dvec3(0, 0, walk_seconds)}, Interpolation::linear};
         const std::uint32_t node = add(body, 0, 1 + number % coats);
         for (int limb = 0; limb < int(limbs); ++limb) {
             const bool is_leg = limb < 2, is_left = limb % 2 == 0;
@@ -101,8 +102,8 @@ private:
             for (int k = 0; k <= 16; ++k) {
                 const double angle =
                     side * (is_leg ? 0.5 : 0.6) * std::sin(2 * std::numbers::pi * (k / 8.0 + phase));
-                swings.turns.times.push_back(walk_seconds * k / 16);
-                swings.turns.values.push_back(glm::angleAxis(angle, glm::dvec3(1, 0, 0)));
+                swings.rotations.times.push_back(walk_seconds * k / 16);
+                swings.rotations.values.push_back(glm::angleAxis(angle, glm::dvec3(1, 0, 0)));
             }
             add(swings, 1, is_leg ? 1 + coats : 1 + number % coats);
         }
@@ -111,7 +112,7 @@ private:
     std::uint32_t add(const MotionNode& node, std::uint32_t mesh, std::uint32_t material) {
         const auto number = static_cast<std::uint32_t>(scene_.motion.nodes.size());
         scene_.motion.nodes.push_back(node);
-        scene_.motion.hung.push_back(
+        scene_.motion.attached.push_back(
             {static_cast<std::uint32_t>(scene_.instances.size()), number, glm::dmat4(1)});
         scene_.instances.push_back({node.name, mesh, glm::dmat4(1), material});
         return number;

@@ -75,7 +75,7 @@ PlacedScene make_flight(int size) {
         {"ball", std::move(ball.vertices), std::move(ball.normals), std::move(ball.triangles)});
     for (std::uint32_t i = 0; i < std::uint32_t(size); ++i) {
         scene.motion.nodes.push_back(thrown(i, side));
-        scene.motion.hung.push_back({i, i, glm::dmat4(1)});
+        scene.motion.attached.push_back({i, i, glm::dmat4(1)});
         scene.instances.push_back({scene.motion.nodes.back().name, 0, glm::dmat4(1), 1 + i % 3});
     }
     pose(scene, 0);

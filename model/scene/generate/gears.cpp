@@ -173,14 +173,14 @@ PlacedScene make_clockwork(int size) {
             node.is_parts = true;
             node.translate = {-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y, 0.8};
             for (int quarter = 0; quarter <= 4; ++quarter) {   // one turn in four seconds
-                node.turns.times.push_back(quarter);
-                node.turns.values.push_back(glm::angleAxis(
+                node.rotations.times.push_back(quarter);
+                node.rotations.values.push_back(glm::angleAxis(
                     std::numbers::pi / 36 * ((x + y) % 2) + sense * std::numbers::pi / 2 * quarter,
                     glm::dvec3(0, 0, 1)));
             }
             scene.instances.push_back({node.name, 0, glm::dmat4(1), number + 1});   // 0 is the ground
             scene.own.materials.push_back(gear_material(x, y, 0));
-            scene.motion.hung.push_back({number, number, glm::dmat4(1)});
+            scene.motion.attached.push_back({number, number, glm::dmat4(1)});
             scene.motion.nodes.push_back(std::move(node));
         }
     pose(scene, 0);

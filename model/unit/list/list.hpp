@@ -33,16 +33,16 @@ public:
 
     /// One clock edge. `leaves`, `tri`: the rays that arrived with leaves and from tri. `tri_prim`: tri's ray
     /// has another triangle to test. The last two: these outputs were accepted.
-    void clock(OnLink leaves, OnLink tri, bool tri_prim, bool prim_taken, bool tested_taken) {
+    void clock(LinkRay leaves, LinkRay tri, bool tri_prim, bool prim_taken, bool tested_taken) {
         // Pops come before pushes: a queue shows a new entry in the next cycle.
         const bool start = starting();
         prim_link_.clock(prim_valid(), prim_taken, start);
         first_.pop(prim_taken & start);
         next_.pop(prim_taken & !start);
         tested_.pop(tested_taken);
-        next_.push(RayNumber(tri.ray), tri.there & tri_prim);
-        tested_.push(RayNumber(tri.ray), tri.there & !tri_prim);
-        first_.push(RayNumber(leaves.ray), leaves.there);
+        next_.push(RayNumber(tri.ray), tri.valid & tri_prim);
+        tested_.push(RayNumber(tri.ray), tri.valid & !tri_prim);
+        first_.push(RayNumber(leaves.ray), leaves.valid);
     }
 
 private:

@@ -29,7 +29,7 @@ public:
         width_ = frame.width;
         height_ = frame.height;
         count_ = frame.ray_count;
-        look();
+        select_pixel();
     }
     bool tile_ready() const { return !tiles_.full(); }
     /// pixel_valid(): a pixel of the picture is next; passing(): one outside the picture.
@@ -42,7 +42,7 @@ public:
 
     /// One clock edge. `slot_taken`: the slot was accepted. `tile`: the tile that arrived, or null. `hit`:
     /// the context whose hit left.
-    void clock(bool slot_taken, const Tile* tile, OnLink hit) {
+    void clock(bool slot_taken, const Tile* tile, LinkRay hit) {
         if (slot_taken) {
             pixels_[free_.front()] = slot();
             free_.pop();
@@ -50,13 +50,13 @@ public:
         if (slot_taken || outside_) {
             if (at_ == last_) tiles_.pop();
             at_ = (at_ + 1) & last_;
-            look();
+            select_pixel();
         }
         if (tile) {
             tiles_.push(*tile);
-            if (tiles_.size() == 1) look();
+            if (tiles_.size() == 1) select_pixel();
         }
-        free_.push(RayNumber(hit.ray), hit.there);
+        free_.push(RayNumber(hit.ray), hit.valid);
     }
 
 private:
@@ -67,8 +67,8 @@ private:
         m = (m | m >> 2) & 0xf0f;
         return (m | m >> 4) & 0x3f;
     }
-    /// Computes the next pixel.
-    void look() {
+    /// Computes the next pixel of the tile.
+    void select_pixel() {
         inside_ = outside_ = false;
         if (tiles_.empty()) return;
         if (streams_) {

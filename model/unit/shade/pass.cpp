@@ -72,7 +72,7 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
         add(s.colour, surf(in, c, s));
         s.across = s.cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
-        if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::turn);
+        if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::transform);
         return;
     }
     see_background(s, s.weight, frame);
@@ -245,8 +245,8 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
         case ShadeEvent::refract: send_refracted(in, frame, c, out); break;
         case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
-        case ShadeEvent::turn:
-            turn_surface(in, c, s);
+        case ShadeEvent::transform:
+            transform_surface(in, c, s);
             next_light(s, 0, frame, c);
             break;
         case ShadeEvent::pop:

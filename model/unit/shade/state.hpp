@@ -10,8 +10,8 @@ enum class ShadeEvent : std::uint32_t {
     light,    ///< the next light
     refract,
     reflect,
-    pop,    ///< the next waiting ray, or the sample's end
-    turn,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
+    pop,         ///< the next waiting ray, or the sample's end
+    transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
 };
 
 /// When the next pass adds the contribution of a light at its beginning.

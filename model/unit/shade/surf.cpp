@@ -74,14 +74,14 @@ void ray_at(const PassIn& in, const Config& c, Vec3l& o) {
 }
 
 /// Sets the view against the ray, and its cosine with the unit normal, which must be set.
-void look(const PassIn& in, ShadeState& state) {
+void set_view(const PassIn& in, ShadeState& state) {
     state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
     state.cosine = clamped_dot(state.normal, state.view);
 }
 
 }   // namespace
 
-void turn_surface(const PassIn& in, const Config& c, ShadeState& state) {
+void transform_surface(const PassIn& in, const Config& c, ShadeState& state) {
     state.inner = state.o;
     if (in.placement.same) return;
     ray_at(in, c, state.o);
@@ -90,7 +90,7 @@ void turn_surface(const PassIn& in, const Config& c, ShadeState& state) {
         for (std::size_t i = 0; i < 3; ++i)
             toward[k] += std::int64_t(in.placement.a[3 * i + k]) * state.normal[i];
     state.normal = unit_vector(toward);
-    look(in, state);
+    set_view(in, state);
 }
 
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState& state) {
@@ -125,7 +125,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];
     }
     state.normal = unit_vector(toward);
-    look(in, state);
+    set_view(in, state);
     state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
     state.self = in.hit.prim;
     state.inside = in.hit.back;

@@ -12,12 +12,12 @@ namespace rayclock {
 ///   `lost` is set if u, v or o do not fit; o is then the nearest value that does.
 /// - Sphere: o is the ray at t, rounded to nearest.
 ///
-/// With two levels all this is in the mesh's space, until turn_surface().
+/// With two levels all this is in the mesh's space, until transform_surface().
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeState& state);
 
 /// Maps the surface to the scene's space, for two levels. o becomes `inner`, and the ray at t, rounded to
 /// nearest, replaces it. The unit normal becomes A^T times itself, normalised, since n' . x' = n' . A x. View
 /// and cosine follow.
-void turn_surface(const PassIn& in, const Config& config, ShadeState& state);
+void transform_surface(const PassIn& in, const Config& config, ShadeState& state);
 
 }   // namespace rayclock

@@ -32,7 +32,7 @@ public:
           pixels_(config.contexts),
           pass_(config.shade_latency(), config.shade_queue),
           late_(std::size_t(Stages(config).closest)),
-          rests_(std::uint32_t(config.shade_interval - 1)) {}
+          hold_cycles_(std::uint32_t(config.shade_interval - 1)) {}
 
     /// True if it requests a surface or an instance.
     template <bool levels = false> bool surf_valid() const {
@@ -44,12 +44,12 @@ public:
         return fetch_.front();
     }
     /// True while it is still busy with the first stage of a pass and accepts no other.
-    bool rests() const { return rest_ > 0; }
-    bool ready() const { return pass_.ready() & !rests(); }   ///< can accept a surface
+    bool is_occupied() const { return hold_left_ > 0; }
+    bool ready() const { return pass_.ready() & !is_occupied(); }   ///< can accept a surface
     /// Returns the cause of this cycle, a code of units.hpp. `surface`: one arrived. `surface_waits`: a
     /// surface is requested and has not arrived.
     std::uint32_t code(bool surface, bool surface_waits) const {
-        if (rests()) return 0;
+        if (is_occupied()) return 0;
         return offers(surface) ? (pass_.ready() ? 0 : 3) : surface_waits ? 1 : 2;
     }
     bool offers(bool surface) const { return surface | !again_.empty() | !arrived_.empty(); }
@@ -60,7 +60,7 @@ public:
     std::uint64_t due() const { return pass_.due(); }
     bool answers(std::uint64_t now) const { return pass_.valid(now); }
     /// True if a ray's answer has arrived at a fast chip but is not yet seen.
-    bool comes() const { return came_[0].there | came_[1].there; }
+    bool comes() const { return came_[0].valid | came_[1].valid; }
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
@@ -79,8 +79,8 @@ public:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
     /// `turn(ray)` returns the outcome of a pass.
     template <bool levels = false, class Decide>
-    void clock(std::uint64_t now, OnLink closest, Wants wants, OnLink surface, OnLink place, bool surf_taken,
-               bool spawn_taken, bool pixel_taken, Decide&& turn) {
+    void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
+               bool surf_taken, bool spawn_taken, bool pixel_taken, Decide&& turn) {
         for (std::size_t i = 0; i < late_; ++i) {   // the unit sees an arrival in a later cycle
             std::swap(closest, came_[i]);
             std::swap(wants, came_wants_[i]);
@@ -98,40 +98,40 @@ public:
         }
         spawns_.pop(spawn_taken);
         pixels_.pop(pixel_taken);
-        const RayNumber next = surface.there ? RayNumber(surface.ray)
+        const RayNumber next = surface.valid ? RayNumber(surface.ray)
                                : again       ? again_.front()
                                              : arrived_.front();
-        const bool enters = open & (surface.there | again | arrived);
+        const bool enters = open & (surface.valid | again | arrived);
         pass_.clock(now, answer, enters, next);
-        rest_ = enters ? rests_ : rest_ - rests();
-        again_.pop(open & !surface.there & again);
-        arrived_.pop(open & !surface.there & !again & arrived);
+        hold_left_ = enters ? hold_cycles_ : hold_left_ - is_occupied();
+        again_.pop(open & !surface.valid & again);
+        arrived_.pop(open & !surface.valid & !again & arrived);
         if (answer) switch (turn(done)) {
                 case Leave::again: again_.push(done); break;
                 case Leave::spawn: spawns_.push(done); break;
                 case Leave::pixel: pixels_.push(done); break;
             }
         if constexpr (levels) {
-            fetch_.push(RayNumber(place.ray), place.there);
-            places_.push(RayNumber(closest.ray), closest.there & (wants == Wants::place));
+            fetch_.push(RayNumber(place.ray), place.valid);
+            places_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::place));
         } else {
-            fetch_.push(RayNumber(closest.ray), closest.there & (wants == Wants::surface));
+            fetch_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::surface));
         }
-        arrived_.push(RayNumber(closest.ray), closest.there & (wants == Wants::nothing));
+        arrived_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::nothing));
     }
 
 private:
     bool is_coming(std::uint32_t ray) const {
-        return (came_[0].there && came_[0].ray == ray) || (came_[1].there && came_[1].ray == ray);
+        return (came_[0].valid && came_[0].ray == ray) || (came_[1].valid && came_[1].ray == ray);
     }
 
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
-    Merge surf_link_;              // of fetch_ and places_
-    std::size_t late_;             // cycles until an answer is seen
-    std::array<OnLink, 2> came_;   // the answers of these cycles, the last one first
+    Merge surf_link_;               // of fetch_ and places_
+    std::size_t late_;              // cycles until an answer is seen
+    std::array<LinkRay, 2> came_;   // the answers of these cycles, the last one first
     std::array<Wants, 2> came_wants_{};
-    std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it accepts none; cycles left
+    std::uint32_t hold_cycles_, hold_left_ = 0;   // cycles after a pass in which it accepts none; cycles left
 };
 
 }   // namespace rayclock

@@ -11,18 +11,18 @@ namespace rayclock {
 
 /// The decision where a ray goes after a node.
 struct Decision {
-    enum class Kind : std::uint8_t {
+    enum class Action : std::uint8_t {
         visit,   ///< to the node at `addr`
         again,   ///< a group was dropped: decide again, without new children
         done,    ///< nothing is left that can matter
     };
-    /// The kind as flags. Without a decision none is set.
+    /// The action as flags. Without a decision none is set.
     struct Flags {
         bool visit = false, again = false, done = false;
     };
-    Kind kind = Kind::done;
+    Action action = Action::done;
     std::uint32_t addr = 0;
-    Flags flags() const { return {kind == Kind::visit, kind == Kind::again, kind == Kind::done}; }
+    Flags flags() const { return {action == Action::visit, action == Action::again, action == Action::done}; }
 };
 
 /// One ray's stack of sibling groups, and the decision where the ray goes next: trav without timing.
@@ -54,7 +54,7 @@ public:
         }
         Group& g = groups_[height_];
         if (inner == 0 || t_best < Order::near(g.keys[0])) return pop(t_best);
-        const Decision forward{Decision::Kind::visit, base + Order::child(g.keys[0])};
+        const Decision forward{Decision::Action::visit, base + Order::child(g.keys[0])};
         if (inner == 1) return forward;
         assert(height_ + 1 < groups_.size() && "the compiled scene promised a shallower stack");
         g.below = beyond_;
@@ -87,7 +87,7 @@ private:
         if (height_ == 0) return {};
         Group& top = groups_[height_ - 1];
         if (!(t_best < top.nearest())) {
-            const Decision decision{Decision::Kind::visit, top.base + Order::child(top.keys[top.next])};
+            const Decision decision{Decision::Action::visit, top.base + Order::child(top.keys[top.next])};
             if (++top.next == top.end) --height_;
             return decision;
         }
@@ -96,7 +96,7 @@ private:
             return {};
         }
         --height_;
-        return {Decision::Kind::again, 0};
+        return {Decision::Action::again, 0};
     }
 
     Time beyond_;

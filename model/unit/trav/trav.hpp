@@ -48,7 +48,7 @@ public:
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
     /// True if the stages are empty.
-    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.there); }
+    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.valid); }
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
@@ -63,9 +63,9 @@ public:
     /// The inputs of one cycle: new rays, rays that box has answered and that have no leaf to test, rays that
     /// list offers, and the outputs that were accepted.
     struct Moves {
-        OnLink ray, leafless, tested;
+        LinkRay ray, leafless, tested;
         bool node_taken = false, done_taken = false;
-        OnLink change{};   // from xform, with two levels
+        LinkRay change{};   // from xform, with two levels
     };
     /// One clock edge. `decide(ray, valid)` returns the turn of the ray in the second stage, if it is valid.
     template <bool levels = false, class Decide> void clock(const Moves& moves, Decide&& decide) {
@@ -77,11 +77,11 @@ public:
         if constexpr (levels) {
             root_link_.clock(!changed_.empty() | !spawn_.empty(), moves.node_taken & spawn, !change);
             changed_.pop(moves.node_taken & spawn & change);
-            changed_.push(RayNumber(moves.change.ray), moves.change.there);
+            changed_.push(RayNumber(moves.change.ray), moves.change.valid);
         }
         spawn_.pop(moves.node_taken & spawn & !change);
         nodes_.pop(moves.node_taken & !spawn);
-        const bool offered = moves.tested.there, valid = step_valid(offered), step = valid & step_ready(),
+        const bool offered = moves.tested.valid, valid = step_valid(offered), step = valid & step_ready(),
                    leafless = takes_leafless(offered);
         step_link_.clock(valid, step, leafless);
         const std::uint32_t without = leafless_.front(),
@@ -90,13 +90,13 @@ public:
         // Stage 0 reads the recirculation register before stage 1 may set it again.
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
-        const OnLink last = last_stage();
-        const Decision::Flags went = decide(last.ray, last.there);
+        const LinkRay last = last_stage();
+        const Decision::Flags went = decide(last.ray, last.valid);
         nodes_.push(RayNumber(last.ray), went.visit);
         if (late_ == 0) {
             done_.push(RayNumber(last.ray), went.done);
         } else {   // reported from a register, because list is far away
-            done_.push(RayNumber(ended_.ray), ended_.there);
+            done_.push(RayNumber(ended_.ray), ended_.valid);
             ended_ = {went.done, last.ray};
         }
         again_ = went.again;
@@ -104,13 +104,13 @@ public:
         if (late_ != 0) pass_on();
         s1_valid_ = turn | step;
         s1_ = select(turn, returned, stepping);
-        spawn_.push(RayNumber(moves.ray.ray), moves.ray.there);
-        leafless_.push(RayNumber(moves.leafless.ray), moves.leafless.there);
+        spawn_.push(RayNumber(moves.ray.ray), moves.ray.valid);
+        leafless_.push(RayNumber(moves.leafless.ray), moves.leafless.valid);
     }
 
 private:
     /// Returns the ray that is decided in this cycle.
-    OnLink last_stage() const {
+    LinkRay last_stage() const {
         if (late_ == 0) return {s1_valid_, s1_};
         return {bool(between_ >> (late_ - 1) & 1), waiting_[std::size_t(late_ - 1)]};
     }
@@ -124,7 +124,7 @@ private:
         for (int i = 0; i < late_; ++i)
             if ((between_ >> i & 1) && waiting_[std::size_t(i)] == ray) return true;
         return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray) ||
-               (ended_.there && ended_.ray == ray);
+               (ended_.valid && ended_.ray == ray);
     }
 
     int late_;   // stages between the second and the decision
@@ -135,7 +135,7 @@ private:
     Merge step_link_, node_link_, root_link_;   // root_link_: of changed_ and spawn_
     bool again_ = false, s1_valid_ = false;     // recirculation register, second stage
     std::uint32_t again_ray_ = 0, s1_ = 0;
-    OnLink ended_{};   // in a fast chip, before done_
+    LinkRay ended_{};   // in a fast chip, before done_
 };
 
 }   // namespace rayclock

@@ -17,7 +17,7 @@ module rc_box (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::box_req_t req_i,
-  output logic             rests_o,       // accepts no node: the last node's children are in test
+  output logic             occupied_o,    // accepts no node: the last node's children are in test
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -50,7 +50,7 @@ module rc_box (
   assign valid = {valid_q, admit};
 
   rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(Latency)) u_stages (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(occupied_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
@@ -74,10 +74,10 @@ module rc_box (
   logic [rc_pkg::BoxReqW-1:0] next_flat, in_flat;
 
   if (Beats == 1) begin : gen_at_once
-    assign rests_o = 1'b0;
-    assign held    = '0;
+    assign occupied_o = 1'b0;
+    assign held       = '0;
   end else begin : gen_hold
-    assign rests_o = |valid_q[Beats-2:0];
+    assign occupied_o = |valid_q[Beats-2:0];
     if (rc_pkg::Cut != 0) begin : gen_front
       assign held = in_flat;
     end else begin : gen_behind
@@ -89,7 +89,7 @@ module rc_box (
 
   always_comb begin
     next = req_i;
-    if (rests_o) begin
+    if (occupied_o) begin
       next.o     = held.o;
       next.neg   = held.neg;
       next.recip = held.recip;
@@ -221,7 +221,7 @@ module rc_box (
   assign rsp_o = rsp;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!rests_o)
+  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!occupied_o)
     else $error("a node came before the children of the last were tested");
 `endif
 

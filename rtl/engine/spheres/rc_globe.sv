@@ -32,7 +32,7 @@ module rc_globe (
   assign valid = {valid_q, admit};
 
   rc_credited_pipeline #(.Credits(rc_pkg::BoxQueue), .Stages(Latency)) u_stages (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(1'b0),
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).

@@ -355,11 +355,11 @@ module rc_sphere #(
     .root_o(r_root), .inexact_o(r_inexact));
 
   rc_stage_delay #(.Width(RightW + 1), .Stages(RightLate), .Every(Every)) u_right (
-    .clk_i, .rst_ni, .come_i(met_q[AtS5]), .leave_i(met_q[AtR-1]), .data_i(s5_right_lost_q),
+    .clk_i, .rst_ni, .enter_i(met_q[AtS5]), .leave_i(met_q[AtR-1]), .data_i(s5_right_lost_q),
     .data_o(late_right_lost));
 
   rc_stage_delay #(.Width(WayW + NearSquareW), .Stages(RayLate), .Every(Every)) u_ray (
-    .clk_i, .rst_ni, .come_i(there[AtS2]), .leave_i(there[AtR-1]),
+    .clk_i, .rst_ni, .enter_i(there[AtS2]), .leave_i(there[AtR-1]),
     .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
 
   rc_path_register #(.Width(RightW + 1 + WayW + NearSquareW), .Stages(1)) u_late (

@@ -20,7 +20,7 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
-  output logic             rests_o,       // accepts nothing: the last products are being made
+  output logic             occupied_o,    // accepts nothing: the last products are being made
   // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -69,13 +69,13 @@ module rc_tri (
   assign valid = {valid_q, admit};
 
   rc_credited_pipeline #(.Credits(rc_pkg::TriQueue), .Stages(Latency)) u_stages (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .rests_i(rests_o),
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(occupied_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   if (Interval > 1) begin : gen_rests
-    assign rests_o = |valid_q[Interval-2:0];
+    assign occupied_o = |valid_q[Interval-2:0];
   end else begin : gen_never_rests
-    assign rests_o = 1'b0;
+    assign occupied_o = 1'b0;
   end
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
@@ -372,7 +372,7 @@ module rc_tri (
         .clk_i, .data_i(block_q[Divide-1]), .data_o(flat_block));
 
       rc_stage_delay #(.Width(HitW - 1), .Stages(Late), .Every(Interval)) u_late (
-        .clk_i, .rst_ni, .come_i(closer_q[Divide-1]), .leave_i(flat_closer),
+        .clk_i, .rst_ni, .enter_i(closer_q[Divide-1]), .leave_i(flat_closer),
         .data_i({tail, t, u, v}), .data_o(flat_hit));
     end
 
@@ -387,7 +387,7 @@ module rc_tri (
     rc_stage_delay #(
       .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))
     u_ball_best (
-      .clk_i, .rst_ni, .come_i(in_ball), .leave_i(best_next),
+      .clk_i, .rst_ni, .enter_i(in_ball), .leave_i(best_next),
       .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(next_best));
 
     rc_path_register #(.Width(BallBestW), .Stages(1)) u_best_last (
@@ -451,7 +451,7 @@ module rc_tri (
     a_never_dropped: assert (queue_ready)
     else $error("an answer met a full queue");
 
-  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!rests_o)
+  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!occupied_o)
     else $error("a primitive came before the products of the last were made");
 `endif
 

@@ -24,7 +24,7 @@ module rc_raygen (
   output logic           ray_valid_o,
   input  logic           ray_ready_i,
   output rc_pkg::ray_t   ray_o,
-  output logic           rests_o         // begins no ray: the last one is in division
+  output logic           occupied_o      // begins no ray: the last one is in division
 );
   localparam int unsigned M       = rc_pkg::DirBits;
   localparam int unsigned RD      = rc_pkg::RayDirBits;
@@ -84,16 +84,16 @@ module rc_raygen (
   assign valid = {valid_q, admit};
 
   rc_credited_pipeline #(.Credits(rc_pkg::RaygenQueue), .Stages(Latency)) u_stages (
-    .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .rests_i(rests_o),
+    .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .occupied_i(occupied_o),
     .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   if (Every > 1) begin : gen_rests
-    logic rests_q;   // a register, because the sources that wait are far away
-    assign rests_o = rests_q;
+    logic occupied_q;   // a register, because the sources that wait are far away
+    assign occupied_o = occupied_q;
 
-    always_ff @(posedge clk_i) rests_q <= rst_ni && |valid[Every-2:0];
+    always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
   end else begin : gen_never
-    assign rests_o = 1'b0;
+    assign occupied_o = 1'b0;
   end
 
   // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).

@@ -15,7 +15,7 @@ module rc_raygen_stream (
   output logic            ray_valid_o,
   input  logic            ray_ready_i,
   output rc_pkg::ray_t    ray_o,
-  output logic            rests_o         // begins no ray: the last one is in division
+  output logic            occupied_o      // begins no ray: the last one is in division
 );
   localparam int unsigned D       = rc_pkg::RayDirBits;
   localparam int unsigned R1      = rc_pkg::RecipBits + 1;
@@ -33,16 +33,16 @@ module rc_raygen_stream (
 
   rc_credited_pipeline #(.Credits(rc_pkg::RaygenQueue), .Stages(Latency)) u_stages (
     .clk_i, .rst_ni, .req_valid_i(record_valid_i), .req_ready_o(record_ready_o),
-    .rests_i(rests_o), .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit),
+    .occupied_i(occupied_o), .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit),
     .valid_q_o(valid_q));
 
   if (Every > 1) begin : gen_rests
-    logic rests_q;
-    assign rests_o = rests_q;
+    logic occupied_q;
+    assign occupied_o = occupied_q;
 
-    always_ff @(posedge clk_i) rests_q <= rst_ni && |valid[Every-2:0];
+    always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
   end else begin : gen_never
-    assign rests_o = 1'b0;
+    assign occupied_o = 1'b0;
   end
 
   // s0: the record comes from the cache's queue. In a fast chip a stage accepts unconditionally, as

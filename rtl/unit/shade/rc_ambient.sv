@@ -9,7 +9,7 @@ module rc_ambient #(
 ) (
   input  logic             clk_i,
   input  logic [6:0]       valid_i,
-  input  logic [7*Every-1:0] turn_i,   // the cycle of each stage
+  input  logic [7*Every-1:0] phase_i,   // the cycle of each stage
   input  rc_pkg::surface_t s0_surface_i,
   input  logic [VB-1:0]    s0_weight_i,
   input  logic             s0_odd_i,   // odd square of a checker
@@ -31,7 +31,7 @@ module rc_ambient #(
   assign s0_ambient = s0_surface_i.ambient;
 
   rc_mul_held #(.AW(VB), .BW(CB), .Signed(1'b0)) u_weigh (
-    .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
+    .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
 
   rc_shift_register #(.Width(3 + 6 * CB), .Stages(5)) u_colour (
     .clk_i, .valid_i(valid_i[4:0]),
@@ -47,7 +47,7 @@ module rc_ambient #(
   logic [3*Q-1:0] s6_product;
 
   rc_mul_held #(.AW(VB + CB), .BW(CB), .Signed(1'b0), .Products(3)) u_products (
-    .clk_i, .turn_i(turn_i[6*Every +: Every]), .a_i({3{s6_weighted}}), .b_i(s6_albedo_o),
+    .clk_i, .phase_i(phase_i[6*Every +: Every]), .a_i({3{s6_weighted}}), .b_i(s6_albedo_o),
     .p_o(s6_product));
 
   // s6: the albedo; a checker has two colours, and their mean in the distance. s7: albedo times
@@ -76,6 +76,6 @@ module rc_ambient #(
   end
 
   logic unused;
-  assign unused = ^{s0_surface_i, turn_i};
+  assign unused = ^{s0_surface_i, phase_i};
 endmodule
 `default_nettype wire

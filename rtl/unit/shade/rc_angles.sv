@@ -17,7 +17,7 @@ module rc_angles #(
   input  logic               rst_ni,
   input  logic [14:0]        surf_i,
   input  logic [14:0]        light_i,
-  input  logic [14*Every-1:0] turn_i,      // the cycle of each stage
+  input  logic [14*Every-1:0] phase_i,     // the cycle of each stage
   input  logic               s13_surf_i,   // s13 holds a surface's pass
   // Vectors
   input  logic [3*M-1:0]     s0_d_i,
@@ -33,21 +33,21 @@ module rc_angles #(
 
   // s13: the unit vector.
   rc_unit #(.W(UnitW)) u_unit (
-    .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : turn_i[5*Every]),
+    .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : phase_i[5*Every]),
     .v_i(s5_toward_i), .u_o(s13_unit_o));
 
   // s13: the view, against the ray.
   logic [3*AB-1:0] s8_along, s8_view;
 
   rc_unit #(.W(M)) u_view (
-    .clk_i, .valid_i(Every == 1 ? surf_i[0] : turn_i[0]), .v_i(s0_d_i), .u_o(s8_along));
+    .clk_i, .valid_i(Every == 1 ? surf_i[0] : phase_i[0]), .v_i(s0_d_i), .u_o(s8_along));
 
   for (genvar k = 0; k < 3; k++) begin : gen_view
     assign s8_view[k*AB +: AB] = -s8_along[k*AB +: AB];
   end
 
   rc_stage_delay #(.Width(3 * AB), .Stages(5)) u_wait (
-    .clk_i, .rst_ni, .come_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view),
+    .clk_i, .rst_ni, .enter_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view),
     .data_o(s13_view_o));
 
   // Products of the unit vector with the view or the normal, and with the earlier view.
@@ -57,7 +57,7 @@ module rc_angles #(
   logic [6*2*AB-1:0] product;   // [with, view][axis]
 
   rc_mul_held #(.AW(AB), .BW(AB), .Products(6)) u_products (
-    .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({2{s13_unit_o}}),
+    .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({2{s13_unit_o}}),
     .b_i({s13_view_i, s13_with}), .p_o(product));
 
   logic [3*36-1:0] s14_cosine_q, s14_mirror_q;
@@ -88,6 +88,7 @@ module rc_angles #(
   end
 
   logic unused;
-  assign unused = ^{s14_cosine[15:0], s14_mirror[15:0], s14_mirror[37:35], surf_i, light_i, turn_i};
+  assign unused = ^{s14_cosine[15:0], s14_mirror[15:0], s14_mirror[37:35], surf_i, light_i,
+                    phase_i};
 endmodule
 `default_nettype wire

@@ -163,7 +163,7 @@ module rc_approach #(
     end
 
     rc_stage_delay #(.Width(1 + 3 * P), .Stages(Steps)) u_beside (
-      .clk_i, .rst_ni, .come_i(done_q), .leave_i(valid_i[Steps]),
+      .clk_i, .rst_ni, .enter_i(done_q), .leave_i(valid_i[Steps]),
       .data_i({made_enters_q, made_entry_q}), .data_o(waited));
 
     if (rc_pkg::ShadeCut == 0) begin : gen_keep

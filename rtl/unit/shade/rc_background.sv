@@ -12,7 +12,7 @@ module rc_background #(
   input  logic             begins_i,      // a pass leaves s0
   input  logic [VB-1:0]    s0_weight_i,   // of the ray
   input  logic             s9_ends_i,     // a pass leaves s9
-  input  logic [Every-1:0] s9_turn_i,     // the cycle of s9
+  input  logic [Every-1:0] s9_phase_i,    // the cycle of s9
   input  logic             s9_bounce_i,   // the pass is for a bounce,
   input  logic [VB-1:0]    s9_weight_i,   // which has this weight
   input  logic [3*VB-1:0]  colour_i,
@@ -26,13 +26,13 @@ module rc_background #(
   logic [3*2*VB-1:0] s9_product;
 
   rc_stage_delay #(.Width(VB), .Stages(9)) u_ray_weight (
-    .clk_i, .rst_ni, .come_i(begins_i), .leave_i(s9_ends_i), .data_i(s0_weight_i),
+    .clk_i, .rst_ni, .enter_i(begins_i), .leave_i(s9_ends_i), .data_i(s0_weight_i),
     .data_o(s9_ray_weight));
 
   assign s9_share = s9_bounce_i ? s9_weight_i : s9_ray_weight;
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_product (
-    .clk_i, .turn_i(s9_turn_i), .a_i({3{s9_share}}), .b_i(colour_i), .p_o(s9_product));
+    .clk_i, .phase_i(s9_phase_i), .a_i({3{s9_share}}), .b_i(colour_i), .p_o(s9_product));
 
   // Product, rounded to U1.16.
   for (genvar k = 0; k < 3; k++) begin : gen_channel
@@ -50,7 +50,7 @@ module rc_background #(
 
   rc_stage_delay #(.Width(3 * VB), .Stages(rc_pkg::ShadeOut - 10), .Parts(rc_pkg::ShadeParts))
     u_colour (
-    .clk_i, .rst_ni, .come_i(s10_ends_i), .leave_i(end_i), .data_i(s10_colour),
+    .clk_i, .rst_ni, .enter_i(s10_ends_i), .leave_i(end_i), .data_i(s10_colour),
     .data_o(end_colour_o));
 endmodule
 `default_nettype wire

@@ -10,7 +10,7 @@ module rc_ball #(
 ) (
   input  logic           clk_i,
   input  logic [3:0]     valid_i,
-  input  logic [Every-1:0] turn_i,    // the cycle of s0
+  input  logic [Every-1:0] phase_i,   // the cycle of s0
   input  logic [3:0]     sphere_i,
   // Ray
   input  logic [3*P-1:0] s0_o_i,
@@ -40,7 +40,7 @@ module rc_ball #(
   logic [3*ProductW-1:0] s0_way;
 
   rc_mul_held #(.AW(M), .BW(T + 1), .Products(3)) u_ways (
-    .clk_i, .turn_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
+    .clk_i, .phase_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [ProductW-1:0] s1_way_q, s1_rounded;

@@ -18,7 +18,7 @@ module rc_bounce #(
   input  logic                 clk_i,
   input  logic                 rst_ni,
   input  logic [14:0]          valid_i,
-  input  logic [14*Every-1:0]  turn_i,        // the cycle of each stage
+  input  logic [14*Every-1:0]  phase_i,       // the cycle of each stage
   // Pass
   input  logic                 s0_refract_i,  // refract, not reflect
   input  rc_pkg::shade_state_t s0_state_i,
@@ -60,12 +60,12 @@ module rc_bounce #(
 
   if (rc_pkg::Refraction == 1) begin : gen_refraction
     rc_snell u_snell (
-      .clk_i, .rst_ni, .valid_i(valid_i[13:0]), .turn_i(turn_i[2*Every-1:0]), .s0_refract_i,
+      .clk_i, .rst_ni, .valid_i(valid_i[13:0]), .phase_i(phase_i[2*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
       .s0_ratio_i(s0_ratio), .s13_along_o(s13_along), .s13_ratio_o(s13_ratio), .s13_total_o);
 
     rc_schlick u_schlick (
-      .clk_i, .valid_i(valid_i[6:0]), .turn_i(turn_i[6*Every-1:0]), .s0_refract_i,
+      .clk_i, .valid_i(valid_i[6:0]), .phase_i(phase_i[6*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
       .s0_mirror_i(s0_mirror), .s0_transmit_i(s0_transmit), .s0_r0_i(s0_r0),
       .s0_schlick_i(s0_schlick), .s0_total_i(s0_total), .s7_share_o(s7_share));
@@ -73,7 +73,7 @@ module rc_bounce #(
     logic [VB-1:0] s13_cosine;
     logic [VB-1:0] s7_mirror;
     rc_stage_delay #(.Width(VB), .Stages(13)) u_cosine (
-      .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
+      .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
       .data_o(s13_cosine));
     rc_shift_register #(.Width(VB), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
@@ -93,11 +93,11 @@ module rc_bounce #(
   logic [3*ViewW-1:0]   s13_ratio_view;
 
   rc_mul_held #(.AW(AlongW), .BW(AB), .Products(3)) u_normal (
-    .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
+    .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
     .p_o(s13_along_normal));
 
   rc_mul_held #(.AW(RB + 1), .BW(AB), .Products(3)) u_view (
-    .clk_i, .turn_i(turn_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
+    .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
     .p_o(s13_ratio_view));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
@@ -121,7 +121,7 @@ module rc_bounce #(
         s15_unit_q <= s14_unit > One ? AB'(One) : s14_unit < -One ? -AB'(One) : s14_unit[AB-1:0];
     end
 
-    rc_turn u_turn (.unit_i(s15_unit_q), .d_o(d));
+    rc_to_direction u_turn (.unit_i(s15_unit_q), .d_o(d));
     assign s15_d_o[k*M +: M] = d;
 
     logic unused;
@@ -138,7 +138,7 @@ module rc_bounce #(
   assign s7_cut = s7_share[ShareW-1:UB] != '0 ? rc_pkg::ValueOne : s7_share[VB-1:0];
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_weighted (
-    .clk_i, .turn_i(turn_i[7*Every +: Every]), .a_i(s7_weight), .b_i(s7_cut), .p_o(s7_product));
+    .clk_i, .phase_i(phase_i[7*Every +: Every]), .a_i(s7_weight), .b_i(s7_cut), .p_o(s7_product));
 
   assign s8_rounded = s8_weight_q + rc_pkg::ProductHalf;
 
@@ -148,6 +148,6 @@ module rc_bounce #(
   end
 
   logic unused;
-  assign unused = ^{s0_state_i, s8_rounded[ProductW-1], s8_rounded[UB-1:0], turn_i};
+  assign unused = ^{s0_state_i, s8_rounded[ProductW-1], s8_rounded[UB-1:0], phase_i};
 endmodule
 `default_nettype wire

@@ -2,8 +2,8 @@
 // answer, the state between two passes, and the refracted rays that wait. Part of rc_shade, which
 // never has two passes of a context in flight.
 //
-// read_i reads all state of read_ray_i. It is ready ShadeRead cycles later, with there_o. If that
-// is not the same cycle, top_o is ready one cycle later.
+// read_i reads all state of read_ray_i. It is ready ShadeRead cycles later, with read_valid_o. If
+// that is not the same cycle, top_o is ready one cycle later.
 //
 // The state is wide, and is written and read in ShadeParts parts (rc_context_ram). A pass writes
 // only what it has changed: a surface's material when it begins, other groups when it ends.
@@ -35,7 +35,7 @@ module rc_contexts #(
   // To rc_pass
   input  logic                         read_i,
   input  logic [I-1:0]                 read_ray_i,
-  output logic                         there_o,
+  output logic                         read_valid_o,
   output logic [HitW-1:0]              hit_o,
   output logic [3*P-1:0]               o_o,
   output logic [3*M-1:0]               d_o,
@@ -43,9 +43,9 @@ module rc_contexts #(
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
   // From rc_pass: a pass has begun with a surface that has this material
-  input  logic                         look_i,
-  input  logic [I-1:0]                 look_ray_i,
-  input  logic [rc_pkg::MaterialW-1:0] look_state_i,
+  input  logic                         material_valid_i,
+  input  logic [I-1:0]                 material_ray_i,
+  input  logic [rc_pkg::MaterialW-1:0] material_i,
   // From rc_pass: a pass has ended. It has changed these groups, and the group that every pass
   // changes
   input  logic                         write_i,
@@ -70,17 +70,17 @@ module rc_contexts #(
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(reads));
 
   rc_pulse_register #(.Stages(rc_pkg::ShadeRead)) u_there (
-    .clk_i, .rst_ni, .fires_i(read_i), .fires_o(there_o));
+    .clk_i, .rst_ni, .fires_i(read_i), .fires_o(read_valid_o));
 
-  logic                         looks, writes;
-  logic [I-1:0]                 look_ray;
-  logic [rc_pkg::MaterialW-1:0] look_state;
+  logic                         material_valid, writes;
+  logic [I-1:0]                 material_ray;
+  logic [rc_pkg::MaterialW-1:0] material;
 
-  rc_path_register #(.Width(I + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_look_state (
-    .clk_i, .data_i({look_ray_i, look_state_i}), .data_o({look_ray, look_state}));
+  rc_path_register #(.Width(I + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_material (
+    .clk_i, .data_i({material_ray_i, material_i}), .data_o({material_ray, material}));
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_looks (
-    .clk_i, .rst_ni, .fires_i(look_i), .fires_o(looks));
+  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_material_valid (
+    .clk_i, .rst_ni, .fires_i(material_valid_i), .fires_o(material_valid));
 
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_writes (
     .clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
@@ -171,7 +171,7 @@ module rc_contexts #(
   assign new_state = write_state_i;
   assign {new_face, new_share, new_sample, new_waits, end_look} = new_state[PlaceAt-1:0];
   assign {new_pixel, new_every, new_point} = new_state[rc_pkg::ShadeStateW-1:PlaceAt+InnerW];
-  assign {new_look, new_bend, new_self}    = look_state;
+  assign {new_look, new_bend, new_self}    = material;
 
   // Begin of a pixel. A fast chip writes it one cycle later; the pixel's passes come much later.
   logic              begins;
@@ -195,7 +195,7 @@ module rc_contexts #(
       .read_data_o({every, waits}));
 
     rc_context_ram #(.Width(LookW + BendW), .Depth(Contexts), .Parts(Parts)) u_look (
-      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray),
+      .clk_i, .rst_ni, .write_i(material_valid), .write_addr_i(material_ray),
       .write_data_i({new_look, new_bend}), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o({look, bend}));
   end else begin : gen_no_bend
@@ -204,7 +204,8 @@ module rc_contexts #(
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(every));
 
     rc_context_ram #(.Width(LookW), .Depth(Contexts), .Parts(Parts)) u_look (
-      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_look),
+      .clk_i, .rst_ni, .write_i(material_valid), .write_addr_i(material_ray),
+      .write_data_i(new_look),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(look));
 
     assign waits = '0;
@@ -233,7 +234,8 @@ module rc_contexts #(
 
   if (rc_pkg::Spheres == 1) begin : gen_self
     rc_context_ram #(.Width(SelfW), .Depth(Contexts), .Parts(Parts)) u_self (
-      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_self),
+      .clk_i, .rst_ni, .write_i(material_valid), .write_addr_i(material_ray),
+      .write_data_i(new_self),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(self));
   end else begin : gen_no_self
     assign self = '0;
@@ -329,7 +331,7 @@ module rc_contexts #(
 
     rc_context_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
       .clk_i, .rst_ni, .write_i(write_i && push_i), .write_addr_i(write_at),
-      .write_data_i(pushed_i), .read_i(there_o), .read_addr_i(read_at), .read_data_o(top_o));
+      .write_data_i(pushed_i), .read_i(read_valid_o), .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack
     assign top_o  = '0;
     assign top_at = '0;

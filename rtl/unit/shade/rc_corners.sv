@@ -9,7 +9,7 @@ module rc_corners #(
 ) (
   input  logic                clk_i,
   input  logic [3:0]          valid_i,
-  input  logic [Every-1:0]    turn_i,        // the cycle of s2
+  input  logic [Every-1:0]    phase_i,       // the cycle of s2
   input  logic [9*C-1:0]      s0_normal_i,   // [corner][axis]
   input  logic signed [W+1:0] s2_rest_i,
   input  logic signed [W-1:0] s2_u_i,
@@ -26,7 +26,7 @@ module rc_corners #(
   logic [9*ProductW-1:0] s2_product;   // [corner][axis]
 
   rc_mul_held #(.AW(W + 2), .BW(C), .Products(9)) u_products (
-    .clk_i, .turn_i, .a_i({{3{(W+2)'(s2_v_i)}}, {3{(W+2)'(s2_u_i)}}, {3{s2_rest_i}}}),
+    .clk_i, .phase_i, .a_i({{3{(W+2)'(s2_v_i)}}, {3{(W+2)'(s2_u_i)}}, {3{s2_rest_i}}}),
     .b_i(s2_normal), .p_o(s2_product));
 
   // s3, s4: their sums.

@@ -10,7 +10,7 @@ module rc_finish #(
   input  logic                 clk_i,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [3:0]           valid_i,
-  input  logic [Every-1:0]     turn_i,      // the cycle of s1
+  input  logic [Every-1:0]     phase_i,     // the cycle of s1
   input  rc_pkg::shade_state_t s0_state_i,
   input  logic [3*VB-1:0]      s0_colour_i,
   output logic                 s4_more_o,
@@ -52,7 +52,7 @@ module rc_finish #(
   logic [3*Q-1:0]  s1_product;
 
   rc_mul_held #(.AW(SB), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
-    .clk_i, .turn_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
+    .clk_i, .phase_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [SB-1:0] s1_sum_q, s2_sum_q, s3_sum_q;

@@ -6,7 +6,7 @@
 //
 // A ray that leaves, or a shadow ray that ends, goes the other way. In the mesh's space it begins
 // or ends exactly at the point that was found there. Its direction there selects the side of the
-// triangle. A light is rounded to a lattice point of the mesh. Models: turn_surface() in
+// triangle. A light is rounded to a lattice point of the mesh. Models: transform_surface() in
 // model/unit/shade/surf.hpp, Home in model/core/payloads.hpp.
 `default_nettype none
 module rc_homes #(
@@ -25,8 +25,8 @@ module rc_homes #(
   input  logic               clk_i,
   input  logic               rst_ni,
   // A surface is transformed
-  input  logic [4:0]         turn_valid_i,
-  input  logic [Every-1:0]   s0_turn_i,     // the cycle of its stage
+  input  logic [4:0]         transform_valid_i,
+  input  logic [Every-1:0]   s0_phase_i,    // the cycle of its stage
   input  logic [3*P-1:0]     s0_o_i,        // of the ray that has hit it
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [T-1:0]       s0_t_i,
@@ -37,7 +37,7 @@ module rc_homes #(
   // A ray leaves, or a shadow ray ends
   input  logic               leave_0_i,     // the pass leaves s0,
   input  logic [18:15]       leave_valid_i, // s15 and later stages
-  input  logic [Every-1:0]   s15_turn_i,
+  input  logic [Every-1:0]   s15_phase_i,
   input  logic [3*(N+K)-1:0] s0_b_i,
   input  logic [3*P-1:0]     s0_inner_i,    // the point in the mesh's space
   input  logic               s15_near_i,    // from a light within the lattice
@@ -50,10 +50,10 @@ module rc_homes #(
   logic [3*P-1:0] s3_o, s4_o;
 
   rc_ball u_ball (
-    .clk_i, .valid_i(turn_valid_i[3:0]), .turn_i(s0_turn_i), .sphere_i(4'b1111),
+    .clk_i, .valid_i(transform_valid_i[3:0]), .phase_i(s0_phase_i), .sphere_i(4'b1111),
     .s0_o_i, .s0_d_i, .s0_t_i, .s3_o_o(s3_o), .s4_o_o(s4_o));
   rc_shift_register #(.Width(3 * P), .Stages(1)) u_o (
-    .clk_i, .valid_i(turn_valid_i[4]), .data_i(s4_o), .data_o(s5_o_o));
+    .clk_i, .valid_i(transform_valid_i[4]), .data_i(s4_o), .data_o(s5_o_o));
 
   // ---- The normal.
   logic [9*E-1:0]      s0_factor_a;
@@ -74,14 +74,14 @@ module rc_homes #(
   end
 
   rc_mul_held #(.AW(E), .BW(AB), .Products(9)) u_normal (
-    .clk_i, .turn_i(s0_turn_i), .a_i(s0_factor_a), .b_i(s0_factor_n), .p_o(s0_product));
+    .clk_i, .phase_i(s0_phase_i), .a_i(s0_factor_a), .b_i(s0_factor_n), .p_o(s0_product));
   rc_shift_register #(.Width(9 * (E + AB)), .Stages(1)) u_product (
-    .clk_i, .valid_i(turn_valid_i[0]), .data_i(s0_product), .data_o(s1_product));
+    .clk_i, .valid_i(transform_valid_i[0]), .data_i(s0_product), .data_o(s1_product));
 
   rc_shift_register #(.Width(3 * UnitW), .Stages(1)) u_sum (
-    .clk_i, .valid_i(turn_valid_i[1]), .data_i(s1_toward), .data_o(s2_toward));
+    .clk_i, .valid_i(transform_valid_i[1]), .data_i(s1_toward), .data_o(s2_toward));
   rc_shift_register #(.Width(3 * UnitW), .Stages(3)) u_toward (
-    .clk_i, .valid_i(turn_valid_i[4:2]), .data_i(s2_toward), .data_o(s5_toward_o));
+    .clk_i, .valid_i(transform_valid_i[4:2]), .data_i(s2_toward), .data_o(s5_toward_o));
 
   // ---- Into the mesh's space: a direction, or a light.
   localparam int unsigned FactorW = N > M ? N : M;
@@ -93,10 +93,10 @@ module rc_homes #(
   logic [3*P-1:0]     s18_inner;
 
   rc_stage_delay #(.Width(9 * E + 3 * (N + K)), .Stages(15)) u_map (
-    .clk_i, .rst_ni, .come_i(leave_0_i), .leave_i(leave_valid_i[15]), .data_i({s0_a_i, s0_b_i}),
+    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[15]), .data_i({s0_a_i, s0_b_i}),
     .data_o({s15_a, s15_b}));
   rc_stage_delay #(.Width(3 * P), .Stages(18)) u_inner (
-    .clk_i, .rst_ni, .come_i(leave_0_i), .leave_i(leave_valid_i[18]), .data_i(s0_inner_i),
+    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[18]), .data_i(s0_inner_i),
     .data_o(s18_inner));
 
   // Products.
@@ -112,7 +112,7 @@ module rc_homes #(
   end
 
   rc_mul_held #(.AW(E), .BW(FactorW), .Products(9)) u_map_products (
-    .clk_i, .turn_i(s15_turn_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
+    .clk_i, .phase_i(s15_phase_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
   rc_shift_register #(.Width(9 * (E + FactorW) + 3 * SW), .Stages(1)) u_map_product (
     .clk_i, .valid_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
     .data_o({s16_product, s16_rest}));

@@ -20,7 +20,7 @@ module rc_light #(
   input  logic                 rst_ni,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [28:0]          valid_i,
-  input  logic [28*Every-1:0]  turn_i,      // the cycle of each stage
+  input  logic [28*Every-1:0]  phase_i,     // the cycle of each stage
   // Light and surface
   input  logic [6:0]           s0_light_i,
   input  logic [3*P-1:0]       s0_o_i,
@@ -120,22 +120,22 @@ module rc_light #(
     .clk_i, .valid_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
 
   rc_stage_delay #(.Width(3 * 34), .Stages(24)) u_strength (
-    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
+    .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
 
   localparam int unsigned Out = rc_pkg::ShadeOut;   // then rc_pass_end has accepted it
 
   rc_stage_delay #(.Width(3 * N + 2), .Stages(Out - 1), .Parts(rc_pkg::ShadeParts)) u_place (
-    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[Out]),
+    .clk_i, .rst_ni, .enter_i(valid_i[1]), .leave_i(valid_i[Out]),
     .data_i({s1_lattice, s1_near_q, s1_clear_q}),
     .data_o({s28_place_o, s28_near_o, s28_clear_o}));
 
   rc_stage_delay #(.Width(2), .Stages(14)) u_near (
-    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
+    .clk_i, .rst_ni, .enter_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));
 
   rc_stage_delay #(.Width(3 * D), .Stages(13)) u_from (
-    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from),
+    .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from),
     .data_o(s15_from));
 
   rc_shift_register #(.Width(3 * AB), .Stages(2)) u_unit (
@@ -143,7 +143,7 @@ module rc_light #(
   logic [3*2*VB-1:0] s1_strength;
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_strengths (
-    .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_colour_q), .b_i({3{s1_weight}}),
+    .clk_i, .phase_i(phase_i[Every +: Every]), .a_i(s1_colour_q), .b_i({3{s1_weight}}),
     .p_o(s1_strength));
 
   // s15: the direction, from the light or to it.
@@ -164,7 +164,7 @@ module rc_light #(
       end
     end
 
-    rc_turn u_turn (.unit_i(s15_unit[k*AB +: AB]), .d_o(away));
+    rc_to_direction u_turn (.unit_i(s15_unit[k*AB +: AB]), .d_o(away));
 
     assign wide = D'(away);
     assign s15_away[k*D +: D] = s15_near ? -wide : wide;
@@ -176,7 +176,7 @@ module rc_light #(
   assign s15_near_o = s15_near && !s15_far;   // a ray goes from the light to the point
   if (rc_pkg::Homes == 1) begin : gen_place
     rc_stage_delay #(.Width(3 * N), .Stages(14)) u_lattice (
-      .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),
+      .clk_i, .rst_ni, .enter_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),
       .data_o(s15_place_o));
   end else begin : gen_no_place
     assign s15_place_o = '0;
@@ -193,13 +193,13 @@ module rc_light #(
   logic [3*CB-1:0] s15_albedo, s16_albedo;
 
   rc_stage_delay #(.Width(VB + 2 * CB + SB + 3 * CB), .Stages(15)) u_surface (
-    .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[15]),
+    .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[15]),
     .data_i({s0_state_i.cosine, s0_state_i.diffuse, s0_state_i.highlight, s0_state_i.shine,
              s0_state_i.albedo}),
     .data_o({s15_cosine, s15_diffuse, s15_highlight, s15_shine, s15_albedo}));
 
   rc_stage_delay #(.Width(CB), .Stages(9)) u_highlight (
-    .clk_i, .rst_ni, .come_i(valid_i[15]), .leave_i(valid_i[24]), .data_i(s15_highlight),
+    .clk_i, .rst_ni, .enter_i(valid_i[15]), .leave_i(valid_i[24]), .data_i(s15_highlight),
     .data_o(s24_highlight));
 
   rc_shift_register #(.Width(SB), .Stages(2)) u_shine (
@@ -225,15 +225,15 @@ module rc_light #(
   logic [29:0] s15_matte, s24_gloss;
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_double (
-    .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_cosine_i), .b_i(s15_cosine),
+    .clk_i, .phase_i(phase_i[15*Every +: Every]), .a_i(s15_cosine_i), .b_i(s15_cosine),
     .p_o(s15_double));
 
   rc_mul_held #(.AW(CB), .BW(VB), .Signed(1'b0)) u_lit (
-    .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_diffuse), .b_i(s15_cosine_i),
+    .clk_i, .phase_i(phase_i[15*Every +: Every]), .a_i(s15_diffuse), .b_i(s15_cosine_i),
     .p_o(s15_matte));
 
   rc_mul_held #(.AW(CB), .BW(VB), .Signed(1'b0)) u_gloss (
-    .clk_i, .turn_i(turn_i[24*Every +: Every]), .a_i(s24_highlight), .b_i(s24_phong),
+    .clk_i, .phase_i(phase_i[24*Every +: Every]), .a_i(s24_highlight), .b_i(s24_phong),
     .p_o(s24_gloss));
 
   always_ff @(posedge clk_i) begin
@@ -250,7 +250,7 @@ module rc_light #(
   end
 
   rc_power u_power (
-    .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q),
+    .clk_i, .valid_i(Every == 1 ? valid_i[17] : phase_i[17*Every]), .c_i(s17_phong_q),
     .n_i(s17_shine), .power_o(s24_phong));
 
   assign s25_rounded = s25_gloss_q + GlossHalf;
@@ -259,7 +259,7 @@ module rc_light #(
   logic [3*VB-1:0] s17_matte, s25_matte;
 
   rc_stage_delay #(.Width(3 * VB), .Stages(8)) u_matte (
-    .clk_i, .rst_ni, .come_i(valid_i[17]), .leave_i(valid_i[25]), .data_i(s17_matte),
+    .clk_i, .rst_ni, .enter_i(valid_i[17]), .leave_i(valid_i[25]), .data_i(s17_matte),
     .data_o(s25_matte));
 
   logic [3*43-1:0] s16_product;
@@ -267,11 +267,11 @@ module rc_light #(
   logic [3*18-1:0] s26_lit;
 
   rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_matte_products (
-    .clk_i, .turn_i(turn_i[16*Every +: Every]), .a_i({3{s16_matte_q}}), .b_i(s16_albedo),
+    .clk_i, .phase_i(phase_i[16*Every +: Every]), .a_i({3{s16_matte_q}}), .b_i(s16_albedo),
     .p_o(s16_product));
 
   rc_mul_held #(.AW(18), .BW(34), .Signed(1'b0), .Products(3)) u_share_products (
-    .clk_i, .turn_i(turn_i[26*Every +: Every]), .a_i(s26_lit), .b_i(s26_strength),
+    .clk_i, .phase_i(phase_i[26*Every +: Every]), .a_i(s26_lit), .b_i(s26_strength),
     .p_o(s26_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
@@ -304,6 +304,6 @@ module rc_light #(
 
   logic unused;
   assign unused = ^{frame_i, s0_state_i, s1_place_q, s16_rounded[15:0], s25_rounded[29],
-                    s25_rounded[11:0], valid_i, turn_i};
+                    s25_rounded[11:0], valid_i, phase_i};
 endmodule
 `default_nettype wire

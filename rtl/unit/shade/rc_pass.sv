@@ -39,9 +39,9 @@ module rc_pass #(
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t place_i,
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
-  output logic                        look_valid_o,
-  output logic [I-1:0]                look_ray_o,
-  output rc_pkg::material_t           look_o,
+  output logic                        material_valid_o,
+  output logic [I-1:0]                material_ray_o,
+  output rc_pkg::material_t           material_o,
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
@@ -108,12 +108,12 @@ module rc_pass #(
 
   // ---- s0: purpose of the pass.
   logic [Stages:0]      ends;   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
-  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
+  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
   logic [T-1:0]         t;
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
-  logic                 looks;
+  logic                 has_material;
 
   assign back = hit.back;
   assign t    = hit.t;
@@ -123,33 +123,36 @@ module rc_pass #(
   rc_pass_begin u_begin (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .looks_o(looks), .look_o, .known_o(known));
+    .transform_o(s0_transform), .end_o(s0_end), .colour_o(colour), .has_material_o(has_material),
+    .material_o, .known_o(known));
 
-  assign look_valid_o = valid && looks;   // immediately: inputs of several cycles stay stable
-  assign look_ray_o   = ray;
+  // immediately: inputs of several cycles stay stable
+  assign material_valid_o = valid && has_material;
+  assign material_ray_o   = ray;
 
-  // turn: the cycle of each stage, s0 lowest. The pass is over in the first cycle after the last
+  // phase: the cycle of each stage, s0 lowest. The pass is over in the first cycle after the last
   // stage.
-  logic [Stages*Every:0] turn;
-  logic [Stages*Every:1] turn_q;
+  logic [Stages*Every:0] phase;
+  logic [Stages*Every:1] phase_q;
 
-  assign turn = {turn_q, valid};
+  assign phase = {phase_q, valid};
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) turn_q <= '0;
-    else         turn_q <= turn[Stages*Every-1:0];
+    if (!rst_ni) phase_q <= '0;
+    else         phase_q <= phase[Stages*Every-1:0];
   end
 
   for (genvar i = 0; i < Stages; i++) begin : gen_ends
-    assign ends[i] = turn[i*Every+Every-1];
+    assign ends[i] = phase[i*Every+Every-1];
   end
 
-  assign ends[Stages] = turn[Stages*Every];
+  assign ends[Stages] = phase[Stages*Every];
   assign end_valid_o  = ends[Stages];
 
   // The purposes of the passes that leave their stages.
-  logic [Stages:0] surf_at, light_at, bounce_at, end_at, turn_at, face_at;   // face: surf or turn
-  logic [Stages:1] surf_q, light_q, bounce_q, end_q, turn_q_at;
+  // face: surf or transform
+  logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, face_at;
+  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at;
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < Stages; i++)
@@ -158,40 +161,40 @@ module rc_pass #(
         light_q[i+1]  <= light_at[i];
         bounce_q[i+1] <= bounce_at[i];
         end_q[i+1]    <= end_at[i];
-        turn_q_at[i+1] <= turn_at[i];
+        transform_q_at[i+1] <= transform_at[i];
       end
   end
 
   if (Every == 1) begin : gen_always_on
-    assign surf_at   = {surf_q, s0_surf};
-    assign light_at  = {light_q, s0_light};
-    assign bounce_at = {bounce_q, s0_bounce};
-    assign end_at    = {end_q, s0_end};
-    assign turn_at   = {turn_q_at, s0_turn};
+    assign surf_at      = {surf_q, s0_surf};
+    assign light_at     = {light_q, s0_light};
+    assign bounce_at    = {bounce_q, s0_bounce};
+    assign end_at       = {end_q, s0_end};
+    assign transform_at = {transform_q_at, s0_transform};
   end else begin : gen_goes_on
-    assign surf_at   = {surf_q & ends[Stages:1], s0_surf};
-    assign light_at  = {light_q & ends[Stages:1], s0_light};
-    assign bounce_at = {bounce_q & ends[Stages:1], s0_bounce};
-    assign end_at    = {end_q & ends[Stages:1], s0_end};
-    assign turn_at   = {turn_q_at & ends[Stages:1], s0_turn};
+    assign surf_at      = {surf_q & ends[Stages:1], s0_surf};
+    assign light_at     = {light_q & ends[Stages:1], s0_light};
+    assign bounce_at    = {bounce_q & ends[Stages:1], s0_bounce};
+    assign end_at       = {end_q & ends[Stages:1], s0_end};
+    assign transform_at = {transform_q_at & ends[Stages:1], s0_transform};
   end
 
-  assign face_at = surf_at | turn_at;
+  assign face_at = surf_at | transform_at;
 
   // ---- State known at the start of the pass: delayed to the end.
   logic                 goes_on, mirrors, transmits;   // goes_on: one cycle before the first stage
   logic [I-1:0]         end_ray;                       // ends, with fewer loads
-  rc_pkg::shade_state_t was;
+  rc_pkg::shade_state_t begin_state;
   rc_pkg::waiting_t     top;
 
-  assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
+  assign goes_on = Every > 2 ? phase[Every < 2 ? 0 : Every-2] : ends[0];
 
   rc_pass_state u_known (
-    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
-    .ray_o(end_ray), .was_o(was), .mirrors_o(mirrors), .transmits_o(transmits));
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
+    .ray_o(end_ray), .begin_state_o(begin_state), .mirrors_o(mirrors), .transmits_o(transmits));
 
   rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_top (
-    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
     .data_o(top));
 
   // Vectors that are needed on the way.
@@ -199,11 +202,11 @@ module rc_pass #(
   logic [3*NB-1:0] side_n;
 
   rc_stage_delay #(.Width(6 * AB), .Stages(13)) u_vectors (
-    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
+    .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
 
   rc_stage_delay #(.Width(3 * NB), .Stages(Side)) u_n (
-    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce),
+    .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce),
     .leave_i(light_at[Side] || bounce_at[Side]), .data_i(state.n), .data_o(side_n));
 
   // ---- Surface.
@@ -215,7 +218,7 @@ module rc_pass #(
   logic [3*VB-1:0]    s7_ambient, surf_ambient;
 
   rc_surf #(.UnitW(UnitW)) u_surf (
-    .clk_i, .valid_i(surf_at[6:0]), .turn_i(turn[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
+    .clk_i, .valid_i(surf_at[6:0]), .phase_i(phase[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
     .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
@@ -224,16 +227,16 @@ module rc_pass #(
 
   rc_stage_delay #(.Width(3 * PW + 3 * NB + 2), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts))
     u_point (
-    .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[Out]),
+    .clk_i, .rst_ni, .enter_i(surf_at[5]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
   rc_stage_delay #(.Width(3 * CB), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
-    .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
+    .clk_i, .rst_ni, .enter_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
   rc_stage_delay #(.Width(3 * VB), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
-    .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
+    .clk_i, .rst_ni, .enter_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
@@ -244,24 +247,24 @@ module rc_pass #(
 
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
-                            : turn_q_at[5] ? s5_turned[k*UnitW +: UnitW]
+                            : transform_q_at[5] ? s5_turned[k*UnitW +: UnitW]
                                            : s5_toward[k*UnitW +: UnitW];
   end
 
   rc_angles #(.UnitW(UnitW)) u_angles (
     .clk_i, .rst_ni, .surf_i(face_at[14:0]), .light_i(light_at[14:0]),
-    .turn_i(turn[14*Every-1:0]), .s13_surf_i(surf_q[13] || turn_q_at[13]), .s0_d_i(d),
+    .phase_i(phase[14*Every-1:0]), .s13_surf_i(surf_q[13] || transform_q_at[13]), .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
 
   rc_stage_delay #(.Width(6 * AB), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
-    .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[Out]),
+    .clk_i, .rst_ni, .enter_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
 
   rc_stage_delay #(.Width(VB), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
-    .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
+    .clk_i, .rst_ni, .enter_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- Light and bounce.
@@ -273,7 +276,7 @@ module rc_pass #(
   logic [3*M-1:0]  s15_bounce_d;
 
   rc_light u_light (
-    .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .turn_i(turn[28*Every-1:0]),
+    .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .phase_i(phase[28*Every-1:0]),
     .s0_light_i(state.light),
     .s0_o_i(state.o), .s0_far_i(state.is_far), .s0_weight_i(state.weight),
     .s0_state_i(state), .s5_to_o(s5_to),
@@ -283,17 +286,17 @@ module rc_pass #(
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
 
   rc_bounce u_bounce (
-    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .turn_i(turn[14*Every-1:0]),
+    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .phase_i(phase[14*Every-1:0]),
     .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
 
   rc_stage_delay #(.Width(VB), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
-    .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
+    .clk_i, .rst_ni, .enter_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
 
   rc_stage_delay #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_total (
-    .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
+    .clk_i, .rst_ni, .enter_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
     .data_o(bounce_total));
 
   // ---- Background, for a ray that met nothing or a bounce that is not traced.
@@ -305,7 +308,7 @@ module rc_pass #(
 
   rc_background u_background (
     .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[9]),
-    .s9_turn_i(turn[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
+    .s9_phase_i(phase[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
     .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[Out]), .end_colour_o(end_background));
 
   // ---- Side of the surface to which a direction leaves: exact.
@@ -319,16 +322,16 @@ module rc_pass #(
 
   rc_side u_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
-    .turn_i(turn[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
+    .phase_i(phase[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
 
   rc_stage_delay #(.Width(2), .Stages(Out - Side - 2), .Parts(rc_pkg::ShadeParts)) u_sides (
-    .clk_i, .rst_ni, .come_i(light_at[Side+2] || bounce_at[Side+2]),
+    .clk_i, .rst_ni, .enter_i(light_at[Side+2] || bounce_at[Side+2]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
 
   rc_stage_delay #(.Width(3 * D + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
-    .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
+    .clk_i, .rst_ni, .enter_i(light_at[15] || bounce_at[15]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
@@ -351,28 +354,30 @@ module rc_pass #(
     assign map_b = place.b;
 
     rc_homes #(.UnitW(UnitW)) u_homes (
-      .clk_i, .rst_ni, .turn_valid_i(turn_at[4:0]), .s0_turn_i(turn[Every-1:0]), .s0_o_i(o),
+      .clk_i, .rst_ni, .transform_valid_i(transform_at[4:0]), .s0_phase_i(phase[Every-1:0]),
+      .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
       .s5_toward_o(s5_turned), .s5_o_o(s5_turned_o),
       .leave_0_i(s0_light || s0_bounce), .leave_valid_i(light_at[18:15] | bounce_at[18:15]),
-      .s15_turn_i(turn[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
+      .s15_phase_i(phase[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
 
     assign side_d = s19_home_d;
 
     rc_stage_delay #(.Width(3 * P), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_turned (
-      .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[Out]), .data_i(s5_turned_o),
+      .clk_i, .rst_ni, .enter_i(transform_at[5]), .leave_i(transform_at[Out]), .data_i(s5_turned_o),
       .data_o(turned_o));
 
     rc_stage_delay #(.Width(3 * (P + D)), .Stages(Out - 19), .Parts(rc_pkg::ShadeParts)) u_home (
-      .clk_i, .rst_ni, .come_i(light_at[19] || bounce_at[19]),
+      .clk_i, .rst_ni, .enter_i(light_at[19] || bounce_at[19]),
       .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
-      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce || s0_turn),
-      .leave_i(light_at[Out] || bounce_at[Out] || turn_at[Out]), .data_i(here), .data_o(end_home));
+      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || s0_transform),
+      .leave_i(light_at[Out] || bounce_at[Out] || transform_at[Out]), .data_i(here),
+      .data_o(end_home));
   end else begin : gen_one_space
     assign side_d    = s15_d;
     assign s5_turned = '0;
@@ -393,7 +398,7 @@ module rc_pass #(
     assign s0_o = state.o;
 
     rc_stage_delay #(.Width(3 * PW), .Stages(15)) u_o (
-      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
+      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
       .data_i(s0_o), .data_o(s15_o));
 
     for (genvar k = 0; k < 3; k++) begin : gen_short
@@ -426,7 +431,7 @@ module rc_pass #(
     end
 
     rc_stage_delay #(.Width(3), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_up (
-      .clk_i, .rst_ni, .come_i(s0_bounce), .leave_i(bounce_at[Out]), .data_i(s0_up),
+      .clk_i, .rst_ni, .enter_i(s0_bounce), .leave_i(bounce_at[Out]), .data_i(s0_up),
       .data_o(end_up));
 
     logic unused_n;
@@ -446,14 +451,14 @@ module rc_pass #(
     logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
 
     rc_finish u_finish (
-      .clk_i, .frame_i, .valid_i(end_at[3:0]), .turn_i(turn[Every +: Every]),
+      .clk_i, .frame_i, .valid_i(end_at[3:0]), .phase_i(phase[Every +: Every]),
       .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
 
     rc_stage_delay #(.Width(1 + 3 * SB + 9 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts))
       u_end (
-      .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[Out]),
+      .clk_i, .rst_ni, .enter_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample
@@ -466,13 +471,15 @@ module rc_pass #(
 
   // ---- s28: end of the pass.
   rc_pass_end u_end (
-    .clk_i, .take_i(ends[Stages-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
+    .clk_i, .take_i(ends[Stages-1]), .frame_i, .ray_i(end_ray), .begin_state_i(begin_state),
+    .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
     .surf_i(Cut ? surf_q[Stages-1] : surf_at[Stages]),
     .surf_normal_i(surf_normal), .surf_view_i(surf_view), .surf_cosine_i(surf_cosine),
     .surf_far_i(surf_far), .surf_lost_i(surf_lost), .surf_albedo_i(surf_albedo),
     .surf_ambient_i(surf_ambient), .background_i(end_background),
-    .turn_i(Cut ? turn_q_at[Stages-1] : turn_at[Stages]), .turn_o_i(turned_o), .home_i(end_home),
+    .transform_i(Cut ? transform_q_at[Stages-1] : transform_at[Stages]), .transform_o_i(turned_o),
+    .home_i(end_home),
     .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
     .light_share_i(light_share), .above_i(end_above), .below_i(end_below),
@@ -483,6 +490,6 @@ module rc_pass #(
     .pushed_o);
 
   logic unused;
-  assign unused = ^{hit, turn, ends, surf_at, light_at, bounce_at, end_at, face_at};
+  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at};
 endmodule
 `default_nettype wire

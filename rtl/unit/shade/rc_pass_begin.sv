@@ -17,12 +17,13 @@ module rc_pass_begin #(
   output logic                 light_o,
   output logic                 bounce_o,
   output logic                 refract_o,  // refracted, not reflected
-  output logic                 turn_o,   // a result of a mesh's space is transformed to the scene's
+  // a result of a mesh's space is transformed to the scene's
+  output logic                 transform_o,
   output logic                 end_o,      // a waiting ray, or the end of the sample
   // State
   output logic [3*VB-1:0]      colour_o,   // including what was pending
-  output logic                 looks_o,    // a surface has been hit, even without valid_i:
-  output rc_pkg::material_t    look_o,     // its material
+  output logic                 has_material_o,   // a surface has been hit, even without valid_i:
+  output rc_pkg::material_t    material_o,   // its material
   output rc_pkg::shade_state_t known_o
 );
 
@@ -39,14 +40,15 @@ module rc_pass_begin #(
   assign u     = hit_i.u;
   assign v     = hit_i.v;
 
-  assign arrives   = state_i.purpose == rc_pkg::EventArrive;
-  assign looks_o   = arrives && found;
-  assign surf_o    = valid_i && looks_o;
-  assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
-  assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
-  assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
-  assign turn_o    = valid_i && rc_pkg::Homes == 1 && state_i.purpose == rc_pkg::EventTurn;
-  assign end_o     = valid_i && state_i.purpose == rc_pkg::EventPop;
+  assign arrives        = state_i.purpose == rc_pkg::EventArrive;
+  assign has_material_o = arrives && found;
+  assign surf_o         = valid_i && has_material_o;
+  assign light_o        = valid_i && state_i.purpose == rc_pkg::EventLight;
+  assign refract_o      = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
+  assign bounce_o       = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign transform_o    = valid_i && rc_pkg::Homes == 1
+      && state_i.purpose == rc_pkg::EventTransform;
+  assign end_o          = valid_i && state_i.purpose == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
   logic        adds;
@@ -77,7 +79,7 @@ module rc_pass_begin #(
       known.u     = u;
       known.v     = v;
     end
-    if (looks_o) begin
+    if (has_material_o) begin
       known.diffuse   = surface_i.diffuse;
       known.highlight = surface_i.highlight;
       known.mirror    = surface_i.mirror;
@@ -100,7 +102,7 @@ module rc_pass_begin #(
 
     always_comb begin
       known_o = known;
-      if (looks_o) known_o.across = state_i.in_cell ^ pane;
+      if (has_material_o) known_o.across = state_i.in_cell ^ pane;
     end
 
     logic unused_normal;
@@ -109,16 +111,16 @@ module rc_pass_begin #(
     assign known_o = known;
   end
 
-  assign look_o.diffuse   = known.diffuse;
-  assign look_o.highlight = known.highlight;
-  assign look_o.mirror    = known.mirror;
-  assign look_o.shine     = known.shine;
-  assign look_o.transmit  = known.transmit;
-  assign look_o.ratio     = known.ratio;
-  assign look_o.schlick   = known.schlick;
-  assign look_o.r0        = known.r0;
-  assign look_o.self      = known.self;
-  assign look_o.is_inside = known.is_inside;
+  assign material_o.diffuse   = known.diffuse;
+  assign material_o.highlight = known.highlight;
+  assign material_o.mirror    = known.mirror;
+  assign material_o.shine     = known.shine;
+  assign material_o.transmit  = known.transmit;
+  assign material_o.ratio     = known.ratio;
+  assign material_o.schlick   = known.schlick;
+  assign material_o.r0        = known.r0;
+  assign material_o.self      = known.self;
+  assign material_o.is_inside = known.is_inside;
 
   logic unused;
   assign unused = ^surface_i;

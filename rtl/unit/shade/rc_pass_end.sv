@@ -25,7 +25,7 @@ module rc_pass_end #(
   // The context's state as known at the start of the pass. Of its surface: the point, and whether
   // it mirrors and transmits
   input  logic [I-1:0]         ray_i,
-  input  rc_pkg::shade_state_t was_i,
+  input  rc_pkg::shade_state_t begin_state_i,
   input  logic                 mirrors_i,
   input  logic                 transmits_i,
   input  rc_pkg::waiting_t     top_i,
@@ -42,8 +42,8 @@ module rc_pass_end #(
   input  logic [3*VB-1:0] surf_ambient_i,
   input  logic [3*VB-1:0] background_i,
   // With two levels, from rc_homes: a surface was transformed; the ray in the mesh's space
-  input  logic            turn_i,
-  input  logic [3*P-1:0]  turn_o_i,
+  input  logic            transform_i,
+  input  logic [3*P-1:0]  transform_o_i,
   input  logic [rc_pkg::AddrBits-1:0] home_i,
   input  logic [3*P-1:0]  home_o_i,
   input  logic [3*D-1:0]  home_d_i,
@@ -86,8 +86,8 @@ module rc_pass_end #(
   logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
 
-  assign event_now = was_i.purpose;
-  assign waits     = rc_pkg::Refraction == 1 && was_i.waiting != '0;
+  assign event_now = begin_state_i.purpose;
+  assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
 
   rc_path_register #(.Width(7), .Stages(Cut)) u_event (
     .clk_i,
@@ -99,9 +99,9 @@ module rc_pass_end #(
     .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
   // ---- Colour.
-  logic [3*VB-1:0] was_colour, added, colour;
+  logic [3*VB-1:0] begin_colour, added, colour;
 
-  assign was_colour = was_i.colour;
+  assign begin_colour = begin_state_i.colour;
 
   rc_path_register #(.Width(3 * VB), .Stages(Cut)) u_added (
     .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
@@ -109,7 +109,7 @@ module rc_pass_end #(
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
 
-    assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
+    assign sum = {1'b0, begin_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
     assign colour[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
@@ -120,11 +120,11 @@ module rc_pass_end #(
   logic [6:0] next_light, light;
   logic [2:0] follows, after;
 
-  assign far        = was_i.is_far;
-  assign starts     = !far || (!was_i.is_lost && enters_i);
-  assign beyond     = rc_pkg::Horizon == 1 && far && !was_i.is_lost && !enters_i;
-  assign next_light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
-  assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
+  assign far        = begin_state_i.is_far;
+  assign starts     = !far || (!begin_state_i.is_lost && enters_i);
+  assign beyond     = rc_pkg::Horizon == 1 && far && !begin_state_i.is_lost && !enters_i;
+  assign next_light = surf_i || transform_i ? '0 : begin_state_i.light + 7'd1;
+  assign follows    = begin_state_i.depth >= frame_i.depth ? rc_pkg::EventPop
                     : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
                     : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
 
@@ -159,13 +159,13 @@ module rc_pass_end #(
   logic lights, sends, heavy, refracted, reflected;
   logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
 
-  assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
-  assign sends     = light_near_i ? !was_i.is_lost : starts;
+  assign lights = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
+  assign sends  = light_near_i ? !begin_state_i.is_lost : starts;
 
   always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
     slack = '0;
     for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
-      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+      if (begin_state_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
   end
 
   rc_path_register #(.Width(1), .Stages(Cut)) u_heavy (
@@ -186,10 +186,10 @@ module rc_pass_end #(
   logic [3*PW-1:0] turned_o, found_o;
   logic [3*P-1:0]  inner;
 
-  assign found_o = was_i.o;
+  assign found_o = begin_state_i.o;
 
   for (genvar k = 0; k < 3; k++) begin : gen_turned
-    assign turned_o[k*PW +: PW] = PW'($signed(turn_o_i[k*P +: P]));
+    assign turned_o[k*PW +: PW] = PW'($signed(transform_o_i[k*P +: P]));
     assign inner[k*P +: P]      = found_o[k*PW +: P];
   end
 
@@ -197,14 +197,14 @@ module rc_pass_end #(
   logic       turned;
   logic [3:0] changes;   // point, inner, face, share
 
-  assign turned  = turn_i && home_i != '0;   // otherwise the result in the scene's space stays
-  assign changes = {surf_i || turned, turn_i, surf_i, is_light};
+  assign turned  = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
+  assign changes = {surf_i || turned, transform_i, surf_i, is_light};
 
   rc_pkg::shade_state_t next;
 
   always_comb begin
-    next         = was_i;
-    next.o       = turn_i ? turned_o : surf_o_i;
+    next         = begin_state_i;
+    next.o       = transform_i ? turned_o : surf_o_i;
     next.normal  = surf_normal_i;
     next.view    = surf_view_i;
     next.cosine  = surf_cosine_i;
@@ -214,13 +214,14 @@ module rc_pass_end #(
     next.albedo  = surf_albedo_i;
     next.share   = light_share_i;
 
-    if (surf_i || turn_i) next.light = '0;
+    if (surf_i || transform_i) next.light = '0;
 
     if (is_arrive) begin
-      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
+      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTransform
+          : after;
     end
 
-    if (turn_i) next.purpose = after;
+    if (transform_i) next.purpose = after;
 
     if (is_arrive || escapes) next.colour = colour;
 
@@ -234,19 +235,19 @@ module rc_pass_end #(
     if (is_refract) begin
       next.total = total_i;
       next.purpose = rc_pkg::EventReflect;
-      if (pushes) next.waiting = was_i.waiting + 4'd1;
+      if (pushes) next.waiting = begin_state_i.waiting + 4'd1;
     end
 
     if (is_reflect) begin
       next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
         next.weight = weight_i;
-        next.depth  = was_i.depth + 4'd1;
+        next.depth  = begin_state_i.depth + 4'd1;
       end
     end
 
     if (is_pop) begin
-      next.waiting = was_i.waiting - 4'd1;
+      next.waiting = begin_state_i.waiting - 4'd1;
       next.weight  = top_i.weight;
       next.depth   = top_i.depth;
       next.purpose = rc_pkg::EventArrive;
@@ -259,7 +260,7 @@ module rc_pass_end #(
     end
 
     if (is_next) begin
-      next.sample = was_i.sample + 6'd1;
+      next.sample = begin_state_i.sample + 6'd1;
       next.colour = '0;
       next.weight = rc_pkg::ValueOne;
       next.depth  = '0;
@@ -294,23 +295,23 @@ module rc_pass_end #(
 
   // ---- Rays. First the waiting ray, which rc_contexts pushes.
   logic [3*M-1:0] short_d, top_d;
-  logic [3*PW-1:0] was_o;
+  logic [3*PW-1:0] begin_origin;
   logic [3*P-1:0] start, top_o, spawn_place;
   logic [3*D-1:0] spawn_way;
   logic [3*P-1:0] place;
 
-  assign was_o = was_i.o;
-  assign top_o = top_i.o;
-  assign top_d = top_i.d;
+  assign begin_origin = begin_state_i.o;
+  assign top_o        = top_i.o;
+  assign top_d        = top_i.d;
 
   // Start points and directions.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign short_d[k*M +: M]   = d_i[k*D +: M];
     logic [P-1:0] rough;
 
-    assign rough = P'($signed(was_o[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
+    assign rough = P'($signed(begin_origin[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
 
-    assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : was_o[k*PW +: P];
+    assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : begin_origin[k*PW +: P];
     assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
     assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
                                                        : d_i[k*D +: D];
@@ -321,12 +322,12 @@ module rc_pass_end #(
   assign waiting.o         = start;
   assign waiting.d         = short_d;
   assign waiting.weight    = weight_i;
-  assign waiting.depth     = was_i.depth + 4'd1;
-  assign waiting.self      = was_i.self;
-  assign waiting.is_inside = !was_i.is_inside;
+  assign waiting.depth     = begin_state_i.depth + 4'd1;
+  assign waiting.self      = begin_state_i.self;
+  assign waiting.is_inside = !begin_state_i.is_inside;
 
   if (rc_pkg::Panes != 0) begin : gen_waiting_cell
-    assign waiting.in_cell = was_i.across;
+    assign waiting.in_cell = begin_state_i.across;
   end
 
   if (rc_pkg::Horizon == 1) begin : gen_waiting_partial   // planes only
@@ -354,9 +355,9 @@ module rc_pass_end #(
 
   assign spawn.ray    = ray_i;
   assign spawn.kind   = kind;
-  assign spawn.x      = was_i.x;
-  assign spawn.y      = was_i.y;
-  assign spawn.sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
+  assign spawn.x      = begin_state_i.x;
+  assign spawn.y      = begin_state_i.y;
+  assign spawn.sample = is_next ? begin_state_i.sample + 6'd1 : begin_state_i.sample;
   assign spawn.o      = spawn_place;
   assign spawn.d      = spawn_way;
 
@@ -368,8 +369,8 @@ module rc_pass_end #(
   end
 
   if (rc_pkg::Spheres == 1) begin : gen_self
-    assign spawn.self      = is_next ? '0 : is_pop ? top_i.self : was_i.self;
-    assign spawn.is_inside = is_next ? 1'b0 : is_pop ? top_i.is_inside : was_i.is_inside;
+    assign spawn.self      = is_next ? '0 : is_pop ? top_i.self : begin_state_i.self;
+    assign spawn.is_inside = is_next ? 1'b0 : is_pop ? top_i.is_inside : begin_state_i.is_inside;
   end
 
   if (rc_pkg::Homes == 1) begin : gen_home
@@ -397,15 +398,15 @@ module rc_pass_end #(
   rc_pkg::pixel_t pixel;
 
   assign pixel.ray   = ray_i;
-  assign pixel.found = was_i.found;
-  assign pixel.prim  = was_i.prim;
-  assign pixel.t     = was_i.t;
-  assign pixel.u     = was_i.u;
-  assign pixel.v     = was_i.v;
+  assign pixel.found = begin_state_i.found;
+  assign pixel.prim  = begin_state_i.prim;
+  assign pixel.t     = begin_state_i.t;
+  assign pixel.u     = begin_state_i.u;
+  assign pixel.v     = begin_state_i.v;
 
   if (rc_pkg::Shades == 1) begin : gen_colour   // tools also parse a chip without shade
     assign pixel.back   = 1'b0;
-    assign pixel.colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+    assign pixel.colour = rc_pkg::Supersampling == 1 ? mean_i : begin_colour;
   end
 
   if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
@@ -447,6 +448,6 @@ module rc_pass_end #(
   assign {leave_o, pixel_o}       = kept_end;
 
   logic unused;
-  assign unused = ^{frame_i, top_i, was_o, turned_o, inner, found_o, home_i};
+  assign unused = ^{frame_i, top_i, begin_origin, turned_o, inner, found_o, home_i};
 endmodule
 `default_nettype wire

@@ -1,6 +1,6 @@
 // Delays a context's state from the start of a pass to its end. Fields that a pass does not change,
 // or makes anew, are left out. Of the surface that was hit, the end needs its point, and whether it
-// mirrors and transmits. Part of rc_pass; all other fields of was_o are 0.
+// mirrors and transmits. Part of rc_pass; all other fields of begin_state_o are 0.
 `default_nettype none
 module rc_pass_state #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -9,14 +9,14 @@ module rc_pass_state #(
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
-  input  logic                 come_i,        // as in rc_stage_delay
+  input  logic                 enter_i,       // as in rc_stage_delay
   input  logic                 leave_i,
   // Start of the pass
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t known_i,
   // End of the pass
   output logic [I-1:0]         ray_o,
-  output rc_pkg::shade_state_t was_o,
+  output rc_pkg::shade_state_t begin_state_o,
   output logic                 mirrors_o,
   output logic                 transmits_o
 );
@@ -40,7 +40,7 @@ module rc_pass_state #(
 
   rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(Stages),
     .Parts(rc_pkg::ShadeParts)) u_all (
-    .clk_i, .rst_ni, .come_i, .leave_i,
+    .clk_i, .rst_ni, .enter_i, .leave_i,
     .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,
              known_i.mirror != '0, known_i.transmit != '0, known_i.total, known_i.is_inside,
              known_i.waiting, known_i.self}),
@@ -50,23 +50,23 @@ module rc_pass_state #(
   if (rc_pkg::Supersampling == 1) begin : gen_many
     rc_stage_delay #(
       .Width(rc_pkg::ShadeSamplesW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_many (
-      .clk_i, .rst_ni, .come_i, .leave_i, .data_i(known_many), .data_o(many));
+      .clk_i, .rst_ni, .enter_i, .leave_i, .data_i(known_many), .data_o(many));
   end else begin : gen_one
     assign many = '0;
   end
 
   always_comb begin
-    was_o           = {front, {(StateW-FrontW){1'b0}}};
-    was_o.is_far    = is_far;
-    was_o.is_lost   = is_lost;
-    was_o.total     = total;
-    was_o.is_inside = is_inside;
-    was_o.waiting   = waiting;
-    was_o.self      = self;
-    was_o.sample    = many.sample;
-    was_o.sum       = many.sum;
-    was_o.least     = many.least;
-    was_o.most      = many.most;
+    begin_state_o   = {front, {(StateW-FrontW){1'b0}}};
+    begin_state_o.is_far = is_far;
+    begin_state_o.is_lost = is_lost;
+    begin_state_o.total = total;
+    begin_state_o.is_inside = is_inside;
+    begin_state_o.waiting = waiting;
+    begin_state_o.self = self;
+    begin_state_o.sample = many.sample;
+    begin_state_o.sum = many.sum;
+    begin_state_o.least = many.least;
+    begin_state_o.most = many.most;
   end
   logic unused;
   assign unused = ^{known, known_many};

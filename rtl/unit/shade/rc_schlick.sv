@@ -14,7 +14,7 @@ module rc_schlick #(
 ) (
   input  logic          clk_i,
   input  logic [6:0]    valid_i,
-  input  logic [6*Every-1:0] turn_i,   // the cycle of each stage
+  input  logic [6*Every-1:0] phase_i,   // the cycle of each stage
   input  logic          s0_refract_i,
   input  logic [VB-1:0] s0_cosine_i,
   input  logic [VB-1:0] s0_mirror_i,
@@ -72,7 +72,7 @@ module rc_schlick #(
   for (genvar i = 0; i < 6; i++) begin : gen_product
     if (i != 4) begin : gen_stage
       rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_product (
-        .clk_i, .turn_i(turn_i[i*Every +: Every]), .a_i(first[i*VB +: VB]),
+        .clk_i, .phase_i(phase_i[i*Every +: Every]), .a_i(first[i*VB +: VB]),
         .b_i(second[i*VB +: VB]), .p_o(product[i*ProductW +: ProductW]));
     end else begin : gen_sum
       assign product[i*ProductW +: ProductW] = '0;
@@ -114,6 +114,6 @@ module rc_schlick #(
   logic unused;
   assign unused = ^{s1_up[ProductW-1], s1_up[UB-1:0], s2_up[ProductW-1], s2_up[UB-1:0],
                     s3_up[ProductW-1], s3_up[UB-1:0], s4_up[ProductW-1], s4_up[UB-1:0],
-                    s6_up[ProductW-1], s6_up[UB-1:0], first, second, product, turn_i};
+                    s6_up[ProductW-1], s6_up[UB-1:0], first, second, product, phase_i};
 endmodule
 `default_nettype wire

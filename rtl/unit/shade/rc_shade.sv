@@ -246,13 +246,14 @@ module rc_shade (
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
   // ---- Admission: a pass has a place in the output queue.
-  logic         open, room, rests, enters, again_valid, again_pop, end_valid, out_valid, out_ready;
+  logic         open, room, occupied, enters, again_valid, again_pop, end_valid, out_valid,
+                out_ready;
   logic [I-1:0] again_ray, ray;
 
   rc_credit_counter #(.Credits(rc_pkg::ShadeQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
 
-  assign open        = room && !rests;
+  assign open        = room && !occupied;
   assign surf_rsp_ready_o = open || placing;
   assign enters      = open && (came || again_valid || arrived_valid);
   assign again_pop   = open && !came && again_valid;
@@ -260,7 +261,7 @@ module rc_shade (
   assign ray         = came ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
 
   if (Every == 1) begin : gen_never_rests
-    assign rests = 1'b0;
+    assign occupied = 1'b0;
   end else begin : gen_rests
     localparam int unsigned Rest = Every - 1;
 
@@ -269,11 +270,11 @@ module rc_shade (
       if (!rst_ni) entered_q <= '0;
       else         entered_q <= Rest'({entered_q, enters});
     end
-    assign rests = |entered_q;
+    assign occupied = |entered_q;
   end
 
   always_comb begin
-    if (rests)
+    if (occupied)
       cause_o = rc_pkg::ShadeBusyWork;
     else if (came || again_valid || arrived_valid)
       cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
@@ -288,9 +289,9 @@ module rc_shade (
   logic [3*rc_pkg::DirBits-1:0]      d;
   logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
   logic [rc_pkg::WaitingW-1:0]       top, pushed;
-  logic [I-1:0]                      end_ray, look_ray;
-  logic                              look_valid;
-  rc_pkg::material_t                 look;
+  logic [I-1:0]                      end_ray, material_ray;
+  logic                              material_valid;
+  rc_pkg::material_t                 hit_material;
   logic [3:0]                        changes;
   logic [1:0]                        leave;
   logic                              push;
@@ -328,17 +329,18 @@ module rc_shade (
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
-    .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .there_o(passes),
+    .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .read_valid_o(passes),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
-    .look_i(look_valid), .look_ray_i(look_ray), .look_state_i(look), .write_i(end_valid),
+    .material_valid_i(material_valid), .material_ray_i(material_ray), .material_i(hit_material),
+    .write_i(end_valid),
     .write_ray_i(end_ray), .changes_i(changes), .write_state_i(end_state),
     .push_i(push), .pushed_i(pushed));
 
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
     .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top), .place_i(place),
-    .look_valid_o(look_valid), .look_ray_o(look_ray), .look_o(look),
+    .material_valid_o(material_valid), .material_ray_o(material_ray), .material_o(hit_material),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .changes_o(changes),
     .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 

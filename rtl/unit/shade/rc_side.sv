@@ -10,7 +10,7 @@ module rc_side #(
 ) (
   input  logic            clk_i,
   input  logic [1:0]      valid_i,
-  input  logic [Every-1:0] turn_i,     // the cycle of the first stage, ShadeCut cycles late
+  input  logic [Every-1:0] phase_i,    // the cycle of the first stage, ShadeCut cycles late
   // Operands
   input  logic [3*NB-1:0] n_i,
   input  logic [3*D-1:0]  d_i,
@@ -28,7 +28,7 @@ module rc_side #(
     .clk_i, .data_i({n_i, d_i}), .data_o({n, d}));
 
   rc_mul_held #(.AW(NB), .BW(D), .Products(3), .Late(rc_pkg::ShadeCut)) u_products (
-    .clk_i, .turn_i, .a_i(n), .b_i(d), .p_o(product));
+    .clk_i, .phase_i, .a_i(n), .b_i(d), .p_o(product));
 
   always_ff @(posedge clk_i) if (valid_i[0]) product_q <= product;
 

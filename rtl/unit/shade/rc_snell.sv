@@ -16,7 +16,7 @@ module rc_snell #(
   input  logic               clk_i,
   input  logic               rst_ni,
   input  logic [13:0]        valid_i,
-  input  logic [2*Every-1:0] turn_i,        // the cycle of each stage
+  input  logic [2*Every-1:0] phase_i,       // the cycle of each stage
   input  logic               s0_refract_i,
   input  logic [VB-1:0]      s0_cosine_i,
   input  logic [RB-1:0]      s0_ratio_i,
@@ -53,11 +53,11 @@ module rc_snell #(
   logic [BentW-1:0] s1_bent;
 
   rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_cosine2 (
-    .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_cosine_i), .b_i(s0_cosine_i), .p_o(s0_cosine2));
+    .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_cosine_i), .b_i(s0_cosine_i), .p_o(s0_cosine2));
   rc_mul_held #(.AW(RB), .BW(RB), .Signed(1'b0)) u_ratio2 (
-    .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_ratio_i), .p_o(s0_ratio2));
+    .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_ratio_i), .p_o(s0_ratio2));
   rc_mul_held #(.AW(2 * RB), .BW(SquareW), .Signed(1'b0)) u_bent (
-    .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_ratio2_q), .b_i(s1_sine2), .p_o(s1_bent));
+    .clk_i, .phase_i(phase_i[Every +: Every]), .a_i(s1_ratio2_q), .b_i(s1_sine2), .p_o(s1_bent));
 
   always_ff @(posedge clk_i) begin
     if (valid_i[0] && s0_refract_i) begin
@@ -87,7 +87,7 @@ module rc_snell #(
   logic              s12_refract, s12_total;
 
   rc_mul_held #(.AW(RB), .BW(VB), .Signed(1'b0)) u_long_product (
-    .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_cosine_i), .p_o(s0_long));
+    .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_cosine_i), .p_o(s0_long));
 
   assign s1_rounded = s1_long_q + Half;
 
@@ -105,14 +105,14 @@ module rc_snell #(
   end
 
   rc_stage_delay #(.Width(AlongW - 1), .Stages(10)) u_long (
-    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
+    .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
     .data_o(s12_long));
   rc_stage_delay #(.Width(2), .Stages(9)) u_flags (
-    .clk_i, .rst_ni, .come_i(valid_i[3]), .leave_i(valid_i[12]),
+    .clk_i, .rst_ni, .enter_i(valid_i[3]), .leave_i(valid_i[12]),
     .data_i({s3_refract_q, s3_total_q}),
     .data_o({s12_refract, s12_total}));
   rc_stage_delay #(.Width(RB), .Stages(13)) u_ratio (
-    .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]),
+    .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]),
     .data_i(s0_refract_i ? s0_ratio_i : Unbent), .data_o(s13_ratio_o));
 
   logic unused;

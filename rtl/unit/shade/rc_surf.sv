@@ -19,7 +19,7 @@ module rc_surf #(
 ) (
   input  logic               clk_i,
   input  logic [6:0]         valid_i,
-  input  logic [7*Every-1:0] turn_i,     // the cycle of each stage
+  input  logic [7*Every-1:0] phase_i,    // the cycle of each stage
   // Answer, surface and ray
   input  logic [U-1:0]       s0_u_i,
   input  logic [U-1:0]       s0_v_i,
@@ -180,10 +180,10 @@ module rc_surf #(
   logic [6*(W+E)-1:0] s2_product;
 
   rc_mul_held #(.AW(E), .BW(E), .Products(6)) u_cross (
-    .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_left), .b_i(s1_right), .p_o(s1_product));
+    .clk_i, .phase_i(phase_i[Every +: Every]), .a_i(s1_left), .b_i(s1_right), .p_o(s1_product));
 
   rc_mul_held #(.AW(W), .BW(E), .Products(6)) u_along (
-    .clk_i, .turn_i(turn_i[2*Every +: Every]), .a_i({{3{s2_v_q}}, {3{s2_u_q}}}),
+    .clk_i, .phase_i(phase_i[2*Every +: Every]), .a_i({{3{s2_v_q}}, {3{s2_u_q}}}),
     .b_i({s2_e2, s2_e1}), .p_o(s2_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
@@ -274,7 +274,7 @@ module rc_surf #(
   // Weighted corner normals.
   if (rc_pkg::Smooth == 1) begin : gen_smooth
     rc_corners #(.W(W), .S(S)) u_corners (
-      .clk_i, .valid_i(valid_i[3:0]), .turn_i(turn_i[2*Every +: Every]),
+      .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[2*Every +: Every]),
       .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
       .s2_u_i(s2_u_q), .s2_v_i(s2_v_q), .s4_sum_o(s4_smooth_sum));
   end else begin : gen_flat
@@ -287,7 +287,7 @@ module rc_surf #(
   // A sphere's point: o + t d.
   if (rc_pkg::Spheres == 1) begin : gen_ball
     rc_ball u_ball (
-      .clk_i, .valid_i(valid_i[3:0]), .turn_i(turn_i[Every-1:0]), .sphere_i(sphere[3:0]),
+      .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[Every-1:0]), .sphere_i(sphere[3:0]),
       .s0_o_i, .s0_d_i, .s0_t_i,
       .s3_o_o(s3_ball_o), .s4_o_o(s4_ball_o));
   end else begin : gen_no_ball
@@ -300,10 +300,10 @@ module rc_surf #(
 
   // The colour there.
   rc_ambient u_ambient (
-    .clk_i, .valid_i, .turn_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd), .s0_ends_i(s0_ends),
+    .clk_i, .valid_i, .phase_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd), .s0_ends_i(s0_ends),
     .s6_albedo_o, .s7_ambient_o);
 
   logic unused;
-  assign unused = ^{s0_surface_i, s0_square_u, s0_square_v, turn_i};
+  assign unused = ^{s0_surface_i, s0_square_u, s0_square_v, phase_i};
 endmodule
 `default_nettype wire

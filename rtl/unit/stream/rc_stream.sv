@@ -25,9 +25,9 @@ module rc_stream (
   output rc_pkg::stream_miss_t miss_o,
   input  logic                 fill_fires_i,
   input  rc_pkg::stream_fill_t fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::deed_e
+  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
   output logic                 waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   localparam int unsigned I     = rc_pkg::RayBits;
   localparam int unsigned A     = rc_pkg::AddrBits;
@@ -63,7 +63,7 @@ module rc_stream (
     .req_i({slot_i.ray, addr}), .rsp_valid_o(record_valid_o), .rsp_ready_i(record_ready_i),
     .rsp_o(record_o), .next_fires_o(next_fires), .next_id_o(next_ray),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i({upper, lower}), .waits_o, .deed_o);
+    .fill_word_i({upper, lower}), .waits_o, .outcome_o);
 
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic                      unused;

@@ -22,7 +22,7 @@ module rc_node_test #(
   input  logic             node_waits_i,
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  logic                       asks, ready, rests, valid;
+  logic                       asks, ready, occupied, valid;
   rc_pkg::box_rsp_t           own;
   logic [rc_pkg::BoxRspW-1:0] own_flat, rsp_flat;
 
@@ -42,10 +42,10 @@ module rc_node_test #(
 
   if (Structure == rc_pkg::StructureBvh) begin : gen_box
     rc_box u_box (
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rests_o(rests),
+      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .occupied_o(occupied),
       .rsp_valid_o(valid), .rsp_ready_i(1'b1), .rsp_o(own));
   end else begin : gen_never_rests
-    assign rests = 1'b0;
+    assign occupied = 1'b0;
   end
 
   assign asks        = req_valid_i && open_i;
@@ -62,7 +62,7 @@ module rc_node_test #(
   assign rsp_o = rsp_flat;
 
   always_comb begin
-    if (rests) cause_o = rc_pkg::DecideBusyWork;
+    if (occupied) cause_o = rc_pkg::DecideBusyWork;
     else if (req_valid_i)
       cause_o = req_ready_o ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
     else

@@ -132,14 +132,14 @@ module rc_tree (
     logic unused;
     assign unused = ^{xform_req_valid, xform_req};
   end else begin : gen_xform
-    logic rests;
+    logic occupied;
 
     rc_xform u_xform (
       .clk_i, .rst_ni, .req_valid_i(xform_req_valid), .req_ready_o(xform_req_ready),
-      .req_i(xform_req), .rests_o(rests), .change_fires_o(change_fires), .change_o(change));
+      .req_i(xform_req), .occupied_o(occupied), .change_fires_o(change_fires), .change_o(change));
 
     always_comb begin
-      if (xform_req_valid || rests) xform_cause_o = rc_pkg::XformBusyWork;
+      if (xform_req_valid || occupied) xform_cause_o = rc_pkg::XformBusyWork;
       else xform_cause_o = node_waits_i ? rc_pkg::XformStarvedMemory : rc_pkg::XformStarvedTrav;
     end
   end

@@ -23,7 +23,7 @@ module rc_xform (
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::xform_req_t req_i,
-  output logic               rests_o,        // products of the last ray are being made
+  output logic               occupied_o,     // products of the last ray are being made
   // To trav and list
   output logic               change_fires_o,
   output rc_pkg::change_t    change_o
@@ -47,27 +47,27 @@ module rc_xform (
   localparam int unsigned Moved = rc_pkg::MapStages;
   localparam int unsigned Made  = Moved - 2;
 
-  // ---- Admission: rests while the products are made.
+  // ---- Admission: occupied while the products are made.
   logic admit;
 
   assign admit = req_valid_i && req_ready_o;
 
   if (rc_pkg::XformInterval == 1) begin : gen_always
-    assign rests_o = 1'b0;
+    assign occupied_o = 1'b0;
   end else begin : gen_rest
-    localparam int unsigned RestW = $clog2(rc_pkg::XformInterval);
-    logic [RestW-1:0] rest_q;
+    localparam int unsigned LeftW = $clog2(rc_pkg::XformInterval);
+    logic [LeftW-1:0] left_q;
 
-    assign rests_o = rest_q != '0;
+    assign occupied_o = left_q != '0;
 
     always_ff @(posedge clk_i) begin
-      if (!rst_ni)      rest_q <= '0;
-      else if (admit)   rest_q <= RestW'(rc_pkg::XformInterval - 1);
-      else if (rests_o) rest_q <= rest_q - 1'b1;
+      if (!rst_ni)      left_q <= '0;
+      else if (admit)   left_q <= LeftW'(rc_pkg::XformInterval - 1);
+      else if (occupied_o) left_q <= left_q - 1'b1;
     end
   end
 
-  assign req_ready_o = !rests_o;
+  assign req_ready_o = !occupied_o;
 
   // valid[i]: stage i holds a ray.
   logic [Latency-1:0] valid_q;

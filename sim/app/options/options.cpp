@@ -11,7 +11,7 @@
 
 namespace rayclock {
 
-Declared scene_option(Parser& parser, std::string& scene) {
+DeclaredOption scene_option(Parser& parser, std::string& scene) {
     return parser.option("SCENE", scene,
                          "a built-in name with an optional size (gears:8), or a file (.obj .ply .stl .off "
                          ".3ds .dae .glb .gltf, "

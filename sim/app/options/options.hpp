@@ -15,7 +15,7 @@ constexpr const char* default_size = "512x384";
 constexpr const char* default_clocks = "66,90,200";
 constexpr std::uint64_t default_seed = 1;
 
-Declared scene_option(Parser& parser, std::string& scene);
+DeclaredOption scene_option(Parser& parser, std::string& scene);
 void size_option(Parser& parser, std::string& size);
 void clock_option(Parser& parser, std::string& clocks);
 void threads_option(Parser& parser, int& threads);

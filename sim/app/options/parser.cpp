@@ -8,53 +8,53 @@
 
 namespace rayclock {
 
-Declared& Declared::required() {
+DeclaredOption& DeclaredOption::required() {
     option_->required();
     return *this;
 }
-Declared& Declared::with_default() {
+DeclaredOption& DeclaredOption::with_default() {
     option_->capture_default_str();
     return *this;
 }
-Declared& Declared::within(int least, int most) {
+DeclaredOption& DeclaredOption::within(int least, int most) {
     option_->check(CLI::Range(least, most));
     return *this;
 }
-Declared& Declared::by_commas() {
+DeclaredOption& DeclaredOption::by_commas() {
     option_->delimiter(',');
     return *this;
 }
-Declared& Declared::or_alone(const char* implied) {
+DeclaredOption& DeclaredOption::or_alone(const char* implied) {
     option_->expected(0, 1)->default_str(implied);
     return *this;
 }
-Declared& Declared::one_each() {
+DeclaredOption& DeclaredOption::one_each() {
     option_->allow_extra_args(false);
     return *this;
 }
-Declared& Declared::under(const char* heading) {
+DeclaredOption& DeclaredOption::under(const char* heading) {
     option_->group(heading);
     return *this;
 }
-Declared& Declared::excludes(const Declared& other) {
+DeclaredOption& DeclaredOption::excludes(const DeclaredOption& other) {
     option_->excludes(other.option_);
     return *this;
 }
 
-template <class Value> Declared Parser::option(const char* names, Value& value, const char* help) {
-    return Declared(app_.add_option(names, value, help));
+template <class Value> DeclaredOption Parser::option(const char* names, Value& value, const char* help) {
+    return DeclaredOption(app_.add_option(names, value, help));
 }
-Declared Parser::flag(const char* names, bool& value, const char* help) {
-    return Declared(app_.add_flag(names, value, help));
+DeclaredOption Parser::flag(const char* names, bool& value, const char* help) {
+    return DeclaredOption(app_.add_flag(names, value, help));
 }
 
-template Declared Parser::option(const char*, std::string&, const char*);
-template Declared Parser::option(const char*, std::vector<std::string>&, const char*);
-template Declared Parser::option(const char*, int&, const char*);
-template Declared Parser::option(const char*, std::uint64_t&, const char*);
-template Declared Parser::option(const char*, double&, const char*);
-template Declared Parser::option(const char*, std::optional<std::string>&, const char*);
-template Declared Parser::option(const char*, std::optional<int>&, const char*);
-template Declared Parser::option(const char*, std::optional<double>&, const char*);
+template DeclaredOption Parser::option(const char*, std::string&, const char*);
+template DeclaredOption Parser::option(const char*, std::vector<std::string>&, const char*);
+template DeclaredOption Parser::option(const char*, int&, const char*);
+template DeclaredOption Parser::option(const char*, std::uint64_t&, const char*);
+template DeclaredOption Parser::option(const char*, double&, const char*);
+template DeclaredOption Parser::option(const char*, std::optional<std::string>&, const char*);
+template DeclaredOption Parser::option(const char*, std::optional<int>&, const char*);
+template DeclaredOption Parser::option(const char*, std::optional<double>&, const char*);
 
 }   // namespace rayclock

@@ -10,24 +10,24 @@ class Option;
 namespace rayclock {
 
 /// A declared option, for further properties.
-class Declared {
+class DeclaredOption {
 public:
-    explicit Declared(CLI::Option* option) : option_(option) {}
+    explicit DeclaredOption(CLI::Option* option) : option_(option) {}
 
-    Declared& required();
+    DeclaredOption& required();
     /// Shows its current value as default in the help.
-    Declared& with_default();
-    Declared& within(int least, int most);
+    DeclaredOption& with_default();
+    DeclaredOption& within(int least, int most);
     /// Accepts several values in one word, separated by commas.
-    Declared& by_commas();
+    DeclaredOption& by_commas();
     /// Accepts the option without a value too, which then means `implied`.
-    Declared& or_alone(const char* implied);
+    DeclaredOption& or_alone(const char* implied);
     /// Accepts one value each time that the option is given, so that SCENE may follow.
-    Declared& one_each();
+    DeclaredOption& one_each();
     /// Lists the option under this heading of the help.
-    Declared& under(const char* heading);
+    DeclaredOption& under(const char* heading);
     /// Refuses the option together with another.
-    Declared& excludes(const Declared& other);
+    DeclaredOption& excludes(const DeclaredOption& other);
 
 private:
     CLI::Option* option_;
@@ -41,8 +41,8 @@ public:
     /// Declares an option. `names` is "--size", "-o,--output", or "SCENE" for a positional word. Values are
     /// strings, whole numbers, numbers, lists of strings, or std::optional of these; parser.cpp lists the
     /// types.
-    template <class Value> Declared option(const char* names, Value& value, const char* help);
-    Declared flag(const char* names, bool& value, const char* help);
+    template <class Value> DeclaredOption option(const char* names, Value& value, const char* help);
+    DeclaredOption flag(const char* names, bool& value, const char* help);
 
 private:
     CLI::App& app_;

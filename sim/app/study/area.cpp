@@ -50,8 +50,8 @@ void check_names(const std::vector<std::string>& only) {
 }
 
 std::string command_of(const AreaOptions& o) {
-    std::string text = "rayclock study area -o " + told_path(o.output);
-    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    std::string text = "rayclock study area -o " + page_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + page_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     return text;
 }

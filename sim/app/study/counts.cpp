@@ -37,7 +37,7 @@ std::string command_of(const CountsOptions& o) {
     std::string text = "rayclock study counts";
     if (o.scenes != spd::published_scenes()) text += fmt::format(" {}", fmt::join(o.scenes, " "));
     if (o.size != published_size) text += " --size " + o.size;
-    return text + " -o " + told_path(o.output);
+    return text + " -o " + page_path(o.output);
 }
 
 int run_counts(const CountsOptions& o) {

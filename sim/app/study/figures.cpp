@@ -54,7 +54,7 @@ void declare_figures(Parser& parser, FiguresOptions& o) {
 }
 
 std::string command_of(const FiguresOptions& o) {
-    std::string text = "rayclock study figures -o " + told_path(o.output);
+    std::string text = "rayclock study figures -o " + page_path(o.output);
     if (o.size != usual_figures_size) text += " --size " + o.size;
     if (o.engines != all_engines) text += " --engine " + o.engines;
     return text;

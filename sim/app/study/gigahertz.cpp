@@ -37,11 +37,11 @@ void declare_gigahertz(Parser& parser, GigahertzOptions& o) {
 }
 
 std::string command_of(const GigahertzOptions& o) {
-    std::string text = "rayclock study gigahertz -o " + told_path(o.output);
-    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    std::string text = "rayclock study gigahertz -o " + page_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + page_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
-    if (o.scene != usual_scene) text += " --scene " + told_path(o.scene);
-    if (o.finished != usual_finished) text += " --finished " + told_path(o.finished);
+    if (o.scene != usual_scene) text += " --scene " + page_path(o.scene);
+    if (o.finished != usual_finished) text += " --finished " + page_path(o.finished);
     if (o.size != usual_gigahertz_size) text += " --size " + o.size;
     return text;
 }

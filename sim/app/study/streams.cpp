@@ -37,12 +37,12 @@ void declare_streams(Parser& parser, StreamsOptions& o) {
 }
 
 std::string command_of(const StreamsOptions& o) {
-    std::string text = "rayclock study streams -o " + told_path(o.output);
-    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    std::string text = "rayclock study streams -o " + page_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + page_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scenes != StreamsOptions{}.scenes) {
         std::vector<std::string> told;
-        for (const std::string& scene : o.scenes) told.push_back(told_path(scene));
+        for (const std::string& scene : o.scenes) told.push_back(page_path(scene));
         text += fmt::format(" --scenes {}", fmt::join(told, ","));
     }
     if (o.size != usual_streams_size) text += " --size " + o.size;

@@ -50,8 +50,8 @@ void declare_structures(Parser& parser, StructuresOptions& o) {
 }
 
 std::string command_of(const StructuresOptions& o) {
-    std::string text = "rayclock study structures -o " + told_path(o.output);
-    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    std::string text = "rayclock study structures -o " + page_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + page_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scenes != structures::large_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.round != StructuresOptions{}.round) text += fmt::format(" --round {}", fmt::join(o.round, ","));

@@ -32,7 +32,7 @@ void declare_tradeoff(Parser& parser, TradeoffOptions& o) {
 }
 
 std::string command_of(const TradeoffOptions& o) {
-    std::string text = "rayclock study tradeoff -o " + told_path(o.output);
+    std::string text = "rayclock study tradeoff -o " + page_path(o.output);
     if (o.scenes != sweep::default_tradeoff_scenes())
         text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.size != default_size) text += " --size " + o.size;

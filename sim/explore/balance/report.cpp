@@ -59,7 +59,7 @@ std::string excess(const chip::Use& use, const chip::Use& room) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string text(const Found& found, const chip::Use& room) {
+std::string text(const SearchResult& found, const chip::Use& room) {
     Table path({"step", "fps", "LUT", "FF", "MULT18X18D", "DP16KD"});
     add(path,
         fmt::format("pipelines = {}, all other parameters at their smallest", found.first.config.pipelines),
@@ -80,7 +80,7 @@ std::string text(const Found& found, const chip::Use& room) {
     return text + "\n" + next.text();
 }
 
-ordered_json json(const Found& found, const chip::Use& room) {
+ordered_json json(const SearchResult& found, const chip::Use& room) {
     ordered_json path = ordered_json::array(), next = ordered_json::array(), others = ordered_json::array();
     for (const Machine& machine : found.path) path.push_back(machine_json(machine, room));
     for (const Machine& machine : found.next) next.push_back(machine_json(machine, room));

@@ -13,7 +13,7 @@ std::string steps_text(const std::vector<Step>& steps);
 std::string excess(const chip::Use& use, const chip::Use& room);
 
 /// Returns the path of the search, and the gain and cost of each further step.
-std::string text(const Found& found, const chip::Use& room);
-nlohmann::ordered_json json(const Found& found, const chip::Use& room);
+std::string text(const SearchResult& found, const chip::Use& room);
+nlohmann::ordered_json json(const SearchResult& found, const chip::Use& room);
 
 }   // namespace rayclock::balance

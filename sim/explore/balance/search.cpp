@@ -48,13 +48,13 @@ std::optional<Step> step_of(const Config& config, const Ladder& ladder, int rung
 
 class Search {
 public:
-    Search(const chip::Use& room, const Doors& doors) : room_(room), doors_(doors) {}
+    Search(const chip::Use& room, const Evaluator& evaluator) : room_(room), evaluator_(evaluator) {}
 
-    std::optional<Found> run(const Config& base) {
+    std::optional<SearchResult> run(const Config& base) {
         Machine first{{}, base, {}, {}};
         for (const Ladder& ladder : ladders()) first.config.*ladder.member = ladder.rungs.front();
         std::vector<Machine> one{first};
-        if (!ask(one) || !doors_.use(one)) return std::nullopt;
+        if (!ask(one) || !evaluator_.use(one)) return std::nullopt;
         at_ = found_.first = one[0];
         if (!at_.fps || !at_.use || !fits(*at_.use, room_)) return found_;
         do climb();
@@ -101,7 +101,7 @@ private:
 
     bool ask(std::vector<Machine>& machines) {
         found_.machines += machines.size();
-        return doors_.fps(machines);
+        return evaluator_.fps(machines);
     }
     double gain(const Machine& machine) const { return machine.fps ? *machine.fps / *at_.fps - 1 : -1; }
 
@@ -117,7 +117,7 @@ private:
         });
         for (const Machine& machine : machines) {
             std::vector<Machine> one{machine};
-            if (!doors_.use(one)) return stop();
+            if (!evaluator_.use(one)) return stop();
             if (!one[0].use || !fits(*one[0].use, room_)) {
                 too_large_.insert(members(machine.config));
                 continue;
@@ -143,7 +143,7 @@ private:
             std::erase_if(machines, [&](const Machine& m) { return gain(m) < 0; });
             if (machines.empty()) return trimmed;
             machines.resize(1);
-            if (!doors_.use(machines)) return stop();
+            if (!evaluator_.use(machines)) return stop();
             if (!machines[0].use || !fits(*machines[0].use, room_)) return trimmed;
             at_ = machines[0];
             found_.path.push_back(at_);
@@ -156,13 +156,13 @@ private:
         found_.next = ups();
         if (!ask(found_.next)) return false;
         std::erase_if(found_.next, [&](const Machine& m) { return gain(m) < least_gain; });
-        return doors_.use(found_.next);
+        return evaluator_.use(found_.next);
     }
 
     const chip::Use& room_;
-    const Doors& doors_;
+    const Evaluator& evaluator_;
     Machine at_;
-    Found found_;
+    SearchResult found_;
     std::set<Members> too_large_;
     bool stopped_ = false;
 };
@@ -175,14 +175,14 @@ bool better(const Machine& a, const Machine& b, const chip::Use& room) {
 
 }   // namespace
 
-std::optional<Found> search(const Config& base, const chip::Use& room, const Doors& doors) {
-    std::optional<Found> best;
+std::optional<SearchResult> search(const Config& base, const chip::Use& room, const Evaluator& evaluator) {
+    std::optional<SearchResult> best;
     std::vector<Machine> others;
     std::size_t machines = 0;
     for (const int count : pipeline_counts) {
         Config config = base;
         config.pipelines = count;
-        std::optional<Found> found = Search(room, doors).run(config);
+        std::optional<SearchResult> found = Search(room, evaluator).run(config);
         if (!found) return std::nullopt;
         machines += found->machines;
         const bool first_fits = found->first.use && fits(*found->first.use, room);

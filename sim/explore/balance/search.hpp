@@ -39,13 +39,13 @@ struct Machine {
 
 /// The search's questions, each for many machines at once. Each fills in one member of every machine, or
 /// leaves it empty. Each returns false if interrupted.
-struct Doors {
+struct Evaluator {
     std::function<bool(std::vector<Machine>&)> fps;
     std::function<bool(std::vector<Machine>&)> use;
 };
 
 /// The result of a search.
-struct Found {
+struct SearchResult {
     Machine first;               ///< all parameters at their least values
     std::vector<Machine> path;   ///< the accepted machines after `first`, each with the steps that led to it
     std::vector<Machine> next;   ///< one step further in each parameter that would gain speed; none of them
@@ -67,6 +67,6 @@ bool fits(const chip::Use& use, const chip::Use& room);
 /// and gains `least_gain`. At the end every parameter steps down as long as no speed is lost. Returns the
 /// fastest result; among equals, the one with the fewest pipelines. Returns nothing if interrupted. `best()`
 /// does not fit if no first machine fits.
-std::optional<Found> search(const Config& base, const chip::Use& room, const Doors& doors);
+std::optional<SearchResult> search(const Config& base, const chip::Use& room, const Evaluator& evaluator);
 
 }   // namespace rayclock::balance

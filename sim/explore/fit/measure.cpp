@@ -80,7 +80,7 @@ const Outcome& Measure::operator()(const Config& config) {
     const auto known = done_.find(key);
     if (known != done_.end()) return known->second;
     if (interrupted()) throw Interrupted("interrupted: nothing is written");
-    if (tell) tell(config, done_.size());
+    if (on_measured) on_measured(config, done_.size());
     return done_.emplace(key, measure(config)).first->second;
 }
 

@@ -36,7 +36,7 @@ public:
     const Outcome& operator()(const Config& config);
 
     /// Called before each measurement that is not cached, with the number of earlier ones.
-    std::function<void(const Config& config, std::size_t done)> tell;
+    std::function<void(const Config& config, std::size_t done)> on_measured;
     std::size_t done() const { return done_.size(); }
     FrameSize size() const { return size_; }
     const Scene& scene() const { return scene_; }

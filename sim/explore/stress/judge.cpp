@@ -97,7 +97,8 @@ void Judge::judge(const Shot& shot, Counts& counts) {
         agree = agree && crossed == (answer_.closer != 0);
     }
     const bool walked = walk_ && counts.rays % walk_every == 0,
-               look = walked && counts.rays % (walk_every * look_every) == 0 && full_length(shot.d, config_);
+               checks_boxes = walked && counts.rays % (walk_every * box_check_every) == 0 &&
+                              full_length(shot.d, config_);
     ++counts.rays;
     counts.crossings += truth_.size();
     counts.walked += walked;
@@ -106,7 +107,7 @@ void Judge::judge(const Shot& shot, Counts& counts) {
     if (closed_ && shot.inside && balance != 0 && counts.leaks + counts.double_hits == before &&
         clear_of_bounds(shot.o))
         ++(found_.size() > truth_.size() && test_.sense ? counts.double_hits : counts.leaks);
-    if (walked && !walk_agrees(shot, look, counts)) agree = false;
+    if (walked && !walk_agrees(shot, checks_boxes, counts)) agree = false;
     counts.oracle_mismatches += !agree;
 }
 
@@ -145,20 +146,20 @@ void Judge::compare_hits(Counts& counts) {
 struct Judge::Watch {
     Judge& judge;
     const Shot& shot;
-    bool look;
+    bool checks_boxes;
     Counts& counts;
     bool within_stack = true;   // no ray may need a deeper stack than compilation promised
 
     void visit(const auto& walk) {
         within_stack = within_stack && walk.stack_height() <= judge.image_.report.stack_need;
-        if (look) look_at_boxes(shot, walk.node(), walk.hits(), counts);
+        if (checks_boxes) check_boxes(shot, walk.node(), walk.hits(), counts);
     }
     static void test(std::uint32_t) {}
     static void decided(std::uint32_t, bool) {}
 };
 
-bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
-    Watch watch{*this, shot, look, counts};
+bool Judge::walk_agrees(const Shot& shot, bool checks_boxes, Counts& counts) {
+    Watch watch{*this, shot, checks_boxes, counts};
     walk_->start_at(make_ray(shot.o, shot.d, config_));
     walk_->run(watch);
     const Closest closest = walk_->closest();
@@ -166,7 +167,7 @@ bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
 }
 
 /// Compares the decision for each child (bit i of `told`: child i) with exact arithmetic on the same box.
-void Judge::look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts) {
+void Judge::check_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts) {
     for (std::size_t i = 0; i < node.children; ++i) {
         const auto [lo, hi] = quantised_box(node, i);
         const bool met = oracle::overlap(oracle::wide(shot.o), oracle::wide(shot.d), lo, hi).has_value();

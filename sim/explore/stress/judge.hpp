@@ -81,14 +81,14 @@ inline bool in_machine(const NamedTest& test) {
 /// origin must be farther from the surface than the corners move.
 ///
 /// Every `walk_every`th ray also walks the tree. Its closest hit must be the oracle's, and its stack must
-/// stay within the depth that compilation promised. For every `look_every`th of these, the visited child
+/// stay within the depth that compilation promised. For every `box_check_every`th of these, the visited child
 /// boxes are checked if the direction uses its full width.
 class Judge {
 public:
     Judge(const Case& subject, const Config& config, const NamedTest& test, bool closed);
     void judge(const Shot& shot, Counts& counts);
 
-    static constexpr int walk_every = 16, look_every = 4;
+    static constexpr int walk_every = 16, box_check_every = 4;
 
 private:
     struct Watch;
@@ -98,8 +98,8 @@ private:
     };
     void compare_hits(Counts& counts);
     bool clear_of_bounds(const Vec3i& o) const;
-    bool walk_agrees(const Shot& shot, bool look, Counts& counts);
-    static void look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts);
+    bool walk_agrees(const Shot& shot, bool checks_boxes, Counts& counts);
+    static void check_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts);
 
     const Mesh& mesh_;
     Config config_;

@@ -119,7 +119,7 @@ std::uint64_t go_on(const Plan& plan, Work& work) {
 }
 
 /// The result of a unit, and its processor time.
-struct Made {
+struct UnitResult {
     std::size_t unit = 0;
     Counts counts;
     double seconds = 0;
@@ -148,12 +148,12 @@ Outcome run(const Plan& plan, const Progress& progress) {
     const auto make = [&](std::size_t i) {
         const double begin = thread_seconds();
         const Unit& unit = work.units[first + i];
-        Made made{first + i, run_batch(plan, work.cells[unit.cell], unit.batch, unit.rays), 0};
+        UnitResult made{first + i, run_batch(plan, work.cells[unit.cell], unit.batch, unit.rays), 0};
         made.seconds = thread_seconds() - begin;
         return made;
     };
     // Adds results in the order of units, so that a saved state always covers a prefix of them.
-    const auto take = [&](const Made& made) {
+    const auto take = [&](const UnitResult& made) {
         work.cells[work.units[made.unit].cell].counts += made.counts;
         ++added;
         done_rays += made.counts.rays;

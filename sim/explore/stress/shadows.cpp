@@ -9,7 +9,7 @@
 
 #include "model/unit/isect/origin.hpp"
 #include "model/unit/isect/tri.hpp"
-#include "sim/judge/oracle/sight.hpp"
+#include "sim/judge/oracle/visibility.hpp"
 
 namespace rayclock {
 
@@ -17,7 +17,7 @@ namespace {
 
 using oracle::Corners;
 using oracle::Int128;
-using oracle::Sight;
+using oracle::Visibility;
 
 PrimData prim_of(const Corners& t, std::uint32_t number) { return {t.a, t.b, t.c, number}; }
 
@@ -129,7 +129,7 @@ private:
         const int side = to.light ? side_of_point(prim, *to.light) : side_of_direction(prim, to.direction);
         const ShadowStart start = begin(hit, prim, to.facing);
         const bool blocked = side != to.facing || is_blocked(start, to);
-        const Sight::Answer at_hit =
+        const Visibility::Answer at_hit =
             truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
         const oracle::RationalPoint own{{start.at.at[0], start.at.at[1], start.at.at[2]},
                                         Int128(1) << start.at.frac_bits};
@@ -137,20 +137,20 @@ private:
         if (scheme_.method != OriginScheme::Method::surface ||
             !oracle::in_plane(own, triangle(hit.primitive)))
             return judge(blocked, at_hit);
-        const Sight::Answer at_own =
+        const Visibility::Answer at_own =
             truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
         judge(blocked, at_own);
-        if (at_own == Sight::Answer::either || blocked == (at_own == Sight::Answer::blocked))
+        if (at_own == Visibility::Answer::either || blocked == (at_own == Visibility::Answer::blocked))
             judge_moved(blocked, at_hit);
     }
-    void judge(bool blocked, Sight::Answer answer) {
-        counts_.either += answer == Sight::Answer::either;
-        counts_.false_shadows += blocked && answer == Sight::Answer::free;
-        counts_.light_leaks += !blocked && answer == Sight::Answer::blocked;
+    void judge(bool blocked, Visibility::Answer answer) {
+        counts_.either += answer == Visibility::Answer::either;
+        counts_.false_shadows += blocked && answer == Visibility::Answer::free;
+        counts_.light_leaks += !blocked && answer == Visibility::Answer::blocked;
     }
-    void judge_moved(bool blocked, Sight::Answer answer) {
-        counts_.moved_shadows += blocked && answer == Sight::Answer::free;
-        counts_.moved_leaks += !blocked && answer == Sight::Answer::blocked;
+    void judge_moved(bool blocked, Visibility::Answer answer) {
+        counts_.moved_shadows += blocked && answer == Visibility::Answer::free;
+        counts_.moved_leaks += !blocked && answer == Visibility::Answer::blocked;
     }
 
     ShadowStart begin(const CameraHit& hit, const PrimData& prim, int facing) const {
@@ -204,12 +204,12 @@ private:
         });
         return blocked;
     }
-    Sight::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing,
-                        const glm::dvec3& from) const {
-        Sight sight(path, triangle(primitive), facing);
+    Visibility::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing,
+                             const glm::dvec3& from) const {
+        Visibility visibility(path, triangle(primitive), facing);
         world_.surface_.along(from, end(from, path.to, path.direction),
-                              [&](std::uint32_t number) { return sight.look(triangle(number)); });
-        return sight.answer();
+                              [&](std::uint32_t number) { return visibility.add(triangle(number)); });
+        return visibility.answer();
     }
 
     const Shadows& world_;

@@ -161,7 +161,7 @@ void fill(Outcome& outcome, const Part& part, const std::vector<Axis>& axes) {
 
 }   // namespace
 
-Merged merge(const std::vector<std::string>& files, int (*clock)(const std::string&)) {
+MergedSweep merge(const std::vector<std::string>& files, int (*clock)(const std::string&)) {
     std::vector<Part> parts;
     for (const std::string& file : files) parts.push_back(read_part(file));
     for (const Part& part : parts) check_same(parts[0], part);
@@ -171,28 +171,28 @@ Merged merge(const std::vector<std::string>& files, int (*clock)(const std::stri
     const auto broken = [](const Part& part, const char* why) {
         refuse(part.file, fmt::format("is not a report of sweep: {}", why));
     };
-    Merged merged;
+    MergedSweep merged;
     const ordered_json& report = parts[0].report;
     try {
         merged.scene = report["scene"];
         merged.scene.at("name").get<std::string>();
-        merged.asked = asked_of(report["sweep"]);
+        merged.settings = settings_of(report["sweep"]);
         const ordered_json& frame = report["frame"];
         merged.size = {0, 0};
-        if (!merged.asked.is_stream())
+        if (!merged.settings.is_stream())
             merged.size = {frame.at("width").get<int>(), frame.at("height").get<int>()};
         merged.config = parse_config(parts[0].file, report["config"].dump());
     } catch (const nlohmann::json::exception&) {
         broken(parts[0], "the request of the sweep cannot be read");
     }
-    if (merged.asked.axes.empty()) broken(parts[0], "it has no axis");
+    if (merged.settings.axes.empty()) broken(parts[0], "it has no axis");
     // If the clock is each point's routed clock, its figures contain it.
-    std::vector<Point> points = make_points(merged.asked.axes, merged.config, 0, clock);
-    keep_size(points, merged.asked.cache_bytes);
+    std::vector<Point> points = make_points(merged.settings.axes, merged.config, 0, clock);
+    keep_size(points, merged.settings.cache_bytes);
     for (Point& point : points) merged.outcome.results.push_back({std::move(point), nullptr, {}, {}, {}, {}});
     for (const Part& part : parts) {
         try {
-            fill(merged.outcome, part, merged.asked.axes);
+            fill(merged.outcome, part, merged.settings.axes);
         } catch (const nlohmann::json::exception&) {
             broken(part, "a point has not all of its figures");
         } catch (const std::runtime_error& e) {

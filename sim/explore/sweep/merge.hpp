@@ -6,16 +6,16 @@
 namespace rayclock::sweep {
 
 /// A sweep as read from its reports.
-struct Merged {
+struct MergedSweep {
     nlohmann::ordered_json scene;   ///< the value in the report
     Config config;
     FrameSize size;   ///< 0 x 0 for a stream of rays
-    Asked asked;
+    SweepSettings settings;
     Outcome outcome;
 };
 
 /// Merges reports written by `sweep --json`: all parts in any order, or one report of a whole sweep. Throws
 /// UserError that names a wrong file or the missing parts. `clock` is as for make_points().
-Merged merge(const std::vector<std::string>& files, int (*clock)(const std::string&));
+MergedSweep merge(const std::vector<std::string>& files, int (*clock)(const std::string&));
 
 }   // namespace rayclock::sweep

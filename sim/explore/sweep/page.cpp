@@ -67,9 +67,9 @@ std::string charts() {
 
 }   // namespace
 
-std::string sweep_page(const Merged& swept, const Front& front, const std::string& far,
+std::string sweep_page(const MergedSweep& swept, const Front& front, const std::string& far,
                        const std::vector<std::pair<std::string, std::string>>& origin) {
-    const std::vector<Axis>& axes = swept.asked.axes;
+    const std::vector<Axis>& axes = swept.settings.axes;
     const std::vector<Result>& results = swept.outcome.results;
     const ordered_json rows = points_json(axes, results, front);
     ordered_json points = ordered_json::array();
@@ -85,7 +85,7 @@ std::string sweep_page(const Merged& swept, const Front& front, const std::strin
     const ordered_json config = config_json_object(swept.config);
     for (const auto& [key, value] : config.items())
         lines.push_back({key, value.is_string() ? value.get<std::string>() : value.dump()});
-    const ordered_json data{{"axes", asked_json(swept.asked)["axes"]},
+    const ordered_json data{{"axes", settings_json(swept.settings)["axes"]},
                             {"front", {front.measures[0].key, front.measures[1].key, front.measures[2].key}},
                             {"points", points}};
     FramedPage page;

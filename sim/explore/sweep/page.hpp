@@ -7,7 +7,7 @@ namespace rayclock::sweep {
 
 /// Returns the page. `far` is the result of far_points(), `origin` the command line and versions. Throws
 /// UserError if the chart library is not installed.
-std::string sweep_page(const Merged& swept, const Front& front, const std::string& far,
+std::string sweep_page(const MergedSweep& swept, const Front& front, const std::string& far,
                        const std::vector<std::pair<std::string, std::string>>& origin);
 
 }   // namespace rayclock::sweep

@@ -107,7 +107,7 @@ std::string picture_text(const Scene& scene, const PictureChoice& choice) {
     if (!moves(scene)) return text;
     return text + fmt::format("film {} {} {} {} {} ",
                               film_digest(*scene.placed, frame_times(frames, true).times), frames.pan,
-                              frames.uploads, frames.rebuild, choice.view.is_asked());
+                              frames.uploads, frames.rebuild, choice.view.is_given());
 }
 
 class Runner {
@@ -133,7 +133,7 @@ public:
         if (plan_.netlists) plan_netlists();
         for (auto& [format, group] : groups_)
             if (needs_trace(group)) tasks_.push_back([this, &group = group] { trace(group); });
-        tell(0);
+        report_progress(0);
         jobs::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
         outcome_.traces = groups_.size();
         return std::move(outcome_);
@@ -213,7 +213,7 @@ private:
             const std::lock_guard lock(mutex_);
             outcome_.netlist_note = e.what();
         }
-        tell(1);
+        report_progress(1);
     }
 
     /// Returns true after an interrupt, and marks the outcome as partial.
@@ -227,7 +227,7 @@ private:
     void refuse(Result& r, const std::string& sentence) {
         r.point.refused = sentence;
         cache_.keep("frame", frame_key(r), {{"refused", sentence}});
-        tell(1);
+        report_progress(1);
     }
 
     /// Compiles and records the scene for a group's format, and times its frames.
@@ -257,7 +257,7 @@ private:
             if (r.clock.is_null())
                 time(r, frames);
             else
-                tell(1);
+                report_progress(1);
         });
     }
 
@@ -331,10 +331,10 @@ private:
         }
         r.clock = clock_json(r.point.config, run);
         cache_.keep("frame", frame_key(r), r.clock);
-        tell(1);
+        report_progress(1);
     }
 
-    void tell(std::size_t more) {
+    void report_progress(std::size_t more) {
         const std::lock_guard lock(mutex_);
         done_ += more;
         if (progress_ && all_ > 0) progress_("sweep", done_, all_);

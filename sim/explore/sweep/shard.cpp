@@ -34,16 +34,17 @@ std::vector<std::size_t> points_of(const Shard& shard, const std::vector<Point>&
     return mine;
 }
 
-ordered_json asked_json(const Asked& asked) {
+ordered_json settings_json(const SweepSettings& settings) {
     ordered_json axes = ordered_json::array();
-    for (const Axis& axis : asked.axes) axes.push_back({{"key", axis.key}, {"values", axis.values}});
-    return {{"axes", axes},
-            {"clock", asked.clock},
-            {"cost", asked.cost},
-            {"cache_bytes", asked.cache_bytes ? ordered_json(*asked.cache_bytes) : ordered_json(nullptr)},
-            {"netlists", asked.netlists},
-            {"picture", asked.picture},
-            {"stream", asked.stream}};
+    for (const Axis& axis : settings.axes) axes.push_back({{"key", axis.key}, {"values", axis.values}});
+    return {
+        {"axes", axes},
+        {"clock", settings.clock},
+        {"cost", settings.cost},
+        {"cache_bytes", settings.cache_bytes ? ordered_json(*settings.cache_bytes) : ordered_json(nullptr)},
+        {"netlists", settings.netlists},
+        {"picture", settings.picture},
+        {"stream", settings.stream}};
 }
 
 ordered_json picture_json(const PictureChoice& choice) {
@@ -64,18 +65,18 @@ ordered_json stream_json(const StreamInput& stream) {
     return {{"file", stream.rays().name()}, {"rays", stream.rays().size()}, {"digest", stream.digest()}};
 }
 
-Asked asked_of(const ordered_json& json) {
-    Asked asked;
+SweepSettings settings_of(const ordered_json& json) {
+    SweepSettings settings;
     for (const ordered_json& axis : json.at("axes"))
-        asked.axes.push_back(
+        settings.axes.push_back(
             {axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
-    asked.clock = json.at("clock").get<std::string>();
-    asked.cost = json.at("cost").get<std::string>();
-    if (!json.at("cache_bytes").is_null()) asked.cache_bytes = json.at("cache_bytes").get<int>();
-    asked.netlists = json.at("netlists").get<bool>();
-    asked.picture = json.at("picture");
-    asked.stream = json.value("stream", ordered_json());
-    return asked;
+    settings.clock = json.at("clock").get<std::string>();
+    settings.cost = json.at("cost").get<std::string>();
+    if (!json.at("cache_bytes").is_null()) settings.cache_bytes = json.at("cache_bytes").get<int>();
+    settings.netlists = json.at("netlists").get<bool>();
+    settings.picture = json.at("picture");
+    settings.stream = json.value("stream", ordered_json());
+    return settings;
 }
 
 void keep_size(std::vector<Point>& points, const std::optional<int>& bytes) {

@@ -16,7 +16,7 @@ namespace rayclock::sweep {
 std::vector<std::size_t> points_of(const Shard& shard, const std::vector<Point>& points);
 
 /// The options of a sweep, except the scene, the configuration and the size.
-struct Asked {
+struct SweepSettings {
     std::vector<Axis> axes;
     std::string clock;
     std::string cost;
@@ -31,9 +31,9 @@ struct Asked {
 nlohmann::ordered_json picture_json(const PictureChoice& choice);
 /// Returns the name, the number and the digest of a stream's rays.
 nlohmann::ordered_json stream_json(const StreamInput& stream);
-nlohmann::ordered_json asked_json(const Asked& asked);
-/// Reads the output of asked_json(). Throws a JSON exception if the format is wrong.
-Asked asked_of(const nlohmann::ordered_json& json);
+nlohmann::ordered_json settings_json(const SweepSettings& settings);
+/// Reads the output of settings_json(). Throws a JSON exception if the format is wrong.
+SweepSettings settings_of(const nlohmann::ordered_json& json);
 
 /// Keeps only points whose caches hold this many bytes in each pipeline, if a size was requested. Throws
 /// UserError if none is left.

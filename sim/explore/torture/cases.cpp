@@ -192,7 +192,7 @@ private:
     /// Edges divisible by large powers of two: they contain the most lattice points.
     void add_coarse() {
         const std::vector<PrimData> prims = coarse(config_, dice_, 24);
-        TortureCase t = begin("coarse", image_of(prims, config_, dice_, "coarse", Look::clear));
+        TortureCase t = begin("coarse", image_of(prims, config_, dice_, "coarse", SurfaceStyle::clear));
         for (int i = 0; i < 3; ++i) add_deep(t, view(prims, config_, {9, 7}, 0, dice_));
         end(std::move(t));
     }
@@ -200,7 +200,7 @@ private:
     /// The largest sums of 64 samples: all are white.
     void add_white() {
         const std::vector<PrimData> prims = mesh(40, side_);
-        TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", Look::bright));
+        TortureCase t = begin("white", image_of(prims, config_, dice_, "mesh", SurfaceStyle::bright));
         for (const int side : {8, 7}) {
             Frame& frame = add(t, corner_view(config_, {4, 3}, 40), side);
             frame.shade.contrast = 0;
@@ -266,7 +266,7 @@ private:
 
     void add_panes() {
         const std::vector<PrimData> prims = panes(config_, 6);
-        TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
+        TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", SurfaceStyle::clear));
         // Between the first two panes a ray is reflected back and forth. Each time one more ray waits, up to
         // the largest number.
         for (const double spread : {0.4, 0.01, 3e-6, 3e-7, 0.1}) {
@@ -309,14 +309,14 @@ private:
         const Vec3i normals[] = {{1, 0, 2}, {2, 1, 3}, {-1, 2, 4}};
         std::vector<PrimData> prims;
         for (std::int32_t i = 0; i < 3; ++i) prims.push_back(mirror(config_, normals[i], i - 1));
-        TortureCase t = begin("axes", image_of(prims, config_, dice_, "axes", Look::clear));
+        TortureCase t = begin("axes", image_of(prims, config_, dice_, "axes", SurfaceStyle::clear));
         for (std::int32_t i = 0; i < 3; ++i) add_deep(t, mirror_view(config_, {12, 8}, normals[i], i - 1));
         end(std::move(t));
     }
 
     void add_contrast() {
         const std::vector<PrimData> prims = mesh(40, side_);
-        TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
+        TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", SurfaceStyle::bright));
         for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
             Frame& frame = add(t, corner_view(config_, {9, 7}, 40), 3);
             frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
@@ -327,7 +327,7 @@ private:
     /// Many highlights, with exponents of any size.
     void add_lights() {
         const std::vector<PrimData> prims = soup(config_, dice_, 12);
-        TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
+        TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", SurfaceStyle::shiny));
         for (int i = 0; i < 4; ++i) {
             Frame& frame = add(t, view(prims, config_, {12, 9}, 0, dice_));
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
@@ -344,7 +344,7 @@ private:
 
     void add_balls() {
         const std::vector<PrimData> prims = balls(config_, dice_, 12);
-        TortureCase t = begin("balls", image_of(prims, config_, dice_, "balls", Look::clear));
+        TortureCase t = begin("balls", image_of(prims, config_, dice_, "balls", SurfaceStyle::clear));
         for (int i = 0; i < 3; ++i) {
             Frame& frame = add_deep(t, view(prims, config_, {10, 8}, 0, dice_));
             if (i == 2) put_lights_into(prims, frame);
@@ -367,7 +367,7 @@ private:
     /// Balls of a few steps: a grazing ray begins on either side of the surface, depending on rounding.
     void add_beads() {
         const std::vector<PrimData> prims = beads(config_, dice_, 24);
-        TortureCase t = begin("beads", image_of(prims, config_, dice_, "beads", Look::clear));
+        TortureCase t = begin("beads", image_of(prims, config_, dice_, "beads", SurfaceStyle::clear));
         for (const Vec3i& eye : {Vec3i{0, 0, 14}, Vec3i{3, -2, 9}}) {
             Frame frame = diagonal_view(eye, 1 << (config_.dir_bits - 5));
             frame.width = frame.height = 12;
@@ -386,7 +386,7 @@ private:
         std::vector<PrimData> prims = mesh(step, config_.is_list() ? 4 : 6);
         const Vec3i points[] = {{-50, 20, 0}, {-50, 60, 0}, {-50, -20, 0}};
         for (const Vec3i& p : points) prims.push_back(ball(config_, {p[0] - radius, p[1], 0}, radius));
-        TortureCase t = begin("contacts", image_of(prims, config_, dice_, "contacts", Look::shiny));
+        TortureCase t = begin("contacts", image_of(prims, config_, dice_, "contacts", SurfaceStyle::shiny));
         Frame& frame = add(t, corner_view(config_, {13, 13}, radius));
         frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
@@ -407,7 +407,7 @@ private:
     void add_planes() {
         std::vector<PrimData> prims = soup(config_, dice_, 8);
         for (const PrimData& plane : walls(config_)) prims.push_back(plane);
-        TortureCase t = begin("planes", image_of(prims, config_, dice_, "planes", Look::clear));
+        TortureCase t = begin("planes", image_of(prims, config_, dice_, "planes", SurfaceStyle::clear));
         for (int i = 0; i < 3; ++i) add_deep(t, view(prims, config_, {7, 5}, 0, dice_));
         end(std::move(t));
     }

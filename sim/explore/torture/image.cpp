@@ -75,12 +75,12 @@ template <class Make> std::vector<PrimData> many(int count, const Config& config
 
 }   // namespace
 
-Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look) {
+Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style) {
     Surface s;
     s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
     const bool flat = s.kind == std::uint32_t(PrimKind::triangle);
     if (flat) s.fine = fine_of(prim, config);
-    s.smooth = look != Look::clear && config.smooth && flat && dice.percent(40);
+    s.smooth = style != SurfaceStyle::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
     if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them
                                                     // apart
@@ -97,13 +97,13 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     s.mirror = dice.percent(60) ? dice.share(unit_bits) : 0;
     s.transmit = config.refraction && dice.percent(50) ? dice.share(unit_bits) : 0;
     const std::uint32_t one = 1u << share_bits;
-    if (look == Look::clear)
+    if (style == SurfaceStyle::clear)
         s.mirror = 1u << (unit_bits - 1), s.transmit = config.refraction ? s.mirror : 0, s.ambient = 100,
         s.diffuse = s.highlight = s.schlick = 0;
-    if (look == Look::shiny)
+    if (style == SurfaceStyle::shiny)
         s.mirror = s.transmit = 0, s.highlight = one,
         s.shine = std::uint32_t(dice.below(1 << dice.between(6, shine_bits)));
-    if (look == Look::bright)
+    if (style == SurfaceStyle::bright)
         s.mirror = s.transmit = s.diffuse = s.highlight = 0, s.ambient = one,
         s.colour = {one, one * (s.a[0] & 1), one}, s.other = {};
     s.r0 = dice.share(unit_bits);
@@ -212,8 +212,8 @@ std::vector<PrimData> panes(const Config& config, int count) {
 }
 
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
-                     Look look) {
-    if (config.has_instances()) return placed_image(prims, config, dice, name, look);
+                     SurfaceStyle style) {
+    if (config.has_instances()) return placed_image(prims, config, dice, name, style);
     std::vector<PrimData> numbered = prims;
     for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
     MemoryImage image = compile_triangles(numbered, config, name);
@@ -225,7 +225,7 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
     image.words.resize((first + numbered.size()) * words_per_line, 0);
     Words scratch;
     for (std::size_t i = 0; i < numbered.size(); ++i)
-        write_payload(random_surface(numbered[i], config, dice, look), config,
+        write_payload(random_surface(numbered[i], config, dice, style), config,
                       &image.words[(first + i) * words_per_line], scratch);
     return image;
 }

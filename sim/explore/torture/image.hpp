@@ -39,12 +39,12 @@ std::vector<PrimData> panes(const Config& config, int count);
 
 /// Surfaces of a chip that shades: any; half mirror and half glass; colours that are 0 or 1 without any
 /// light; highlights of any sharpness without reflection.
-enum class Look { any, clear, bright, shiny };
-Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, Look look);
+enum class SurfaceStyle { any, clear, bright, shiny };
+Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style);
 
 /// Returns the whole memory image. With two levels placed_image() makes it.
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
-                     Look look = Look::any);
+                     SurfaceStyle style = SurfaceStyle::any);
 /// Changes every node of the tree of treelets or slants at line 0. Each node gets a box of a few steps near
 /// the middle, and planes of any direction that cut the box. Rays then miss the scene, but model and RTL must
 /// still agree.

@@ -82,8 +82,8 @@ Vec3i moved(const InstanceMap& map, const Vec3i& p, const Config& config) {
 class PlacedImage {
 public:
     PlacedImage(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const std::string& name,
-                Look look)
-        : config_(config), dice_(dice), name_(name), look_(look) {
+                SurfaceStyle style)
+        : config_(config), dice_(dice), name_(name), style_(style) {
         deal(prims);
     }
 
@@ -211,14 +211,14 @@ private:
     void append_surface(const PrimData& prim) {
         Words scratch;
         image_.words.resize(image_.words.size() + words_per_line, 0);
-        write_payload(random_surface(prim, config_, dice_, look_), config_,
+        write_payload(random_surface(prim, config_, dice_, style_), config_,
                       &image_.words[image_.words.size() - words_per_line], scratch);
     }
 
     const Config& config_;
     Dice& dice_;
     const std::string name_;
-    Look look_;
+    SurfaceStyle style_;
     std::vector<std::vector<PrimData>> meshes_;
     std::vector<Standing> standings_;
     std::vector<MemoryImage> lowers_;    // by mesh
@@ -229,8 +229,8 @@ private:
 }   // namespace
 
 MemoryImage placed_image(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
-                         const std::string& name, Look look) {
-    return PlacedImage(prims, config, dice, name, look).make();
+                         const std::string& name, SurfaceStyle style) {
+    return PlacedImage(prims, config, dice, name, style).make();
 }
 
 }   // namespace rayclock::torture

@@ -11,6 +11,6 @@ namespace rayclock::torture {
 /// elsewhere. Primitives are numbered instance by instance. The lower structures begin beyond line 256, or
 /// end at the last address.
 MemoryImage placed_image(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
-                         const std::string& name, Look look);
+                         const std::string& name, SurfaceStyle style);
 
 }   // namespace rayclock::torture

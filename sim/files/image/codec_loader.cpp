@@ -8,7 +8,7 @@
 #include <dlfcn.h>
 
 #include "model/base/error.hpp"
-#include "sim/files/own_place.hpp"
+#include "sim/files/program_folder.hpp"
 
 namespace rayclock {
 
@@ -21,7 +21,7 @@ constexpr const char* file_name = "rayclock_pictures.so";
 /// Returns the places to search: next to the program or the Python module, the library folder of an
 /// installation around it, and the build tree.
 std::vector<fs::path> places() {
-    const fs::path own = own_place();
+    const fs::path own = program_folder();
     std::vector<fs::path> all{own / file_name};
     for (fs::path place = own; place.has_relative_path(); place = place.parent_path())
         all.push_back(place.parent_path() / RAYCLOCK_LIBRARY_DIR / "rayclock" / file_name);

@@ -11,11 +11,11 @@
 
 namespace rayclock {
 
-CameraBound::CameraBound(const Asked& asked, const PixelRays& rays)
-    : dir_bits_(asked.config.dir_bits),
-      pitch_(asked.lattice.pitch),
-      sides_(double(asked.frame.width) + asked.frame.height) {
-    const Frame& frame = asked.frame;
+CameraBound::CameraBound(const FrameInputs& inputs, const PixelRays& rays)
+    : dir_bits_(inputs.config.dir_bits),
+      pitch_(inputs.lattice.pitch),
+      sides_(double(inputs.frame.width) + inputs.frame.height) {
+    const Frame& frame = inputs.frame;
     const PixelRays steps{rays.eye, rays.corner / pitch_, rays.right / pitch_, rays.down / pitch_};
     double most = std::max(largest(steps.right), largest(steps.down));
     for (const double x : {-0.5, frame.width - 0.5})

@@ -19,7 +19,7 @@ namespace rayclock {
 class CameraBound {
 public:
     /// `rays`: the picture's camera rays.
-    CameraBound(const Asked& asked, const PixelRays& rays);
+    CameraBound(const FrameInputs& inputs, const PixelRays& rays);
 
     /// `given`: the direction of the reference's ray, of any length, in scene units. `d`: the machine's
     /// direction.

@@ -61,18 +61,18 @@ std::optional<Unfolder> unfolder_of(const Scene& scene) {
 
 }   // namespace
 
-CameraRung::CameraRung(const Asked& asked, const Scene& steps, const Reference& tracer,
-                       const PlacedWorld* placed, const Seams* seams)
-    : asked_(asked),
+CameraRung::CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+                       const PlacedWorld* placed, const SeamFinder* seams)
+    : inputs_(inputs),
       steps_(steps),
       tracer_(tracer),
       placed_(placed),
       seams_(seams),
-      rays_(pixel_rays(asked.camera, {int(asked.frame.width), int(asked.frame.height)})),
-      bound_(asked, rays_),
-      light_space_(corners_of(asked.lattice)),
-      scale_(asked.frame, asked.lattice, asked.config),
-      given_unfolder_(unfolder_of(asked.scene)),
+      rays_(pixel_rays(inputs.camera, {int(inputs.frame.width), int(inputs.frame.height)})),
+      bound_(inputs, rays_),
+      light_space_(corners_of(inputs.lattice)),
+      scale_(inputs.frame, inputs.lattice, inputs.config),
+      given_unfolder_(unfolder_of(inputs.scene)),
       steps_unfolder_(unfolder_of(steps)) {}
 
 PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
@@ -89,18 +89,18 @@ PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfo
     return out;
 }
 
-CameraFinding CameraRung::look(int x, int y, const Vec3i& d, const Closest& answer) const {
+CameraFinding CameraRung::judge(int x, int y, const Vec3i& d, const Closest& answer) const {
     if (!bound_.goes_through(rays_.direction(x, y), d))
         return {"the camera ray does not go through its pixel"};
-    const glm::dvec3 from = vector_of(asked_.frame.eye);
+    const glm::dvec3 from = vector_of(inputs_.frame.eye);
     const Hit own = tracer_.trace(from, vector_of(d));
     const std::uint32_t met = answer.found ? answer.prim : no_primitive;
     CameraFinding finding;
     if (own.primitive != met) {
         finding.is_tie = is_tie(from, vector_of(d), answer, own);
         Ray ray;
-        ray.o = asked_.frame.eye, ray.d = d;
-        if (!finding.is_tie && !(seams_ && seams_->look(ray, answer) != RayFinding::none)) {
+        ray.o = inputs_.frame.eye, ray.d = d;
+        if (!finding.is_tie && !(seams_ && seams_->explain(ray, answer) != RayFinding::none)) {
             finding.fault = "the camera ray meets " + name_of(answer.found, answer.prim) +
                             ", and by the reference's rules " +
                             name_of(own.primitive != no_primitive, own.primitive);
@@ -123,9 +123,9 @@ bool CameraRung::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Close
             }))
             return true;
         if (!answer.found || own.primitive == no_primitive) return false;
-        const double depth =
-                         std::ldexp(double(answer.t), 1 - asked_.config.dir_bits - asked_.config.t_frac_bits),
-                     tick = std::ldexp(1.0, 1 - asked_.config.dir_bits - asked_.config.t_frac_bits);
+        const double depth = std::ldexp(double(answer.t),
+                                        1 - inputs_.config.dir_bits - inputs_.config.t_frac_bits),
+                     tick = std::ldexp(1.0, 1 - inputs_.config.dir_bits - inputs_.config.t_frac_bits);
         return std::abs(depth * glm::length(d) - double(own.depth)) <=
                tick * glm::length(d) + float_step * double(own.depth);
     }
@@ -151,7 +151,7 @@ double CameraRung::instance_error(std::uint32_t place, double t) const {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k)
             map[k][i] = std::ldexp(double(placed_->solids().places()[place].a[std::size_t(3 * i + k)]),
-                                   -asked_.config.map_frac());
+                                   -inputs_.config.map_frac());
     const glm::dmat3 back = glm::inverse(map);
     double square = 0;
     for (int i = 0; i < 3; ++i) square += glm::dot(back[i], back[i]);
@@ -168,39 +168,39 @@ bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer
     const glm::dvec3 e1 = t.vertices[1] - t.vertices[0], e2 = t.vertices[2] - t.vertices[0],
                      direction = vector_of(d), way = glm::normalize(direction),
                      at = t.vertices[0] + double(hit.u) * e1 + double(hit.v) * e2 -
-                          vector_of(asked_.frame.eye);
+                          vector_of(inputs_.frame.eye);
     const double along = glm::dot(at, way),
-                 tick = std::exp2(1 - asked_.config.dir_bits - asked_.config.t_frac_bits),
-                 unit = std::exp2(-asked_.config.bary_bits) + float_step,
+                 tick = std::exp2(1 - inputs_.config.dir_bits - inputs_.config.t_frac_bits),
+                 unit = std::exp2(-inputs_.config.bary_bits) + float_step,
                  off = unit * (glm::length(e1) + glm::length(e2)) +
                        instance_error(place, along / glm::length(direction)) + Range::slack * glm::length(at);
     if (glm::length(at - along * way) > off) return false;
-    if (answer.t == (std::uint64_t(1) << asked_.config.t_bits()) - 1) return true;   // as far as t can say
-    const double scale = glm::length(way * asked_.lattice.pitch);   // of lengths along the ray
+    if (answer.t == (std::uint64_t(1) << inputs_.config.t_bits()) - 1) return true;   // as far as t can say
+    const double scale = glm::length(way * inputs_.lattice.pitch);   // of lengths along the ray
     return std::abs(double(hit.depth) - along * scale) <=
            (tick * glm::length(direction) + off) * scale + float_step * double(hit.depth);
 }
 
 /// In a scene of that one triangle: the tracer is handed the hit, and looks for nothing.
 std::optional<glm::dvec3> CameraRung::local_light(const Hit& hit, int x, int y) const {
-    if (hit.primitive == no_primitive) return asked_.scene.background;
-    const PlacedTriangle t = triangle(asked_.scene, given_unfolder_, hit.primitive);
+    if (hit.primitive == no_primitive) return inputs_.scene.background;
+    const PlacedTriangle t = triangle(inputs_.scene, given_unfolder_, hit.primitive);
     Scene scene;
-    scene.materials = {asked_.scene.materials[t.material]}, scene.lights = asked_.scene.lights;
-    scene.background = asked_.scene.background;
+    scene.materials = {inputs_.scene.materials[t.material]}, scene.lights = inputs_.scene.lights;
+    scene.background = inputs_.scene.background;
     scene.vertices.assign(t.vertices.begin(), t.vertices.end());
     if (t.is_smooth) scene.normals.assign(t.normals.begin(), t.normals.end());
     scene.triangles = {{{0, 1, 2}, 0}};
     const double u = hit.u, v = hit.v;
     const glm::dvec3 at = (1 - u - v) * t.vertices[0] + u * t.vertices[1] + v * t.vertices[2];
     RefPath path;
-    if (!light_space_.find_path(asked_.camera.eye, at - asked_.camera.eye, path)) return std::nullopt;
+    if (!light_space_.find_path(inputs_.camera.eye, at - inputs_.camera.eye, path)) return std::nullopt;
     LocalLight steer(path, {hit.depth, u, v, 0});
     Whitted settings;
     settings.depth = 0;
-    const FrameSize size{int(asked_.frame.width), int(asked_.frame.height)};
-    const WhittedPixel pixel = ref_pixel(light_space_, scene, asked_.camera, size, settings, std::uint32_t(x),
-                                         std::uint32_t(y), &steer);
+    const FrameSize size{int(inputs_.frame.width), int(inputs_.frame.height)};
+    const WhittedPixel pixel = ref_pixel(light_space_, scene, inputs_.camera, size, settings,
+                                         std::uint32_t(x), std::uint32_t(y), &steer);
     return steer.faces_away ? std::nullopt : std::make_optional(pixel.colour);
 }
 

@@ -34,11 +34,11 @@ class CameraRung {
 public:
     /// `steps`: the machine's scene in lattice steps; `tracer` traces it. `placed` and `seams` are null
     /// unless there are two levels.
-    CameraRung(const Asked& asked, const Scene& steps, const Reference& tracer, const PlacedWorld* placed,
-               const Seams* seams);
+    CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+               const PlacedWorld* placed, const SeamFinder* seams);
 
     /// Checks a pixel, given its ray's direction d and the exact answer after rounding.
-    CameraFinding look(int x, int y, const Vec3i& d, const Closest& answer) const;
+    CameraFinding judge(int x, int y, const Vec3i& d, const Closest& answer) const;
 
     /// Returns the colour of a hit on the given scene by the reference's rules, without using shade().
     /// Returns nothing where a smooth normal points away from the viewer, because the rules of the two differ
@@ -54,11 +54,11 @@ private:
     bool holds_point(int x, int y, const Vec3i& d, const Closest& answer) const;
     double instance_error(std::uint32_t place, double t) const;
 
-    const Asked& asked_;
+    const FrameInputs& inputs_;
     const Scene& steps_;
     const Reference& tracer_;
     const PlacedWorld* placed_;
-    const Seams* seams_;
+    const SeamFinder* seams_;
     PixelRays rays_;
     CameraBound bound_;
     RefGeometry light_space_;   ///< the space in which local_light() computes

@@ -17,7 +17,7 @@
 #include "sim/judge/cause/camera_rung.hpp"
 #include "sim/judge/cause/seam.hpp"
 #include "sim/judge/cause/snapped.hpp"
-#include "sim/judge/cause/truth.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 #include "sim/files/image/srgb.hpp"
 
 namespace rayclock {
@@ -48,13 +48,13 @@ bool on_edge(const Hit& hit) {
 
 class Judge {
 public:
-    Judge(const Asked& asked, const MemoryImage& image, const Answered& answered)
-        : asked_(asked), image_(image), answered_(answered), size_(answered.reference.size) {}
+    Judge(const FrameInputs& inputs, const MemoryImage& image, const FrameAnswers& answered)
+        : inputs_(inputs), image_(image), answered_(answered), size_(answered.reference.size) {}
 
     Judgement operator()(const Progress& progress) {
         const Stopwatch watch;
         prepare();
-        for (const std::string& sentence : snapping_faults(asked_, world_ ? &*world_ : nullptr))
+        for (const std::string& sentence : snapping_faults(inputs_, world_ ? &*world_ : nullptr))
             report(0, sentence);
         find(progress);
         explain();
@@ -83,23 +83,23 @@ public:
 
 private:
     void prepare() {
-        if (asked_.config.has_instances()) prepare_levels();
+        if (inputs_.config.has_instances()) prepare_levels();
         tbb::parallel_invoke(
             [&] {
-                if (!world_) truth_.emplace(asked_.scene, asked_.lattice, asked_.config);
+                if (!world_) exact_.emplace(inputs_.scene, inputs_.lattice, inputs_.config);
             },
             [&] {
-                if (!world_) steps_ = on_lattice(asked_.scene, asked_.lattice);
+                if (!world_) steps_ = on_lattice(inputs_.scene, inputs_.lattice);
                 snapped_.emplace(steps_);
             },
-            [&] { expected_ = shade(asked_.scene, answered_.reference); });
-        rung_.emplace(asked_, steps_, *snapped_, world_ ? &*world_ : nullptr, seams_ ? &*seams_ : nullptr);
+            [&] { expected_ = shade(inputs_.scene, answered_.reference); });
+        rung_.emplace(inputs_, steps_, *snapped_, world_ ? &*world_ : nullptr, seams_ ? &*seams_ : nullptr);
     }
     void prepare_levels() {
-        world_.emplace(asked_, image_);
-        truth_.emplace(*world_, asked_.config);
-        seams_.emplace(*world_, asked_.config);
-        steps_ = is_folded(asked_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
+        world_.emplace(inputs_, image_);
+        exact_.emplace(*world_, inputs_.config);
+        seams_.emplace(*world_, inputs_.config);
+        steps_ = is_folded(inputs_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
         for (const std::string& sentence : world_->faults()) report(0, sentence);
     }
     void report(std::size_t pixel, const std::string& sentence) {
@@ -131,7 +131,7 @@ private:
     /// Asks the oracle about every pixel; pixels that differ and are no bugs are left to explain().
     void find(const Progress& progress) {
         const std::size_t pixels = answered_.answers.size();
-        const bool exact = asked_.config.test() == PrimitiveTest::exact;
+        const bool exact = inputs_.config.test() == PrimitiveTest::exact;
         judgement_.pixels.assign(pixels, PixelCause::none);
         judgement_.other.assign(pixels, false);
         std::vector<std::uint8_t> open(pixels), wrong(pixels);
@@ -140,7 +140,7 @@ private:
             const std::size_t begin = std::size_t(row) * std::size_t(size_.width),
                               end = begin + std::size_t(size_.width);
             for (std::size_t i = begin; i < end; ++i) {
-                const Closest right = truth_->answer(truth_->pixel(asked_.frame, x(i), row));
+                const Closest right = exact_->answer(exact_->pixel(inputs_.frame, x(i), row));
                 wrong[i] = !same_hit(right, answered_.answers[i]);
                 if (wrong[i] && exact)
                     judgement_.pixels[i] = PixelCause::bug;
@@ -169,27 +169,27 @@ private:
         for (HitFrame& frame : hits)
             frame = {{packed_width, std::max(1, rows)},
                      std::vector<Hit>(std::size_t(std::max(1, rows)) * packed_width)};
-        const PixelRays rays = pixel_rays(asked_.camera, size_);
-        const HitScale scale(asked_.frame, asked_.lattice, asked_.config);
-        const Vec3i eye = asked_.frame.eye;
+        const PixelRays rays = pixel_rays(inputs_.camera, size_);
+        const HitScale scale(inputs_.frame, inputs_.lattice, inputs_.config);
+        const Vec3i eye = inputs_.frame.eye;
         tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) {
             const int px = x(open_[i]), py = y(open_[i]);
-            const ExactPixel exact = truth_->pixel(asked_.frame, px, py);
+            const ExactPixel exact = exact_->pixel(inputs_.frame, px, py);
             const auto at = [&](const Closest& hit) {
                 return as_flat(scale({std::uint32_t(px), std::uint32_t(py), hit}));
             };
             const glm::dvec3 from(eye[0], eye[1], eye[2]);
             hits[0].hits[i] = answered_.reference.hits[open_[i]];
-            hits[1].hits[i] = snapped_->trace(from, asked_.lattice.direction(rays.direction(px, py)));
+            hits[1].hits[i] = snapped_->trace(from, inputs_.lattice.direction(rays.direction(px, py)));
             hits[3].hits[i] = as_flat({exact.primitive, 0, float(double(exact.u) / double(exact.den)),
                                        float(double(exact.v) / double(exact.den))});
-            const Vec3i whole = exact_direction(asked_.frame, asked_.config, {}, px, py, 0);
+            const Vec3i whole = exact_direction(inputs_.frame, inputs_.config, {}, px, py, 0);
             hits[2].hits[i] =
                 world_ ? snapped_->trace(from, {whole[0], whole[1], whole[2]}) : hits[3].hits[i];
-            hits[4].hits[i] = at(truth_->answer(exact));
+            hits[4].hits[i] = at(exact_->answer(exact));
             hits[5].hits[i] = at(answered_.answers[open_[i]]);
         });
-        for (std::size_t k = 0; k < hits.size(); ++k) s.pictures[k] = shade(asked_.scene, hits[k]);
+        for (std::size_t k = 0; k < hits.size(); ++k) s.pictures[k] = shade(inputs_.scene, hits[k]);
         return s;
     }
 
@@ -212,9 +212,9 @@ private:
 
     /// What the rounding of rays in instances has changed.
     PixelCause seam_or(std::size_t pixel) {
-        const Vec3i direction = exact_direction(asked_.frame, asked_.config, {}, x(pixel), y(pixel), 0);
-        switch (seams_->look(camera_ray(asked_.frame.eye, direction), answered_.answers[pixel],
-                             &judgement_.seams_apart)) {
+        const Vec3i direction = exact_direction(inputs_.frame, inputs_.config, {}, x(pixel), y(pixel), 0);
+        switch (seams_->explain(camera_ray(inputs_.frame.eye, direction), answered_.answers[pixel],
+                                &judgement_.seams_apart)) {
             case RayFinding::one_line: return PixelCause::ray_quantisation;
             case RayFinding::seam: return PixelCause::seam;
             case RayFinding::none: break;
@@ -251,9 +251,9 @@ private:
     }
     CameraFinding decide(std::size_t pixel) const {
         const int px = x(pixel), py = y(pixel);
-        const Vec3i d = exact_direction(asked_.frame, asked_.config, {}, px, py, 0);
-        CameraFinding found = rung_->look(px, py, d, truth_->answer(truth_->pixel(asked_.frame, px, py)));
-        const Hit mine = as_flat(HitScale(asked_.frame, asked_.lattice, asked_.config)(
+        const Vec3i d = exact_direction(inputs_.frame, inputs_.config, {}, px, py, 0);
+        CameraFinding found = rung_->judge(px, py, d, exact_->answer(exact_->pixel(inputs_.frame, px, py)));
+        const Hit mine = as_flat(HitScale(inputs_.frame, inputs_.lattice, inputs_.config)(
             {std::uint32_t(px), std::uint32_t(py), answered_.answers[pixel]}));
         const bool is_lit_right =
             is_local_light(answered_.reference.hits[pixel], expected_.pixels[pixel], pixel) &&
@@ -291,14 +291,14 @@ private:
         judgement_.on_edge += on_edge(answered_.reference.hits[pixel]);
     }
 
-    const Asked& asked_;
+    const FrameInputs& inputs_;
     const MemoryImage& image_;
-    const Answered& answered_;
+    const FrameAnswers& answered_;
     FrameSize size_;
     std::optional<PlacedWorld> world_;   // of two levels
-    std::optional<Seams> seams_;
+    std::optional<SeamFinder> seams_;
     Scene steps_;   // the scene as the machine has it
-    std::optional<Truth> truth_;
+    std::optional<ExactAnswers> exact_;
     std::optional<Reference> snapped_;   // of steps_
     std::optional<CameraRung> rung_;
     Picture expected_;
@@ -322,14 +322,14 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
     return infos[std::size_t(cause)];
 }
 
-Judgement judge(const Asked& asked, const MemoryImage& image, const Answered& answered, int threads,
-                const Progress& progress) {
-    return arena_of(threads).execute([&] { return Judge(asked, image, answered)(progress); });
+Judgement judge(const FrameInputs& inputs, const MemoryImage& image, const FrameAnswers& answered,
+                int threads, const Progress& progress) {
+    return arena_of(threads).execute([&] { return Judge(inputs, image, answered)(progress); });
 }
 
-std::vector<PixelStage> stages_of(const Asked& asked, const MemoryImage& image, const Answered& answered,
-                                  std::size_t pixel) {
-    return Judge(asked, image, answered).stages_of(pixel);
+std::vector<PixelStage> stages_of(const FrameInputs& inputs, const MemoryImage& image,
+                                  const FrameAnswers& answered, std::size_t pixel) {
+    return Judge(inputs, image, answered).stages_of(pixel);
 }
 
 Picture cause_picture(const Picture& reference, const Judgement& judgement) {

@@ -77,14 +77,14 @@ struct Judgement {
 };
 
 /// The results of a frame, one entry for each pixel: the reference's and the machine's.
-struct Answered {
+struct FrameAnswers {
     const HitFrame& reference;
     const std::vector<Closest>& answers;
     const Picture& picture;   ///< made from the machine's answers
 };
 /// Judges every pixel on `threads` cores (0: all). `image`: the machine's memory.
-Judgement judge(const Asked& asked, const MemoryImage& image, const Answered& answered, int threads = 0,
-                const Progress& progress = {});
+Judgement judge(const FrameInputs& inputs, const MemoryImage& image, const FrameAnswers& answered,
+                int threads = 0, const Progress& progress = {});
 
 /// A pixel's hit and colour after one of the stages above, whose name is `step`.
 struct PixelStage {
@@ -92,8 +92,8 @@ struct PixelStage {
     Hit hit;
     glm::vec3 colour{0};
 };
-std::vector<PixelStage> stages_of(const Asked& asked, const MemoryImage& image, const Answered& answered,
-                                  std::size_t pixel);
+std::vector<PixelStage> stages_of(const FrameInputs& inputs, const MemoryImage& image,
+                                  const FrameAnswers& answered, std::size_t pixel);
 
 /// Returns a dim grey copy of the reference's picture, in which each pixel that differs has the colour of its
 /// cause: in full light if it holds another primitive or is a bug, at a third of the light if only its colour

@@ -38,10 +38,10 @@ private:
 /// What the rays of a pixel are found to be, in two levels.
 class SeamWatch final : public ShadeWatch {
 public:
-    explicit SeamWatch(const Seams& seams) : seams_(seams) {}
+    explicit SeamWatch(const SeamFinder& seams) : seams_(seams) {}
     void sent(const Ray& ray) override { ray_ = ray; }
     void answered(const Closest& hit) override {
-        const RayFinding found = seams_.look(ray_, hit, &apart);
+        const RayFinding found = seams_.explain(ray_, hit, &apart);
         has_seam |= found == RayFinding::seam;
         is_lost |= found == RayFinding::none;
     }
@@ -51,23 +51,23 @@ public:
     double apart = 0;
 
 private:
-    const Seams& seams_;
+    const SeamFinder& seams_;
     Ray ray_;
 };
 
 /// The rungs between the scene as given and the machine.
 class Ladder {
 public:
-    Ladder(const Asked& asked, const Whitted& settings, const PictureJudge& judge)
-        : asked_(asked),
+    Ladder(const FrameInputs& inputs, const Whitted& settings, const PictureJudge& judge)
+        : inputs_(inputs),
           settings_(settings),
           judge_(judge),
-          size_{int(asked.frame.width), int(asked.frame.height)},
-          world_(snapped_scene(asked, judge.placed())),
-          camera_(snapped_camera(asked)),
-          bound_(asked, pixel_rays(asked.camera, size_)),
+          size_{int(inputs.frame.width), int(inputs.frame.height)},
+          world_(snapped_scene(inputs, judge.placed())),
+          camera_(snapped_camera(inputs)),
+          bound_(inputs, pixel_rays(inputs.camera, size_)),
           reference_(world_.scene) {
-        if (judge.placed()) seams_.emplace(*judge.placed(), asked.config);
+        if (judge.placed()) seams_.emplace(*judge.placed(), inputs.config);
     }
     const std::vector<std::string>& faults() const { return world_.faults; }
 
@@ -85,7 +85,7 @@ public:
         MachinePath path;
         explicit Bench(const Ladder& ladder)
             : recorder(ladder.judge_.recorder()),
-              scratch(ladder.asked_.config),
+              scratch(ladder.inputs_.config),
               judge(ladder.judge_.rules()) {}
     };
     /// `reference`: signature of the pixel's rays in the scene as given; `mine`: of the machine's.
@@ -118,7 +118,7 @@ private:
         const std::array<Range, 3> bounds = bench.judge.bounds();
         double width = unit_step;
         for (const Range& range : bounds) width = std::max(width, range.hi - range.lo + unit_step);
-        const GuideRules rules{asked_,
+        const GuideRules rules{inputs_,
                                world_.scene,
                                reference_,
                                bound_,
@@ -157,7 +157,7 @@ private:
         found.fault = no_finding;
     }
 
-    const Asked& asked_;
+    const FrameInputs& inputs_;
     const Whitted& settings_;
     const PictureJudge& judge_;
     FrameSize size_;
@@ -165,16 +165,16 @@ private:
     Camera camera_;
     CameraBound bound_;
     Reference reference_;
-    std::optional<Seams> seams_;
+    std::optional<SeamFinder> seams_;
 };
 
 }   // namespace
 
-Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings,
+Judgement judge_finished(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings,
                          const FinishedAnswer& answered, const HitFrame& hits, int threads,
                          const Progress& progress) {
     const Stopwatch watch;
-    const PictureJudge judge(asked, image, settings);
+    const PictureJudge judge(inputs, image, settings);
     const PictureJudgement judged = judge.judge(answered.given, threads, progress);
     const std::size_t pixels = hits.hits.size();
     Judgement j;
@@ -188,7 +188,7 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
 
     const bool can_climb = !judge.placed() || judge.placed()->faults().empty();
     std::optional<Ladder> ladder;
-    if (can_climb) ladder.emplace(asked, settings, judge);
+    if (can_climb) ladder.emplace(inputs, settings, judge);
     std::vector<std::optional<Ladder::Found>> found(pixels);
     const auto width = std::size_t(hits.size.width);
     const auto climb_row = [&](const PixelTile& tile) {

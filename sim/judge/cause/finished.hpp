@@ -24,11 +24,11 @@ namespace rayclock {
 struct FinishedAnswer {
     const WhittedFrame& reference;
     const Picture& picture;
-    const Given& given;
+    const MachineOutput& given;
 };
 /// Returns the cause of every pixel whose 8-bit sRGB colour differs, or whose first sample hit another
 /// primitive (`hits`).
-Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings,
+Judgement judge_finished(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings,
                          const FinishedAnswer& answered, const HitFrame& hits, int threads = 0,
                          const Progress& progress = {});
 

@@ -40,15 +40,15 @@ void Guide::fail(std::string what) {
 glm::dvec3 Guide::point(const Vec3l& p, int frac) const {
     const glm::dvec3 steps(std::ldexp(double(p[0]), -frac), std::ldexp(double(p[1]), -frac),
                            std::ldexp(double(p[2]), -frac));
-    return rules_.reference.geometry().space()(units_of(rules_.asked.lattice, steps));
+    return rules_.reference.geometry().space()(units_of(rules_.inputs.lattice, steps));
 }
 
 glm::dvec3 Guide::direction(const Vec3i& d) const {
-    return glm::normalize(glm::dvec3(d[0], d[1], d[2]) * rules_.asked.lattice.pitch);
+    return glm::normalize(glm::dvec3(d[0], d[1], d[2]) * rules_.inputs.lattice.pitch);
 }
 
 double Guide::step() const {
-    return rules_.asked.lattice.coarsest() * rules_.reference.geometry().space().scale;
+    return rules_.inputs.lattice.coarsest() * rules_.reference.geometry().space().scale;
 }
 
 bool Guide::is_turned(const MachineVisit& at) const {
@@ -103,13 +103,13 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     const auto is_as_deep = [&](const RefClosest& hit) {
         return std::abs(hit.depth - own.depth) <= 4 * tie_size * (1 + own.depth);
     };
-    const auto look = [&](const RefPath& moved) {
+    const auto is_match = [&](const RefPath& moved) {
         const RefClosest hit = geometry.closest(moved);
         if (hit.primitive != wanted) return false;
         found = hit;
         return true;
     };
-    if (any_moved(path, look)) return found;
+    if (any_moved(path, is_match)) return found;
     if (wanted == no_primitive) return std::nullopt;
     const auto look_deep = [&](const RefPath& moved) {
         const RefClosest hit = geometry.only(moved, wanted);
@@ -138,13 +138,13 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
 /// less may win. The point at t is rounded as well.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
-    const Config& config = rules_.asked.config;
+    const Config& config = rules_.inputs.config;
     if (primitive < scene.triangles.size() || primitive >= scene.triangles.size() + scene.spheres.size())
         return 0;
     const Vec3i& d = at.ray.d;
     const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
                  radius = scene.spheres[primitive - scene.triangles.size()].radius /
-                          rules_.asked.lattice.coarsest();
+                          rules_.inputs.lattice.coarsest();
     const double tick = std::exp2(1 - config.dir_bits - config.t_frac_bits) * length,
                  point = std::exp2(-config.origin_frac());
     return tick + std::max(point / length, radius * std::exp2(1 - root_bits)) + 3 * point;
@@ -167,7 +167,7 @@ bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const 
     if (own.primitive == no_primitive || own.primitive < scene.triangles.size() + scene.spheres.size())
         return false;
     const double entry = glm::length(
-        point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, rules_.asked.config.origin_frac()) - path.from);
+        point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, rules_.inputs.config.origin_frac()) - path.from);
     return own.depth <= entry + step();
 }
 
@@ -182,13 +182,13 @@ RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
         const std::array<double, 2> w = weights(at);
         hit.u = w[0], hit.v = w[1];
     }
-    hit.depth = glm::length(point(at.state.o, rules_.asked.config.origin_frac()) - path.from);
+    hit.depth = glm::length(point(at.state.o, rules_.inputs.config.origin_frac()) - path.from);
     return hit;
 }
 
 /// A ray that passes by the lattice as the machine sends it: its origin has lost its last far_drop bits.
 RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
-    const int frac = rules_.asked.config.origin_frac() - far_drop;
+    const int frac = rules_.inputs.config.origin_frac() - far_drop;
     RefPath moved = path;
     moved.from = point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, frac);
     if (chord(moved.from, path.from) > 1.7320509 * std::exp2(-frac) * step() * (1 + tie_size))
@@ -228,7 +228,7 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
         finding_.has_horizon = true;
         return as_machine(path, *at);
     }
-    if (rules_.seams && rules_.seams->look(at->ray, at->hit) != RayFinding::none) {
+    if (rules_.seams && rules_.seams->explain(at->ray, at->hit) != RayFinding::none) {
         finding_.has_seam = true;
         return as_machine(path, *at);
     }
@@ -246,7 +246,7 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
         const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k)
-                map[k][i] = std::ldexp(double(a[std::size_t(3 * i + k)]), -rules_.asked.config.map_frac());
+                map[k][i] = std::ldexp(double(a[std::size_t(3 * i + k)]), -rules_.inputs.config.map_frac());
     }
     const glm::dmat3 forth = glm::transpose(map), back = glm::inverse(forth);
     double longest = 0;
@@ -258,7 +258,7 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
 
 std::array<double, 2> Guide::weights(const MachineVisit& at) const {
     const bool has_inner = rules_.placed != nullptr;
-    const int frac = rules_.asked.config.origin_frac();
+    const int frac = rules_.inputs.config.origin_frac();
     const Vec3l& p = has_inner ? at.state.inner : at.state.o;
     const auto of = [](const Vec3i& v) { return glm::dvec3(v[0], v[1], v[2]); };
     const glm::dvec3 a = of(at.surface.a), e1 = of(at.surface.b) - a, e2 = of(at.surface.c) - a,
@@ -278,7 +278,7 @@ std::array<double, 2> Guide::weights(const MachineVisit& at) const {
 void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
-    const Config& config = rules_.asked.config;
+    const Config& config = rules_.inputs.config;
     const std::array<double, 2> w = weights(*at);
     const double unit = std::exp2(-config.origin_bits - int(at->surface.fine)),
                  most = std::exp2(-config.bary_bits) + 2.5 * unit + tie_size;
@@ -303,10 +303,10 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     const Scene& scene = rules_.scene;
     const Plane& plane = scene.planes[hit.primitive - scene.triangles.size() - scene.spheres.size()];
     const auto of = [](const Vec3i& v) { return glm::dvec3(v[0], v[1], v[2]); };
-    const glm::dvec3 pitch = rules_.asked.lattice.pitch;
+    const glm::dvec3 pitch = rules_.inputs.lattice.pitch;
     const double side_u = glm::length((of(at->surface.b) - of(at->surface.a)) * pitch) / glm::length(plane.u),
                  side_v = glm::length((of(at->surface.c) - of(at->surface.a)) * pitch) / glm::length(plane.v),
-                 fine = std::exp2(-rules_.asked.config.bary_bits);
+                 fine = std::exp2(-rules_.inputs.config.bary_bits);
     const auto is_near = [&](double x, double side) {
         return std::abs(x - std::round(x)) <= fine * side + 0x1p-36 * (1 + std::abs(x));
     };
@@ -329,7 +329,7 @@ void Guide::place(RefSurface& surface) {
         finding_.has_lost = true;
         return;
     }
-    const Config& config = rules_.asked.config;
+    const Config& config = rules_.inputs.config;
     const glm::dvec3 machine = point(at->state.o, config.origin_frac());
     moved_.resize(at_.size());
     moved_.back() = machine - surface.position;
@@ -385,12 +385,12 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
         return own;
     }
     const MachineLight& seen = at->lights[light];
-    const bool machine = seen.is_asked || seen.is_lit;
+    const bool machine = seen.was_sent || seen.is_lit;
     if (machine == own) return own;
     const bool is_exact = !is_turned(*at) && !at->state.far && !(rules_.placed && at->state.far) &&
-                          rules_.asked.frame.shade.near[light] != 0;
+                          rules_.inputs.frame.shade.near[light] != 0;
     const double side_error =
-        is_exact ? 4 * tie_size : 2 * vector_error + std::exp2(2 - rules_.asked.config.dir_bits);
+        is_exact ? 4 * tie_size : 2 * vector_error + std::exp2(2 - rules_.inputs.config.dir_bits);
     const double error = normal_error(*at) + vector_error + unit_step;
     const bool is_close = std::abs(side) <= side_error || std::abs(lambert) <= error;
     if (is_close) {
@@ -408,12 +408,12 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
 
 bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) const {
     const RefGeometry& geometry = rules_.reference.geometry();
-    const auto look = [&](const RefPath& moved) {
+    const auto is_match = [&](const RefPath& moved) {
         for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size})
             if (geometry.is_blocked(moved, distance * scale) == wanted) return true;
         return false;
     };
-    return look(path) || any_moved(path, look);
+    return is_match(path) || any_moved(path, is_match);
 }
 
 /// Returns true if the machine may miss a light because the point lies beyond the lattice. For such a point
@@ -426,20 +426,20 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
     const auto transmitting =
         std::count_if(scene.planes.begin(), scene.planes.end(),
                       [&](const Plane& plane) { return scene.materials[plane.material].transmit > 0; });
-    const bool is_beyond = rules_.asked.frame.shade.near[light] == 0;
+    const bool is_beyond = rules_.inputs.frame.shade.near[light] == 0;
     if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
     if (at.state.far && is_beyond && !at.lights[light].is_lit) {
         const RefClosest behind = rules_.reference.geometry().closest(path);
         if (behind.primitive != no_primitive && behind.depth > distance) return true;
     }
-    const Vec3i& eye = rules_.asked.frame.eye;
-    const glm::dvec3 from = units_of(rules_.asked.lattice, {eye[0], eye[1], eye[2]});
+    const Vec3i& eye = rules_.inputs.frame.eye;
+    const glm::dvec3 from = units_of(rules_.inputs.lattice, {eye[0], eye[1], eye[2]});
     const bool holds_eye = std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
         const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
         return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
     });
     if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
-    if (transmitting <= rules_.asked.config.panes || (!at.state.far && !is_beyond)) return false;
+    if (transmitting <= rules_.inputs.config.panes || (!at.state.far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
         return primitive >= scene.triangles.size() + scene.spheres.size();
@@ -457,11 +457,11 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         tie();
         return machine;
     }
-    if (seen.is_asked && RayKind(seen.ray.kind) == RayKind::away) {
+    if (seen.was_sent && RayKind(seen.ray.kind) == RayKind::away) {
         // Its direction is that of a unit vector, rounded; it begins at the light or at the surface.
-        const bool from_light = rules_.asked.frame.shade.near[light] != 0;
+        const bool from_light = rules_.inputs.frame.shade.near[light] != 0;
         const glm::dvec3 turned = (from_light ? -1.0 : 1.0) * direction(seen.ray.d);
-        if (chord(turned, path.direction) > 2 * vector_error + std::exp2(3 - rules_.asked.config.dir_bits)) {
+        if (chord(turned, path.direction) > 2 * vector_error + std::exp2(3 - rules_.inputs.config.dir_bits)) {
             fail("a shadow ray does not lead to its light");
             return machine;
         }
@@ -473,10 +473,10 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
             return machine;
         }
     }
-    if (seen.is_asked && rules_.seams) {
+    if (seen.was_sent && rules_.seams) {
         Closest answer;
         answer.found = machine;
-        if (rules_.seams->look(seen.ray, answer) != RayFinding::none) {
+        if (rules_.seams->explain(seen.ray, answer) != RayFinding::none) {
             finding_.has_seam = true;
             return machine;
         }
@@ -511,7 +511,7 @@ bool Guide::is_total(const RefSurface&, double ratio, double cosine, bool own) {
 /// R = 2 (N . V) N - V: the normal's error counts four times, the view's once. A refracted ray's comes from
 /// both cosines, which near the critical angle are wide open.
 double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) const {
-    const double n = normal_error(at), full = std::exp2(rules_.asked.config.dir_bits - 2);
+    const double n = normal_error(at), full = std::exp2(rules_.inputs.config.dir_bits - 2);
     const double grain = 1.7320509 * (1.5 * unit_step + 1 / full);
     if (bounce.interaction == RefBounce::Interaction::reflected)
         return 2 * (4 * n + 2 * n * n + 2 * vector_error + grain);
@@ -540,12 +540,12 @@ bool Guide::goes(RefBounce& bounce) {
     const int child = is_reflected ? at->reflected : at->refracted;
     const double error = direction_error(bounce, *at);
     const bool is_weight_close =   // docs/shading.md, Weights and threshold
-        std::abs(bounce.weight - rules_.asked.frame.shade.threshold * std::exp2(-unit_bits - 1)) <=
+        std::abs(bounce.weight - rules_.inputs.frame.shade.threshold * std::exp2(-unit_bits - 1)) <=
         (4 * double(at_.size()) + 1) * unit_step;
     const bool is_side_close = std::abs(side) <= error;
     if (child == MachineVisit::none) {
         if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // by the lattice: met() looks
-            if (rules_.asked.config.horizon && !at->state.lost)
+            if (rules_.inputs.config.horizon && !at->state.lost)
                 fail("a bounce beyond the lattice is not sent");
             if (!own) tie();
             return true;

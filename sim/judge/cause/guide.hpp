@@ -30,13 +30,13 @@ namespace rayclock {
 
 /// The data that all pixels share.
 struct GuideRules {
-    const Asked& asked;                    ///< the frame; the scene as given
+    const FrameInputs& inputs;             ///< the frame; the scene as given
     const Scene& scene;                    ///< the machine's scene, in the given scene's units
     const Reference& reference;            ///< traces `scene`
     const CameraBound& camera;             ///< the bound of the picture's camera rays
     double contrast = 0;                   ///< of samples, below which sampling ends
     const PlacedWorld* placed = nullptr;   ///< null with one level
-    const Seams* seams = nullptr;
+    const SeamFinder* seams = nullptr;
 };
 
 /// The result for one path.

@@ -44,7 +44,7 @@ void MachinePath::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::arrive:
             visit.surface = in.surface, visit.placement = in.placement, visit.state = out.state;
             break;
-        case ShadeEvent::turn: visit.state = out.state; break;
+        case ShadeEvent::transform: visit.state = out.state; break;
         case ShadeEvent::light:
             visit.lights.push_back(
                 {out.leave == PassOut::Leave::spawn, Pending(out.state.pending) == Pending::sure, {}});

@@ -8,7 +8,7 @@ namespace rayclock {
 
 /// A machine's decisions about one light at one surface.
 struct MachineLight {
-    bool is_asked = false;   ///< a ray was sent
+    bool was_sent = false;   ///< a ray was sent
     bool is_lit = false;     ///< its light is added
     Ray ray;                 ///< the ray, if one was sent
 };

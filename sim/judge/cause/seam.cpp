@@ -49,15 +49,15 @@ double round_distance(const Scene& round, std::size_t number, const glm::dvec3& 
 }   // namespace
 
 /// A ray and its answer.
-struct Seams::Question {
+struct SeamFinder::Question {
     oracle::PlacedRay ray;
     bool ends_at_any = false;
     double end = endless;           ///< of a shadow ray
     std::uint32_t left = nowhere;   ///< the instance that the ray leaves, or at which it ends
-    Met answer{};
+    LineHit answer{};
 };
 
-Seams::Seams(const PlacedWorld& world, const Config& config)
+SeamFinder::SeamFinder(const PlacedWorld& world, const Config& config)
     : world_(world), config_(config), snapped_(world.snapped()) {
     for (const oracle::SolidPlace& place : world.solids().places()) {
         Map map;
@@ -80,7 +80,7 @@ Seams::Seams(const PlacedWorld& world, const Config& config)
     }
 }
 
-Seams::Line Seams::line_of(std::uint32_t place, const oracle::PlacedRay& ray) const {
+SeamFinder::Line SeamFinder::line_of(std::uint32_t place, const oracle::PlacedRay& ray) const {
     if (place == nowhere) return {nowhere, origin_of(ray.ray), direction_of(ray.ray)};
     const oracle::SolidRay seen = world_.solids().seen_by(place, ray);
     const Map& map = maps_[place];
@@ -88,7 +88,7 @@ Seams::Line Seams::line_of(std::uint32_t place, const oracle::PlacedRay& ray) co
 }
 
 /// Worked out again from the plane or sphere that was met: a Hit has a float for it.
-Seams::Met Seams::met_by_line(const Line& line, std::uint32_t place, bool is_finite) const {
+SeamFinder::LineHit SeamFinder::met_by_line(const Line& line, std::uint32_t place, bool is_finite) const {
     const Map& map = maps_[place];
     const glm::dvec3 o = map.a * line.o + map.b, d = map.a * line.d;
     const std::uint32_t mesh = world_.solids().places()[place].mesh;
@@ -103,30 +103,30 @@ Seams::Met Seams::met_by_line(const Line& line, std::uint32_t place, bool is_fin
 }
 
 /// Where the map is the identity, it is the scene's ray.
-bool Seams::is_line_of(const Line& line, std::uint32_t place) const {
+bool SeamFinder::is_line_of(const Line& line, std::uint32_t place) const {
     return place == line.place ||
            (world_.is_same(place) && (line.place == nowhere || world_.is_same(line.place)));
 }
 
-Seams::Met Seams::met_exactly(std::uint32_t place, const Question& question) const {
+SeamFinder::LineHit SeamFinder::met_exactly(std::uint32_t place, const Question& question) const {
     const oracle::Nearest met =
         world_.solids().mesh_of(place).nearest(world_.solids().seen_by(place, question.ray));
     const double t = first_of(met);
-    return t < endless ? Met{place, t} : Met{};
+    return t < endless ? LineHit{place, t} : LineHit{};
 }
 
 /// Returns the nearest hit; among equal places the answer's wins. Instances on this line, and the instance
 /// that the ray leaves, are decided exactly.
-Seams::Met Seams::first_on(const Line& line, const Question& question) const {
-    Met first{nowhere, question.end};
+SeamFinder::LineHit SeamFinder::first_on(const Line& line, const Question& question) const {
+    LineHit first{nowhere, question.end};
     for (std::uint32_t place = 0; place < maps_.size(); ++place) {
-        Met met;
-        const auto asks = question.ray.ray.asks;
+        LineHit met;
+        const auto targets = question.ray.ray.targets;
         if (is_line_of(line, place) || place == question.left) {
             if (question.ends_at_any) continue;   // nothing is in the way there: else there is no question
             met = met_exactly(place, question);
-        } else if (asks != oracle::SolidRay::Asks::planes) {
-            met = met_by_line(line, place, asks == oracle::SolidRay::Asks::bounded);
+        } else if (targets != oracle::SolidRay::Targets::planes) {
+            met = met_by_line(line, place, targets == oracle::SolidRay::Targets::bounded);
         }
         if (met.place == nowhere) continue;
         const double gain = place == question.answer.place         ? -same_place
@@ -139,7 +139,8 @@ Seams::Met Seams::first_on(const Line& line, const Question& question) const {
 
 /// Rounding moves a line by half a unit where it begins, and by half a step for each direction; where the ray
 /// leaves an instance, by what it is off there.
-bool Seams::is_within_bound(const Line& line, const Met& met, const Question& question, double& apart) const {
+bool SeamFinder::is_within_bound(const Line& line, const LineHit& met, const Question& question,
+                                 double& apart) const {
     const auto rounded = [&](std::uint32_t place) {
         if (place == nowhere || world_.is_same(place)) return 0.0;
         const oracle::SolidRay seen = world_.solids().seen_by(place, question.ray);
@@ -163,7 +164,7 @@ bool Seams::is_within_bound(const Line& line, const Met& met, const Question& qu
     return share <= 1 + 1e-6;
 }
 
-RayFinding Seams::look(const Ray& ray, const Closest& answer, double* apart) const {
+RayFinding SeamFinder::explain(const Ray& ray, const Closest& answer, double* apart) const {
     Question question{world_.ray(ray), ends_at_any(ray.kind)};
     if (question.ends_at_any && answer.found) return RayFinding::one_line;   // that of what is in the way
     if (RayKind(ray.kind) == RayKind::shadow) question.end = std::ldexp(1.0, -config_.origin_frac());
@@ -186,7 +187,7 @@ RayFinding Seams::look(const Ray& ray, const Closest& answer, double* apart) con
     double most = 0;
     for (std::size_t i = 0; i < concerned.size(); ++i) {
         const Line line = line_of(concerned[i], question.ray);
-        const Met first = first_on(line, question);
+        const LineHit first = first_on(line, question);
         if (first.place == question.answer.place) return RayFinding::one_line;
         if (first.place == nowhere) continue;   // it misses what was hit
         is_bounded = is_bounded && is_within_bound(line, first, question, most);

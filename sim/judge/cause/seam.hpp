@@ -31,31 +31,31 @@ enum class RayFinding {
 constexpr const char* no_finding =
     "no line of an instance gives the answer, and they are too far apart for a seam";
 
-class Seams {
+class SeamFinder {
 public:
-    Seams(const PlacedWorld& world, const Config& config);
+    SeamFinder(const PlacedWorld& world, const Config& config);
 
     /// Explains an answer that judge_answer() accepts. If `apart` is given, it is raised to the distance
     /// between the lines of a seam, relative to the bound.
-    RayFinding look(const Ray& ray, const Closest& answer, double* apart = nullptr) const;
+    RayFinding explain(const Ray& ray, const Closest& answer, double* apart = nullptr) const;
 
 private:
     struct Line {
         std::uint32_t place = oracle::PlacedRay::nowhere;   ///< the line's instance; nowhere: the scene's ray
         glm::dvec3 o{0}, d{0};                              ///< in steps of the scene's lattice
     };
-    struct Met {
+    struct LineHit {
         std::uint32_t place = oracle::PlacedRay::nowhere;
         double t = 0;
     };
     struct Question;
     Line line_of(std::uint32_t place, const oracle::PlacedRay& ray) const;
     /// Returns the first instance that the line meets, within 0 < t < end.
-    Met first_on(const Line& line, const Question& question) const;
-    Met met_by_line(const Line& line, std::uint32_t place, bool is_finite) const;
+    LineHit first_on(const Line& line, const Question& question) const;
+    LineHit met_by_line(const Line& line, std::uint32_t place, bool is_finite) const;
     bool is_line_of(const Line& line, std::uint32_t place) const;
-    Met met_exactly(std::uint32_t place, const Question& question) const;
-    bool is_within_bound(const Line& line, const Met& met, const Question& question, double& apart) const;
+    LineHit met_exactly(std::uint32_t place, const Question& question) const;
+    bool is_within_bound(const Line& line, const LineHit& met, const Question& question, double& apart) const;
 
     const PlacedWorld& world_;
     const Config& config_;

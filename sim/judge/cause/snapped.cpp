@@ -22,8 +22,8 @@ glm::dvec3 units(const Lattice& lattice, const glm::dvec3& steps) {
 constexpr const char* far_eye = "the eye lies further from the camera's than it may";
 constexpr const char* far_corner = "a corner lies further from the scene's than it may";
 
-bool is_eye_near(const Asked& asked) {
-    return corner_error(asked.lattice, asked.frame.eye, asked.camera.eye) <= 0.5 + slack;
+bool is_eye_near(const FrameInputs& inputs) {
+    return corner_error(inputs.lattice, inputs.frame.eye, inputs.camera.eye) <= 0.5 + slack;
 }
 
 double rounded(double value, int bits) { return std::ldexp(std::round(std::ldexp(value, bits)), -bits); }
@@ -50,14 +50,14 @@ void round_material(Material& m) {
 
 class Snapper {
 public:
-    Snapper(const Asked& asked, const PlacedWorld* placed)
-        : asked_(asked), placed_(placed), out_{asked.scene, {}} {}
+    Snapper(const FrameInputs& inputs, const PlacedWorld* placed)
+        : inputs_(inputs), placed_(placed), out_{inputs.scene, {}} {}
 
     SnappedScene operator()() {
         move_corners();
         move_round();
-        demand(is_eye_near(asked_), far_eye);
-        if (asked_.config.shading) move_lights();
+        demand(is_eye_near(inputs_), far_eye);
+        if (inputs_.config.shading) move_lights();
         for (Material& m : out_.scene.materials) round_material(m);
         for (int k = 0; k < 3; ++k)
             out_.scene.background[k] = rounded(std::clamp(out_.scene.background[k], 0.0, 1.0), unit_bits);
@@ -72,7 +72,7 @@ private:
 
     /// Those of instances are held against their bound mesh by mesh, in PlacedWorld.
     void move_corners() {
-        const Lattice& lattice = asked_.lattice;
+        const Lattice& lattice = inputs_.lattice;
         if (placed_) {
             const Scene flat = flat_copy(placed_->snapped());
             if (flat.vertices.size() != out_.scene.vertices.size()) {
@@ -84,9 +84,9 @@ private:
             return;
         }
         const std::optional<Scene> moved =
-            asked_.config.shading ? aligned(asked_.scene, lattice) : std::nullopt;
-        const std::vector<double> most = corner_bounds(asked_.scene, lattice, asked_.config);
-        const std::vector<glm::dvec3>& given = asked_.scene.vertices;
+            inputs_.config.shading ? aligned(inputs_.scene, lattice) : std::nullopt;
+        const std::vector<double> most = corner_bounds(inputs_.scene, lattice, inputs_.config);
+        const std::vector<glm::dvec3>& given = inputs_.scene.vertices;
         for (std::size_t i = 0; i < given.size(); ++i) {
             const Vec3i at = lattice.snap(moved ? moved->vertices[i] : given[i]);
             out_.scene.vertices[i] = units(lattice, {at[0], at[1], at[2]});
@@ -96,14 +96,14 @@ private:
 
     /// A sphere's centre is moved by half a step, the square of its radius by half a step's.
     void move_round() {
-        const Lattice& lattice = asked_.lattice;
+        const Lattice& lattice = inputs_.lattice;
         Scene& scene = out_.scene;
         snap_round(lattice, scene);
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
             Sphere& s = scene.spheres[i];
             s.centre = units(lattice, s.centre);
             s.radius *= lattice.pitch.x;
-            const Sphere& given = asked_.scene.spheres[i];
+            const Sphere& given = inputs_.scene.spheres[i];
             const double radius = given.radius / lattice.pitch.x, square = std::max(radius * radius, 1.0),
                          got = s.radius / lattice.pitch.x;
             demand(corner_error(lattice, lattice.snap(given.centre), given.centre) <= 0.5 + slack,
@@ -114,7 +114,7 @@ private:
         for (std::size_t i = 0; i < scene.planes.size(); ++i) {
             Plane& p = scene.planes[i];
             p.point = units(lattice, p.point), p.u *= lattice.pitch, p.v *= lattice.pitch;
-            demand_plane(asked_.scene.planes[i], p);
+            demand_plane(inputs_.scene.planes[i], p);
         }
     }
 
@@ -122,7 +122,7 @@ private:
     /// whole sides from the scene's: docs/verdict.md proves from this how far the plane may turn, how far any
     /// of its points may lie from the given one, and where squares begin.
     void demand_plane(const Plane& given, const Plane& machine) {
-        const Lattice& lattice = asked_.lattice;
+        const Lattice& lattice = inputs_.lattice;
         const PlaneOnLattice on = plane_on_lattice(given, lattice);
         const auto steps = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
         const auto is_near = [](const glm::dvec3& a, const glm::dvec3& b, double error) {
@@ -152,11 +152,11 @@ private:
 
     /// By half a step; of a light beyond the reach of the registers that much at their end.
     void move_lights() {
-        const Lattice& lattice = asked_.lattice;
-        const double reach = std::exp2(asked_.config.light_bits() - 1) - 1;
+        const Lattice& lattice = inputs_.lattice;
+        const double reach = std::exp2(inputs_.config.light_bits() - 1) - 1;
         for (std::size_t i = 0; i < out_.scene.lights.size(); ++i) {
             Light& light = out_.scene.lights[i];
-            const std::int32_t* place = &asked_.frame.shade.place[3 * i];
+            const std::int32_t* place = &inputs_.frame.shade.place[3 * i];
             const glm::dvec3 given = (light.position - lattice.centre) / lattice.pitch;
             const double far = std::max({std::abs(given.x), std::abs(given.y), std::abs(given.z)});
             const glm::dvec3 there = far > reach ? given * (reach / far) : given,
@@ -168,23 +168,25 @@ private:
         }
     }
 
-    const Asked& asked_;
+    const FrameInputs& inputs_;
     const PlacedWorld* placed_;
     SnappedScene out_;
 };
 
 }   // namespace
 
-SnappedScene snapped_scene(const Asked& asked, const PlacedWorld* placed) { return Snapper(asked, placed)(); }
+SnappedScene snapped_scene(const FrameInputs& inputs, const PlacedWorld* placed) {
+    return Snapper(inputs, placed)();
+}
 
-std::vector<std::string> snapping_faults(const Asked& asked, const PlacedWorld* placed) {
+std::vector<std::string> snapping_faults(const FrameInputs& inputs, const PlacedWorld* placed) {
     std::vector<std::string> faults;
-    if (!is_eye_near(asked)) faults.emplace_back(far_eye);
+    if (!is_eye_near(inputs)) faults.emplace_back(far_eye);
     if (placed) return faults;
-    const std::vector<double> most = corner_bounds(asked.scene, asked.lattice, asked.config);
+    const std::vector<double> most = corner_bounds(inputs.scene, inputs.lattice, inputs.config);
     for (std::size_t i = 0; i < most.size(); ++i) {
-        const Vec3i at = asked.lattice.snap(asked.scene.vertices[i]);
-        if (corner_error(asked.lattice, at, asked.scene.vertices[i]) > most[i]) {
+        const Vec3i at = inputs.lattice.snap(inputs.scene.vertices[i]);
+        if (corner_error(inputs.lattice, at, inputs.scene.vertices[i]) > most[i]) {
             faults.emplace_back(far_corner);
             break;
         }
@@ -192,10 +194,10 @@ std::vector<std::string> snapping_faults(const Asked& asked, const PlacedWorld* 
     return faults;
 }
 
-Camera snapped_camera(const Asked& asked) {
-    Camera camera = asked.camera;
-    const Vec3i& eye = asked.frame.eye;
-    const glm::dvec3 moved = units(asked.lattice, {eye[0], eye[1], eye[2]}) - camera.eye;
+Camera snapped_camera(const FrameInputs& inputs) {
+    Camera camera = inputs.camera;
+    const Vec3i& eye = inputs.frame.eye;
+    const glm::dvec3 moved = units(inputs.lattice, {eye[0], eye[1], eye[2]}) - camera.eye;
     camera.eye += moved, camera.at += moved;
     return camera;
 }

@@ -17,12 +17,12 @@ struct SnappedScene {
 };
 
 /// `placed` is null with one level.
-SnappedScene snapped_scene(const Asked& asked, const PlacedWorld* placed);
+SnappedScene snapped_scene(const FrameInputs& inputs, const PlacedWorld* placed);
 
 /// Returns only the faults, for a scene of triangles that is not shaded.
-std::vector<std::string> snapping_faults(const Asked& asked, const PlacedWorld* placed);
+std::vector<std::string> snapping_faults(const FrameInputs& inputs, const PlacedWorld* placed);
 
 /// Returns the camera with its eye at the machine's lattice point.
-Camera snapped_camera(const Asked& asked);
+Camera snapped_camera(const FrameInputs& inputs);
 
 }   // namespace rayclock

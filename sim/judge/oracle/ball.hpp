@@ -38,23 +38,24 @@ struct Ball {
 
 /// How the ray t > 0 meets the sphere: it enters at the near point if it comes from outside, and leaves at
 /// the far point otherwise.
-enum class Meets { no, near, far };
-inline Meets meets(const Ball& ball) {
-    if (!ball.moves()) return Meets::no;
+enum class SphereRoot { none, near, far };
+inline SphereRoot meets(const Ball& ball) {
+    if (!ball.moves()) return SphereRoot::none;
     const Rational start = ball.outside(0), middle = ball.middle();
-    if (start > 0) return middle > 0 && ball.outside(middle) <= 0 ? Meets::near : Meets::no;
-    if (start == 0) return middle > 0 ? Meets::far : Meets::no;
-    return Meets::far;
+    if (start > 0) return middle > 0 && ball.outside(middle) <= 0 ? SphereRoot::near : SphereRoot::none;
+    if (start == 0) return middle > 0 ? SphereRoot::far : SphereRoot::none;
+    return SphereRoot::far;
 }
 /// Decides for a ray that starts on the sphere, up to rounding, and goes inward: only the far point counts.
-inline Meets meets_from_its_surface(const Ball& ball) {
-    return meets(ball) == Meets::no ? Meets::no : Meets::far;
+inline SphereRoot meets_from_its_surface(const Ball& ball) {
+    return meets(ball) == SphereRoot::none ? SphereRoot::none : SphereRoot::far;
 }
 
 /// Returns true if the near or far crossing lies at t or before.
-inline bool reached(const Ball& ball, Meets which, const Rational& t) {
+inline bool reached(const Ball& ball, SphereRoot which, const Rational& t) {
     const Rational middle = ball.middle();
-    return which == Meets::near ? t >= middle || ball.outside(t) <= 0 : t >= middle && ball.outside(t) >= 0;
+    return which == SphereRoot::near ? t >= middle || ball.outside(t) <= 0
+                                     : t >= middle && ball.outside(t) >= 0;
 }
 
 /// Returns true if the segment 0 < t < end crosses or touches the sphere.

@@ -43,7 +43,7 @@ LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) 
 
 /// The common part of the traversals: camera rays and the exact triangle test. Derived classes define the
 /// type of distance.
-struct CameraWay {
+struct CameraPolicy {
     const Decoder& decoder;
     const Config& config;
     const Ray& ray;
@@ -59,7 +59,7 @@ struct CameraWay {
 };
 
 /// The machine's own decisions: t_near and t in its units. Judges and counts its answers about boxes.
-struct ByMachine : CameraWay {
+struct ByMachine : CameraPolicy {
     using Order = ByDistance;
     ExtraVisits* count;
     std::uint32_t t_best = beyond(config);
@@ -113,7 +113,7 @@ struct Exactly {
 };
 
 /// Exact entries and exact hits. `real` holds the boxes to test; null means those of the node.
-struct ByOracle : CameraWay {
+struct ByOracle : CameraPolicy {
     using Order = Exactly;
     const Boxes* real;
     Exactly::Time t_best = Exactly::beyond();
@@ -151,11 +151,11 @@ struct Counter {
 };
 
 /// Traces a ray and returns its closest hit.
-template <class Way>
-Best walked(Way&& way, GroupStack<typename Way::Order>& stack, std::uint32_t root, WalkWork& work) {
-    WalkRoom<typename Way::Order> room;
-    TreeWalk(way, stack, room).run(root, Counter{work});
-    return way.best;
+template <class Policy>
+Best walked(Policy&& policy, GroupStack<typename Policy::Order>& stack, std::uint32_t root, WalkWork& work) {
+    WalkRoom<typename Policy::Order> room;
+    TreeWalk(policy, stack, room).run(root, Counter{work});
+    return policy.best;
 }
 
 bool same(const Best& a, const Best& b) { return a.found == b.found && (!a.found || a.prim == b.prim); }
@@ -195,7 +195,7 @@ ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Con
                 const Ray ray =
                     raygen({0, std::uint32_t(pixel % frame.width), std::uint32_t(pixel / frame.width)}, frame,
                            config);
-                const CameraWay camera{decoder, config, ray};
+                const CameraPolicy camera{decoder, config, ray};
                 const Best first = walked(ByMachine{camera, &part}, stack, root, part.machine);
                 const Best second = walked(ByOracle{camera, nullptr}, exact_stack, root, part.exact);
                 const Best third = walked(ByOracle{camera, &real}, exact_stack, root, part.real);

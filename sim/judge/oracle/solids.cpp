@@ -140,25 +140,26 @@ Ball ball_of(const SolidRay& ray, const Solid& sphere) {
     return b;
 }
 
-Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
+SphereRoot meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
     const Ball b = ball_of(ray, sphere);
-    if (b.square == 0 || sphere.radius_squared == 0 || (is_self && !ray.inside)) return Meets::no;
+    if (b.square == 0 || sphere.radius_squared == 0 || (is_self && !ray.inside)) return SphereRoot::none;
     const bool ahead = b.along < 0;   // the point nearest to the centre
     if (!sphere.is_glass)             // opaque: the ray enters from outside, or misses
-        return !is_self && b.start > 0 && ahead && b.disc() >= 0 ? Meets::near : Meets::no;
-    Meets found = Meets::far;
-    if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
-    if (b.start == 0) found = ahead ? Meets::far : Meets::no;
-    return is_self && found != Meets::no ? Meets::far : found;   // starts on the sphere, up to rounding
+        return !is_self && b.start > 0 && ahead && b.disc() >= 0 ? SphereRoot::near : SphereRoot::none;
+    SphereRoot found = SphereRoot::far;
+    if (b.start > 0) found = ahead && b.disc() >= 0 ? SphereRoot::near : SphereRoot::none;
+    if (b.start == 0) found = ahead ? SphereRoot::far : SphereRoot::none;
+    return is_self && found != SphereRoot::none ? SphereRoot::far : found;   // starts on the sphere, up to
+                                                                             // rounding
 }
 
-double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
+double sphere_distance(const SolidRay& ray, const Solid& sphere, SphereRoot which) {
     // The product of the roots is start / square. Compute the root whose terms do not cancel, and derive the
     // other one from the product.
     const Ball b = ball_of(ray, sphere);
     const long double root = std::sqrt((long double)b.disc()), along = (long double)b.along,
                       square = (long double)b.square;
-    const bool far = which == Meets::far;
+    const bool far = which == SphereRoot::far;
     const long double sum = far ? root - along : -root - along;   // times square
     const long double scaled = (far ? along <= 0 : along >= 0)
                                    ? sum / square
@@ -166,7 +167,7 @@ double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
     return double(std::ldexp(scaled, -ray.frac));
 }
 
-bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::int64_t ticks,
+bool reaches_sphere(const SolidRay& ray, const Solid& sphere, SphereRoot which, std::int64_t ticks,
                     int tick_bits) {
     const Triple<Short> to_centre = from_origin(ray, sphere.centre);
     Int128 outside = -(Int128(sphere.radius_squared) << (2 * tick_bits)), along = 0;
@@ -175,7 +176,7 @@ bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::
         outside += at * at;
         along += at * ray.direction[k];   // at least 0: past the point nearest to the centre
     }
-    return which == Meets::near ? along >= 0 || outside <= 0 : along >= 0 && outside >= 0;
+    return which == SphereRoot::near ? along >= 0 || outside <= 0 : along >= 0 && outside >= 0;
 }
 
 Solids::Solids(std::vector<Solid> solids)
@@ -196,14 +197,14 @@ Nearest Solids::nearest(const SolidRay& ray) const {
         limit = std::min(limit, double(hit->num) / double(hit->den) * (1 + 0x1p-40));
     };
     for (const std::uint32_t number : planes_) flat(number);
-    if (ray.asks == SolidRay::Asks::planes) return found;
+    if (ray.targets == SolidRay::Targets::planes) return found;
     const tree::Ray search(ray.origin, ray.direction, ray.frac);
     const auto after = [&](double near) { return near > 2 * limit * search.main_size() * (1 + 0x1p-40); };
     tree_.nearest_first(search, after, [&](std::uint32_t place) {
         const std::uint32_t number = bounded_[tree_.order()[place]];
         if (solids_[number].shape == Solid::Shape::triangle) return flat(number);
-        const Meets which = meets_sphere(ray, solids_[number], is_self(ray, number));
-        if (which == Meets::no) return;
+        const SphereRoot which = meets_sphere(ray, solids_[number], is_self(ray, number));
+        if (which == SphereRoot::none) return;
         const double distance = sphere_distance(ray, solids_[number], which);
         if (found.sphere.primitive != no_primitive &&
             (distance > found.sphere.distance ||
@@ -217,23 +218,23 @@ Nearest Solids::nearest(const SolidRay& ray) const {
 
 bool Solids::meets_any(const SolidRay& ray) const {
     bool met = false;
-    const auto look = [&](std::uint32_t number) {
+    const auto test_primitive = [&](std::uint32_t number) {
         const Solid& s = solids_[number];
-        met =
-            met || (s.shape == Solid::Shape::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
-                                                    : cross_flat(ray, s, number).has_value());
+        met = met || (s.shape == Solid::Shape::sphere
+                          ? meets_sphere(ray, s, is_self(ray, number)) != SphereRoot::none
+                          : cross_flat(ray, s, number).has_value());
     };
-    if (ray.asks != SolidRay::Asks::bounded)
-        for (const std::uint32_t number : planes_) look(number);
+    if (ray.targets != SolidRay::Targets::bounded)
+        for (const std::uint32_t number : planes_) test_primitive(number);
     tree_.nearest_first(
         tree::Ray(ray.origin, ray.direction, ray.frac), [&](double) { return met; },
-        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+        [&](std::uint32_t place) { test_primitive(bounded_[tree_.order()[place]]); });
     return met;
 }
 
 bool Solids::blocks(const SolidRay& ray, int frac_end) const {
     bool met = false;
-    const auto look = [&](std::uint32_t number) {
+    const auto test_primitive = [&](std::uint32_t number) {
         if (met) return;
         const Solid& s = solids_[number];
         if (s.shape == Solid::Shape::sphere) {
@@ -243,12 +244,12 @@ bool Solids::blocks(const SolidRay& ray, int frac_end) const {
         const auto hit = cross_flat(ray, s, number);
         met = hit && hit->num * (Int128(1) << frac_end) < hit->den;
     };
-    for (const std::uint32_t number : planes_) look(number);
+    for (const std::uint32_t number : planes_) test_primitive(number);
     const tree::Ray search(ray.origin, ray.direction, ray.frac);
     const double end = 2 * std::ldexp(search.main_size(), -frac_end) * (1 + 0x1p-40);
     tree_.nearest_first(
         search, [&](double near) { return met || near > end; },
-        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+        [&](std::uint32_t place) { test_primitive(bounded_[tree_.order()[place]]); });
     return met;
 }
 

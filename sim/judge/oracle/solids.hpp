@@ -39,7 +39,11 @@ struct SolidRay {
     std::uint32_t self = no_primitive;   ///< the surface that it leaves, or at which a shadow ray ends; none:
                                          ///< from the eye
     bool inside = false;                 ///< of a sphere: the ray is on its inside
-    enum class Asks { all, bounded, planes } asks = Asks::all;   ///< bounded: triangles and spheres only
+    enum class Targets {
+        all,
+        bounded,
+        planes
+    } targets = Targets::all;   ///< bounded: triangles and spheres only
 };
 
 /// A hit of a triangle or a plane at t = num / den, with the weights u / total and v / total of b and c. Both
@@ -62,14 +66,15 @@ struct Ball {
 Ball ball_of(const SolidRay& ray, const Solid& sphere);
 
 /// How a ray meets a sphere: not at all, where it enters, or where it leaves.
-enum class Meets { no, near, far };
-Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self);
+enum class SphereRoot { none, near, far };
+SphereRoot meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self);
 
 /// Returns t at that point, with a relative error of at most 2^-48.
-double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which);
+double sphere_distance(const SolidRay& ray, const Solid& sphere, SphereRoot which);
 
 /// Returns true if t = ticks / 2^tick_bits, tick_bits >= ray.frac, is that point or lies after it. Exact.
-bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::int64_t ticks, int tick_bits);
+bool reaches_sphere(const SolidRay& ray, const Solid& sphere, SphereRoot which, std::int64_t ticks,
+                    int tick_bits);
 
 /// Compares num1 / den1 with num2 / den2 by continued fractions: -1 less, 0 equal, 1 greater. All numbers are
 /// positive and of any size.
@@ -78,7 +83,7 @@ int compare_fractions(Int128 num1, Int128 den1, Int128 num2, Int128 den2);
 /// The closest sphere of a ray; no_primitive if it meets none.
 struct SphereHit {
     std::uint32_t primitive = no_primitive;
-    Meets which = Meets::no;
+    SphereRoot which = SphereRoot::none;
     double distance = 0;
 };
 /// The closest triangle or plane (the lowest number of equally close ones), and the closest sphere.

@@ -9,11 +9,11 @@ namespace rayclock {
 namespace {
 
 using oracle::FlatHit;
-using oracle::Meets;
 using oracle::Nearest;
 using oracle::Solid;
 using oracle::SolidRay;
 using oracle::Solids;
+using oracle::SphereRoot;
 
 /// The direction's length is 2^tick_bits units of t.
 int tick_bits(const Config& c) { return c.dir_bits - 1 + c.t_frac_bits; }
@@ -81,8 +81,8 @@ const char* judge_flat(const Nearest& nearest, const Solids& solids, const Solid
 const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint32_t first,
                          const SolidRay& ray, const Config& c, const Closest& answer) {
     const Solid& sphere = solids.all()[answer.prim - first];
-    const Meets which = oracle::meets_sphere(ray, sphere, ray.self == answer.prim - first);
-    if (which == Meets::no) return "it misses that sphere";
+    const SphereRoot which = oracle::meets_sphere(ray, sphere, ray.self == answer.prim - first);
+    if (which == SphereRoot::none) return "it misses that sphere";
     const std::int64_t t = answer.t;
     const auto slack = std::int64_t(std::ceil(sphere_error(ray, sphere, c)));
     const bool beyond = t == most_ticks(c);
@@ -98,7 +98,7 @@ const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint
             return "another primitive is closer";
     }
     if (answer.u != 0 || answer.v != 0) return "a sphere has no u and v";
-    if (c.shading && (answer.back != 0) != (which == Meets::far)) return "it meets the other side";
+    if (c.shading && (answer.back != 0) != (which == SphereRoot::far)) return "it meets the other side";
     return nullptr;
 }
 
@@ -122,9 +122,9 @@ const char* no_place(const Closest& answer) {
 SolidRay solid_ray(const Ray& ray, const Config& c) {
     const auto kind = RayKind(ray.kind);
     SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.inside != 0};
-    if (ray.partial != 0 && ends_at_any(ray.kind)) r.asks = SolidRay::Asks::bounded;
+    if (ray.partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
     if (ray.partial != 0 && kind == RayKind::bounce) {   // its origin has lost bits: docs/origins.md
-        r.asks = SolidRay::Asks::planes;
+        r.targets = SolidRay::Targets::planes;
         r.frac -= light_reach + 1;
     }
     if (kind != RayKind::camera) r.self = ray.self;

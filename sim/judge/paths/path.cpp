@@ -101,7 +101,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::refract: refract(in, out); break;
         case ShadeEvent::reflect: reflect(in, out); break;
         case ShadeEvent::pop: pop(in, out); break;
-        case ShadeEvent::turn: turn(in, out); break;
+        case ShadeEvent::transform: transform(in, out); break;
     }
     demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
            "what was added is not what the surface, light or background gives");
@@ -129,7 +129,7 @@ void PathJudge::background(std::uint32_t weight, const Range& exact) {
     Colour colour{};
     Light range;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double light = rules_.asked.scene.background[int(k)];
+        const double light = rules_.inputs.scene.background[int(k)];
         colour[k] = std::uint32_t(nearest_of_power(Int128(weight) * frame_.shade.background[k], unit_bits));
         range[k] =
             (exact * Range::around(std::clamp(light, 0.0, 1.0), 0.5 * unit_step)).wider(0.5 * unit_step);

@@ -20,7 +20,7 @@ namespace rayclock {
 
 /// The inputs that all threads share to judge a path.
 struct PathRules {
-    const Asked& asked;   ///< with the compiled scene
+    const FrameInputs& inputs;   ///< with the compiled scene
     const Whitted& settings;
     const std::vector<oracle::Solid>& primitives;
     const oracle::Solids& solids;
@@ -36,7 +36,7 @@ struct PathFault {
 class PathJudge final : public ShadeWatch {
 public:
     explicit PathJudge(const PathRules& rules)
-        : rules_(rules), config_(rules.asked.config), frame_(rules.asked.frame) {}
+        : rules_(rules), config_(rules.inputs.config), frame_(rules.inputs.frame) {}
 
     void start(std::uint32_t x, std::uint32_t y);
     void sent(const Ray& ray) override;
@@ -115,7 +115,7 @@ private:
     };
     std::optional<Start> bounce_start_of(const ShadeState& s, const Vec3i& d, bool through) const;
     void demand_lights(const ShadeState& s);
-    void turn(const PassIn& in, const PassOut& out);
+    void transform(const PassIn& in, const PassOut& out);
     Vec3i point_at(const PassIn& in) const;
     Home home_of(const ShadeState& s, const Vec3i& d) const;
     Home home_from(const ShadeState& s, const Vec3i& light) const;

@@ -12,7 +12,7 @@ namespace rayclock {
 /// The unit normal has an error of vector_error before, so the transformed one has this error times the map's
 /// size. The directions of x and x + e differ by at most |e| / (|x| - |e| / 2). Normalising adds
 /// vector_error.
-void PathJudge::turn(const PassIn& in, const PassOut& out) {
+void PathJudge::transform(const PassIn& in, const PassOut& out) {
     const ShadeState& before = in.state;
     const ShadeState& s = out.state;
     demand(out.leave == PassOut::Leave::again, "a surface that is turned sends no ray");

@@ -53,24 +53,24 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_ = {};
     if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
         return;   // the fault is already recorded
-    place_.ratio = ratio_of(
-        rules_.placed ? rules_.placed->material(answer_.prim) : material_of(rules_.asked.scene, answer_.prim),
-        answer_.back != 0);
+    place_.ratio = ratio_of(rules_.placed ? rules_.placed->material(answer_.prim)
+                                          : material_of(rules_.inputs.scene, answer_.prim),
+                            answer_.back != 0);
     place_.surface = rules_.placed
                          ? rules_.placed->surface(answer_.prim)
-                         : expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
+                         : expected_surface(rules_.inputs.scene, rules_.primitives, config_, answer_.prim);
     if (PrimKind(place_.surface.kind) == PrimKind::plane)   // its squares are judged with the colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
     if (place_.surface.smooth) {
         const bool holds = rules_.placed ? rules_.placed->holds_normals(answer_.prim, in.surface)
-                                         : holds_normals(rules_.asked.scene, answer_.prim, in.surface);
+                                         : holds_normals(rules_.inputs.scene, answer_.prim, in.surface);
         demand(holds, "memory does not hold the corner normals of the triangle that was hit");
         place_.surface.normal = in.surface.normal;
     }
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
     place_.pane =
-        place_.surface.kind == std::uint32_t(PrimKind::plane) ? pane_bit(rules_.asked, answer_.prim) : 0;
+        place_.surface.kind == std::uint32_t(PrimKind::plane) ? pane_bit(rules_.inputs, answer_.prim) : 0;
     demand(s.across == (branch_.cell ^ place_.pane),
            "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
@@ -78,13 +78,14 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
-        return demand(ShadeEvent(s.event) == ShadeEvent::turn, "after an instance's surface comes its turn");
+        return demand(ShadeEvent(s.event) == ShadeEvent::transform,
+                      "after an instance's surface comes its turn");
     }
     demand_lights(s);
 }
 
 void PathJudge::demand_lights(const ShadeState& s) {
-    const bool lights = !rules_.asked.scene.lights.empty();
+    const bool lights = !rules_.inputs.scene.lights.empty();
     demand(s.light == 0 && ShadeEvent(s.event) == (lights ? ShadeEvent::light : after_lights(s)),
            "after a surface come its lights");
 }
@@ -178,7 +179,7 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
 /// it is the square around the plane's point a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
     if (PrimKind(surface.kind) != PrimKind::plane || !surface.checkered) return surface.colour;
-    const Scene& scene = rules_.asked.scene;
+    const Scene& scene = rules_.inputs.scene;
     const Material& material =
         rules_.placed ? rules_.placed->material(answer_.prim) : material_of(scene, answer_.prim);
     const Plane& plane = rules_.placed
@@ -192,7 +193,7 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
         first[k] = shade(material.colour[int(k)]), second[k] = shade(material.other[int(k)]);
         between[k] = (first[k] + second[k]) / 2;
     }
-    const PlaneOnLattice on = plane_on_lattice(plane, rules_.asked.lattice);
+    const PlaneOnLattice on = plane_on_lattice(plane, rules_.inputs.lattice);
     const std::int64_t last = (std::int64_t(1) << (config_.uv_bits() - 1)) - 1;
     bool odd = false;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -261,7 +262,7 @@ void PathJudge::ambient(const ShadeState& s) {
 void PathJudge::light(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
     const std::uint32_t number = s.light;
-    const auto all = std::uint32_t(rules_.asked.scene.lights.size());
+    const auto all = std::uint32_t(rules_.inputs.scene.lights.size());
     demand(number < all, "there is no such light");
     demand(out.state.light == number + 1 &&
                ShadeEvent(out.state.event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),

@@ -25,11 +25,11 @@ struct Bench {
     RecordScratch scratch;
     PathJudge judge;
     std::vector<PictureFault> faults;
-    Bench(const MemoryImage& image, const Asked& asked, const Decoder& decoder, const PathRules& rules)
-        : recorder(image, asked.frame, asked.config, decoder), scratch(asked.config), judge(rules) {}
+    Bench(const MemoryImage& image, const FrameInputs& inputs, const Decoder& decoder, const PathRules& rules)
+        : recorder(image, inputs.frame, inputs.config, decoder), scratch(inputs.config), judge(rules) {}
 };
 
-void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const Given& given,
+void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const MachineOutput& given,
                  std::vector<std::uint8_t>& wrong) {
     PathJudge& judge = bench.judge;
     judge.start(x, y);
@@ -51,46 +51,48 @@ struct PictureJudge::World {
     const MemoryImage& image;
     const Whitted& settings;
     std::optional<Scene> moved;   ///< of one level, with the corners of large triangles on coarser points
-    Asked asked;
+    FrameInputs inputs;
     std::vector<oracle::Solid> primitives;
     oracle::Solids solids;
     std::optional<PlacedWorld> placed;
     PathRules rules;
     Decoder decoder;
 
-    World(const Asked& given, const MemoryImage& memory, const Whitted& options)
+    World(const FrameInputs& given, const MemoryImage& memory, const Whitted& options)
         : image(memory),
           settings(options),
           moved(given.config.has_instances() ? std::nullopt : aligned(given.scene, given.lattice)),
-          asked{moved ? *moved : given.scene, given.camera, given.frame, given.lattice, given.config},
+          inputs{moved ? *moved : given.scene, given.camera, given.frame, given.lattice, given.config},
           primitives(given.config.has_instances()
                          ? std::vector<oracle::Solid>{}
-                         : solids_of(asked.scene, asked.lattice, asked.config.coord_bits)),
+                         : solids_of(inputs.scene, inputs.lattice, inputs.config.coord_bits)),
           solids(primitives),
-          placed(given.config.has_instances() ? std::make_optional<PlacedWorld>(asked, image) : std::nullopt),
-          rules{asked, settings, primitives, solids, placed ? &*placed : nullptr},
-          decoder(image, asked.config) {}
+          placed(given.config.has_instances() ? std::make_optional<PlacedWorld>(inputs, image)
+                                              : std::nullopt),
+          rules{inputs, settings, primitives, solids, placed ? &*placed : nullptr},
+          decoder(image, inputs.config) {}
 };
 
-PictureJudge::PictureJudge(const Asked& asked, const MemoryImage& image, const Whitted& settings)
-    : world_(std::make_unique<World>(asked, image, settings)) {}
+PictureJudge::PictureJudge(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings)
+    : world_(std::make_unique<World>(inputs, image, settings)) {}
 PictureJudge::~PictureJudge() = default;
 
 const PathRules& PictureJudge::rules() const { return world_->rules; }
 const PlacedWorld* PictureJudge::placed() const { return world_->rules.placed; }
 ShadedRecorder PictureJudge::recorder() const {
-    return {world_->image, world_->asked.frame, world_->asked.config, world_->decoder};
+    return {world_->image, world_->inputs.frame, world_->inputs.config, world_->decoder};
 }
 
-PictureJudgement PictureJudge::judge(const Given& given, int threads, const Progress& progress) const {
+PictureJudgement PictureJudge::judge(const MachineOutput& given, int threads,
+                                     const Progress& progress) const {
     const Stopwatch watch;
-    const Asked& asked = world_->asked;
+    const FrameInputs& inputs = world_->inputs;
     const PlacedWorld* placed = world_->rules.placed;
-    const std::uint32_t width = asked.frame.width, height = asked.frame.height;
+    const std::uint32_t width = inputs.frame.width, height = inputs.frame.height;
 
     PictureJudgement j;
     std::vector<std::uint8_t> wrong(std::size_t(width) * height);
-    for (const std::string& sentence : judge_registers(asked, world_->settings))
+    for (const std::string& sentence : judge_registers(inputs, world_->settings))
         j.faults.push_back({0, 0, 0, sentence});
     if (placed)
         for (const std::string& sentence : placed->faults()) j.faults.push_back({0, 0, 0, sentence});
@@ -102,7 +104,7 @@ PictureJudgement PictureJudge::judge(const Given& given, int threads, const Prog
         return j;
     }
     tbb::enumerable_thread_specific<Bench> benches(
-        [&] { return Bench(world_->image, asked, world_->decoder, world_->rules); });
+        [&] { return Bench(world_->image, inputs, world_->decoder, world_->rules); });
     const FrameSize size{int(width), int(height)}, row{size.width, 1};
     const auto judge_row = [&](const PixelTile& tile) {
         const auto y = std::uint32_t(tile.rows().begin());
@@ -128,9 +130,9 @@ PictureJudgement PictureJudge::judge(const Given& given, int threads, const Prog
     return j;
 }
 
-PictureJudgement judge_picture(const Asked& asked, const MemoryImage& image, const Whitted& settings,
-                               const Given& given, int threads, const Progress& progress) {
-    return PictureJudge(asked, image, settings).judge(given, threads, progress);
+PictureJudgement judge_picture(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings,
+                               const MachineOutput& given, int threads, const Progress& progress) {
+    return PictureJudge(inputs, image, settings).judge(given, threads, progress);
 }
 
 }   // namespace rayclock

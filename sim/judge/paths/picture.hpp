@@ -11,7 +11,7 @@
 namespace rayclock {
 
 /// The machine's output, one entry per pixel.
-struct Given {
+struct MachineOutput {
     const std::vector<Closest>& answers;   ///< to the first camera ray of each pixel
     const std::vector<std::array<std::uint32_t, 3>>& colours;
     const std::vector<std::uint64_t>& signatures;   ///< PathSignature, from the model only
@@ -38,12 +38,12 @@ struct PictureJudgement {
 class PictureJudge {
 public:
     /// `image` is the machine's memory. All arguments must outlive the judge.
-    PictureJudge(const Asked& asked, const MemoryImage& image, const Whitted& settings);
+    PictureJudge(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings);
     ~PictureJudge();
     PictureJudge(const PictureJudge&) = delete;
 
     /// Traces every pixel's rays again as the model does, and judges each step.
-    PictureJudgement judge(const Given& given, int threads = 0, const Progress& progress = {}) const;
+    PictureJudgement judge(const MachineOutput& given, int threads = 0, const Progress& progress = {}) const;
 
     const PathRules& rules() const;
     const PlacedWorld* placed() const;   ///< null with one level
@@ -56,7 +56,7 @@ private:
 };
 
 /// The same in one call.
-PictureJudgement judge_picture(const Asked& asked, const MemoryImage& image, const Whitted& settings,
-                               const Given& given, int threads = 0, const Progress& progress = {});
+PictureJudgement judge_picture(const FrameInputs& inputs, const MemoryImage& image, const Whitted& settings,
+                               const MachineOutput& given, int threads = 0, const Progress& progress = {});
 
 }   // namespace rayclock

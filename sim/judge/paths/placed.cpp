@@ -69,10 +69,10 @@ std::array<long double, 9> inverse_of(const glm::dmat4& place) {
 
 }   // namespace
 
-PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
-    : asked_(asked), config_(asked.config) {
-    const PlacedScene own = asked.scene.placed ? PlacedScene{} : alone(asked.scene);
-    const PlacedScene& scene = asked.scene.placed ? *asked.scene.placed : own;
+PlacedWorld::PlacedWorld(const FrameInputs& inputs, const MemoryImage& image)
+    : inputs_(inputs), config_(inputs.config) {
+    const PlacedScene own = inputs.scene.placed ? PlacedScene{} : alone(inputs.scene);
+    const PlacedScene& scene = inputs.scene.placed ? *inputs.scene.placed : own;
     const LevelLattices& lattices = *image.levels;
     list_instances(scene, lattices);
     const SharedMesh own_mesh = own_mesh_of(scene.own);
@@ -145,8 +145,8 @@ void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& 
 PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     Made made;
     made.scene.spheres = scene.own.spheres, made.scene.planes = scene.own.planes;
-    made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
-    made.solids = solids_of(made.scene, asked_.lattice, config_.coord_bits);
+    made.scene.materials = inputs_.scene.materials.empty() ? scene.own.materials : inputs_.scene.materials;
+    made.solids = solids_of(made.scene, inputs_.lattice, config_.coord_bits);
     return made;
 }
 
@@ -174,7 +174,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
         }
         if (square > 0) normal *= of.lattice.pitch / double(std::sqrt(square));
     }
-    made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
+    made.scene.materials = inputs_.scene.materials.empty() ? scene.own.materials : inputs_.scene.materials;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,
                  slack = lattice_slack + (config_.shading ? std::ldexp(1, most_fine) : 0);
@@ -193,7 +193,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
 /// Reads every instance that the scene's tree leads to.
 void PlacedWorld::read_maps(const MemoryImage& image) {
     const bool has_cells = rayclock::has_cells(config_);
-    std::vector<std::uint32_t> lines{asked_.frame.root};
+    std::vector<std::uint32_t> lines{inputs_.frame.root};
     for (std::size_t seen = 0; !lines.empty(); ++seen) {
         const std::uint32_t at = lines.back();
         lines.pop_back();
@@ -235,7 +235,7 @@ void PlacedWorld::judge_map(const Placed& placed, const LevelLattices::Class& of
         faults_.push_back(placed.name + " is written out in another place");
     const glm::dmat4 place = is_out ? glm::dmat4(1) : placed.place;
     const std::array<long double, 9> back = inverse_of(place);
-    const Lattice& scene = asked_.lattice;
+    const Lattice& scene = inputs_.lattice;
     bool good = true;
     for (std::size_t i = 0; i < 3; ++i) {
         std::array<long double, 3> row{};
@@ -316,10 +316,10 @@ bool PlacedWorld::is_map_of(std::uint32_t place, const Placement& placement) con
 
 PlacedScene PlacedWorld::snapped() const {
     PlacedScene scene;
-    scene.own.name = asked_.scene.name;
-    scene.own.materials = asked_.scene.materials;
-    scene.own.lights = asked_.scene.lights;
-    scene.own.background = asked_.scene.background;
+    scene.own.name = inputs_.scene.name;
+    scene.own.materials = inputs_.scene.materials;
+    scene.own.lights = inputs_.scene.lights;
+    scene.own.background = inputs_.scene.background;
     for (const Made& made : classes_) {
         SharedMesh mesh{"", made.scene.vertices, made.scene.normals, made.scene.triangles};
         const Lattice lattice = steps(config_.coord_bits);
@@ -334,7 +334,7 @@ PlacedScene PlacedWorld::snapped() const {
         if (instances_[i].mesh == own_round) {
             const Scene& round = classes_[instances_[i].mesh_class].scene;
             scene.own.spheres = round.spheres, scene.own.planes = round.planes;
-            snap_round(asked_.lattice, scene.own);
+            snap_round(inputs_.lattice, scene.own);
             continue;
         }
         glm::dmat4 there(1);

@@ -18,7 +18,7 @@ namespace rayclock {
 class PlacedWorld {
 public:
     /// `asked.scene` is flat, has `placed`, or is folded. A scene without `placed` is a single mesh.
-    PlacedWorld(const Asked& asked, const MemoryImage& image);
+    PlacedWorld(const FrameInputs& inputs, const MemoryImage& image);
 
     const oracle::PlacedSolids& solids() const { return *solids_; }
     /// Returns the faults of the maps in memory, a sentence each.
@@ -69,7 +69,7 @@ private:
     void read_maps(const MemoryImage& image);
     void judge_map(const Placed& placed, const LevelLattices::Class& of, const Placement& map);
 
-    const Asked& asked_;
+    const FrameInputs& inputs_;
     const Config& config_;
     std::vector<Made> classes_;
     std::vector<Placed> instances_;

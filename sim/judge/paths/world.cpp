@@ -84,10 +84,10 @@ void mark_seconds(std::vector<Solid>& solids) {
 }
 
 /// True if the lattice point lies within an opaque sphere on the lattice.
-bool is_shut_in(const Asked& asked, const Vec3i& point) {
+bool is_shut_in(const FrameInputs& inputs, const Vec3i& point) {
     Scene round;
-    round.spheres = asked.scene.spheres, round.materials = asked.scene.materials;
-    for (const Solid& ball : solids_of(round, asked.lattice, asked.config.coord_bits)) {
+    round.spheres = inputs.scene.spheres, round.materials = inputs.scene.materials;
+    for (const Solid& ball : solids_of(round, inputs.lattice, inputs.config.coord_bits)) {
         const oracle::SolidRay start{point, 0, {}};
         if (!ball.is_glass && !ball.is_second && oracle::ball_of(start, ball).start < 0) return true;
     }
@@ -106,26 +106,26 @@ double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& la
 /// Checks the stated planes between eye and light. The light is not clear if one of them is not a pane, a
 /// plane contains the eye, or an opaque sphere encloses the light. If rounding decides on which side of a
 /// plane the eye or the light lies, both answers pass. `light` must lie within the registers' range.
-bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_shut, bool stated,
+bool is_between_as_stated(const FrameInputs& inputs, const glm::dvec3& light, bool is_shut, bool stated,
                           std::uint32_t cell) {
-    if (!asked.scene.camera) return !is_shut == stated && cell == 0;
-    const std::size_t first = primitive_count(asked.scene) - asked.scene.planes.size();
+    if (!inputs.scene.camera) return !is_shut == stated && cell == 0;
+    const std::size_t first = primitive_count(inputs.scene) - inputs.scene.planes.size();
     bool clear = !is_shut, is_sure = true;
     std::uint32_t panes = 0, unsure = 0;
-    for (std::size_t i = 0; i < asked.scene.planes.size(); ++i) {
-        const Plane& plane = asked.scene.planes[i];
-        const std::uint32_t pane = pane_bit(asked, first + i);
-        const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point,
+    for (std::size_t i = 0; i < inputs.scene.planes.size(); ++i) {
+        const Plane& plane = inputs.scene.planes[i];
+        const std::uint32_t pane = pane_bit(inputs, first + i);
+        const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = inputs.scene.camera->eye - plane.point,
                          to_light = light - plane.point;
-        const PlaneOnLattice on = plane_on_lattice(plane, asked.lattice);
-        const double turn = most_turn(plane, on, asked.lattice), step = asked.lattice.coarsest();
-        const glm::dvec3 a = asked.lattice.centre + asked.lattice.pitch * vector_of(on.a);
+        const PlaneOnLattice on = plane_on_lattice(plane, inputs.lattice);
+        const double turn = most_turn(plane, on, inputs.lattice), step = inputs.lattice.coarsest();
+        const glm::dvec3 a = inputs.lattice.centre + inputs.lattice.pitch * vector_of(on.a);
         // The bound of docs/verdict.md.
         const auto is_open = [&](double height, const glm::dvec3& point) {
             return std::abs(height) <= glm::length(n) * ((2 + turn) * step + turn * glm::length(point - a));
         };
         const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light);
-        if (is_open(eye, asked.scene.camera->eye) || is_open(other, light)) {
+        if (is_open(eye, inputs.scene.camera->eye) || is_open(other, light)) {
             is_sure = false;
             unsure |= pane;
         } else if ((eye > 0) != (other > 0)) {
@@ -136,22 +136,22 @@ bool is_between_as_stated(const Asked& asked, const glm::dvec3& light, bool is_s
     return ((cell ^ panes) & ~unsure) == 0 && (clear == stated || (clear && !is_sure));
 }
 
-void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
-    const ShadeFrame& frame = asked.frame.shade;
-    const Config& c = asked.config;
-    if (frame.lights != asked.scene.lights.size())
+void judge_lights(const FrameInputs& inputs, std::vector<std::string>& wrong) {
+    const ShadeFrame& frame = inputs.frame.shade;
+    const Config& c = inputs.config;
+    if (frame.lights != inputs.scene.lights.size())
         wrong.push_back("the frame has another number of lights than the scene");
     const double within = std::exp2(c.coord_bits - 1) - 1, reach = std::exp2(c.light_bits() - 1) - 1;
-    for (std::size_t i = 0; i < asked.scene.lights.size(); ++i) {
-        const Light& light = asked.scene.lights[i];
-        const glm::dvec3 at = (light.position - asked.lattice.centre) / asked.lattice.pitch;
+    for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
+        const Light& light = inputs.scene.lights[i];
+        const glm::dvec3 at = (light.position - inputs.lattice.centre) / inputs.lattice.pitch;
         const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
                      scale = std::min(1.0, reach / std::max(size, 1.0));
         const bool is_near = std::round(size) <= within;
-        const glm::dvec3 there = asked.lattice.centre + scale * (light.position - asked.lattice.centre);
+        const glm::dvec3 there = inputs.lattice.centre + scale * (light.position - inputs.lattice.centre);
         const Vec3i place{frame.place[3 * i], frame.place[3 * i + 1], frame.place[3 * i + 2]};
         bool good = (frame.near[i] != 0) == is_near &&
-                    is_between_as_stated(asked, there, is_near && is_shut_in(asked, place),
+                    is_between_as_stated(inputs, there, is_near && is_shut_in(inputs, place),
                                          frame.clear[i] != 0, frame.cell[i]);
         for (std::size_t k = 0; k < 3; ++k) {
             good = good && std::abs(at[int(k)] * scale - frame.place[3 * i + k]) <= 0.5 + 1e-6;
@@ -172,21 +172,21 @@ const Material& material_of(const Scene& scene, std::size_t i) {
     return scene.materials[number];
 }
 
-std::uint32_t pane_bit(const Asked& asked, std::size_t primitive) {
-    const std::vector<Plane>& planes = asked.scene.planes;
-    const std::size_t first = primitive_count(asked.scene) - planes.size();
+std::uint32_t pane_bit(const FrameInputs& inputs, std::size_t primitive) {
+    const std::vector<Plane>& planes = inputs.scene.planes;
+    const std::size_t first = primitive_count(inputs.scene) - planes.size();
     std::vector<oracle::Corners> panes;
     std::size_t pane = 0;
     for (std::size_t i = first; i <= primitive; ++i) {
-        const PlaneOnLattice on = plane_on_lattice(planes[i - first], asked.lattice);
+        const PlaneOnLattice on = plane_on_lattice(planes[i - first], inputs.lattice);
         const auto holds = [&](const oracle::Corners& c, const Vec3i& p) {
             const auto from_corner = by_axis([&](std::size_t k) { return std::int64_t(p[k]) - c.a[k]; });
             return dot(from_corner, oracle::normal<std::int64_t>(c)) == 0;
         };
         for (pane = 0; pane < panes.size(); ++pane)
             if (holds(panes[pane], on.a) && holds(panes[pane], on.b) && holds(panes[pane], on.c)) break;
-        const bool is_new = pane == panes.size() && pane < std::size_t(asked.config.panes);
-        if (is_new && asked.scene.materials[planes[i - first].material].transmit > 0)
+        const bool is_new = pane == panes.size() && pane < std::size_t(inputs.config.panes);
+        if (is_new && inputs.scene.materials[planes[i - first].material].transmit > 0)
             panes.push_back({on.a, on.b, on.c});
     }
     return primitive >= first && pane < panes.size() ? std::uint32_t(1) << pane : 0;
@@ -299,15 +299,15 @@ bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     return true;
 }
 
-std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings) {
+std::vector<std::string> judge_registers(const FrameInputs& inputs, const Whitted& settings) {
     std::vector<std::string> wrong;
-    const Frame& frame = asked.frame;
+    const Frame& frame = inputs.frame;
     const ShadeFrame& shade = frame.shade;
     const auto demand = [&](bool holds, const char* what) {
         if (!holds) wrong.push_back(std::string("the register for the frame's ") + what + " is wrong");
     };
-    demand(frame.eye == asked.lattice.snap(asked.camera.eye), "eye");
-    if (!asked.config.shading) return wrong;
+    demand(frame.eye == inputs.lattice.snap(inputs.camera.eye), "eye");
+    if (!inputs.config.shading) return wrong;
     const auto samples = std::uint32_t(settings.aa * settings.aa);
     demand(shade.depth == std::uint32_t(settings.depth), "depth");
     demand(shade.threshold ==
@@ -322,9 +322,9 @@ std::vector<std::string> judge_registers(const Asked& asked, const Whitted& sett
         "share of a first sample");
     for (int k = 0; k < 3; ++k)
         demand(shade.background[std::size_t(k)] ==
-                   natural(asked.scene.background[k], unit_bits, std::exp2(unit_bits)),
+                   natural(inputs.scene.background[k], unit_bits, std::exp2(unit_bits)),
                "background");
-    judge_lights(asked, wrong);
+    judge_lights(inputs, wrong);
     return wrong;
 }
 

@@ -10,7 +10,7 @@
 namespace rayclock {
 
 /// The inputs of a frame.
-struct Asked {
+struct FrameInputs {
     const Scene& scene;
     const Camera& camera;
     const Frame& frame;
@@ -42,7 +42,7 @@ const Material& material_of(const Scene& scene, std::size_t primitive);
 /// Returns a plane's bit in the cell of a path. The first transmitting planes have one each, as many as the
 /// chip has panes. A later plane that coincides with one of them has the same bit. All other primitives have
 /// 0.
-std::uint32_t pane_bit(const Asked& asked, std::size_t primitive);
+std::uint32_t pane_bit(const FrameInputs& inputs, std::size_t primitive);
 
 /// Returns primitive i's surface: corners and material, each number rounded to its format. It has no corner
 /// normals; holds_normals() judges them.
@@ -58,6 +58,6 @@ Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& s
 bool holds_normals(const Scene& scene, std::size_t triangle, const Surface& seen);
 
 /// Returns the faults of the frame's registers, a sentence each: eye, depth, samples, background, lights.
-std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings);
+std::vector<std::string> judge_registers(const FrameInputs& inputs, const Whitted& settings);
 
 }   // namespace rayclock

@@ -43,7 +43,8 @@ public:
 
 private:
     RefClosest closest(const RefPath& path);
-    void tell(const RefPath& path, double reach, bool hits, std::vector<std::uint32_t> blockers = {}) const;
+    void report_ray(const RefPath& path, double reach, bool hits,
+                    std::vector<std::uint32_t> blockers = {}) const;
     glm::dvec3 sample(const RefPath& path, RefClosest& hit);
     void follow(const RefPath& path, double weight, int depth);
     void shade(const RefPath& path, const RefClosest& hit, double weight, int depth);
@@ -164,7 +165,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
     shadow.direction = (position - shadow.from) / distance;
     bool is_blocked = geometry_.is_blocked(shadow, distance);
     if (steer_) is_blocked = steer_->is_blocked(number, shadow, distance, is_blocked);
-    if (watch_.see) tell(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
+    if (watch_.see) report_ray(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
     signature_.asked(is_blocked);
     if (is_blocked) return glm::dvec3(0);
 
@@ -263,7 +264,8 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
         reflect_and_refract(path, surface, weight, depth);
 }
 
-void Tracer::tell(const RefPath& path, double reach, bool hits, std::vector<std::uint32_t> blockers) const {
+void Tracer::report_ray(const RefPath& path, double reach, bool hits,
+                        std::vector<std::uint32_t> blockers) const {
     const RefUnitSpace& space = geometry_.space();
     watch_.see({space.centre + path.from / space.scale, path.direction, reach / space.scale, hits,
                 std::move(blockers)});
@@ -273,7 +275,7 @@ RefClosest Tracer::closest(const RefPath& path) {
     RefClosest hit = geometry_.closest(path);
     if (steer_) hit = steer_->met(path, hit);
     const bool hits = hit.primitive != no_primitive;
-    if (watch_.see) tell(path, hits ? hit.depth : HUGE_VAL, hits);
+    if (watch_.see) report_ray(path, hits ? hit.depth : HUGE_VAL, hits);
     return hit;
 }
 

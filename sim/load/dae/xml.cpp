@@ -108,7 +108,7 @@ XmlElement parse_xml(const std::string& file, std::string_view text, Loading& lo
     XML_SetStartDoctypeDeclHandler(parser.get(), refuse_type);
     constexpr std::size_t piece = 1 << 20;
     for (std::size_t from = 0;; from += piece) {
-        loading.tell("reading", std::min(from, text.size()), text.size());
+        loading.report_progress("reading", std::min(from, text.size()), text.size());
         const std::string_view part = text.substr(std::min(from, text.size()), piece);
         const bool is_last = from + piece >= text.size();
         if (XML_Parse(parser.get(), part.data(), int(part.size()), is_last) == XML_STATUS_ERROR) {

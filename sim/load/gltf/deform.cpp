@@ -213,7 +213,7 @@ void GltfDeformer::add_joints(const JsonValue& skin, Deforming& to) {
     const std::uint64_t nodes = document_.at("nodes").array().size();
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::uint64_t node = list[i].whole(nodes);
-        const std::optional<Where> where = where_of_(node);
+        const std::optional<NodePlace> where = where_of_(node);
         if (!where) list[i].refuse(fmt::format("names nodes[{}], which is not in the scene", node));
         Joint joint{where->node, where->place, glm::dmat4(1)};
         for (int k = 0; k < 16 && !bind.empty(); ++k)   // column by column, as in glm

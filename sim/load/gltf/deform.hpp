@@ -18,7 +18,7 @@ std::size_t gltf_target_count(const JsonValue& mesh);
 class GltfDeformer {
 public:
     /// Returns the place of a node in the scene, or nothing if the node is not in it.
-    using WhereOf = std::function<std::optional<Where>(std::uint64_t node)>;
+    using WhereOf = std::function<std::optional<NodePlace>(std::uint64_t node)>;
 
     GltfDeformer(const JsonValue& document, GltfBuffers& buffers, Loading& loading, Warnings& warnings,
                  WhereOf where_of)

@@ -41,11 +41,11 @@ private:
             fill(target, sampler, own.scales, 3,
                  [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
         else if (path == "rotation")
-            fill(target, sampler, own.turns, 4,
+            fill(target, sampler, own.rotations, 4,
                  [](const double* v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
         else
             target.at("path").expected("translation, rotation, scale or weights");
-        check_turns(sampler, own.turns);
+        check_turns(sampler, own.rotations);
     }
 
     /// Reads one track for each morph target. The values of all targets at a key are adjacent in the file.
@@ -58,15 +58,15 @@ private:
         if (targets == 0)
             target.refuse(fmt::format("moves the weights of nodes[{}], which has no morph targets", node));
         const std::vector<double> times = times_of(sampler);
-        const Between between = between_of(sampler);
+        const Interpolation interpolation = interpolation_of(sampler);
         const std::uint64_t accessor = number_of(sampler, "output");
         const std::vector<double> numbers = buffers_.read(accessor, 1);
-        const std::size_t each = between == Between::cubic ? 3 : 1;
+        const std::size_t each = interpolation == Interpolation::cubic ? 3 : 1;
         if (numbers.size() != times.size() * each * targets)
             sampler.refuse(fmt::format("has {} values for {} times and {} morph targets", numbers.size(),
                                        times.size(), targets));
         check_finite(numbers, 1, accessor, "which is not a weight of a morph target");
-        own.weights.assign(targets, {times, {}, between});
+        own.weights.assign(targets, {times, {}, interpolation});
         for (std::size_t i = 0; i < numbers.size(); ++i)
             own.weights[i % targets].values.push_back(numbers[i]);
     }
@@ -82,11 +82,11 @@ private:
     template <class Value, class Read> void fill(const JsonValue& target, const JsonValue& sampler,
                                                  Track<Value>& track, std::uint64_t width, const Read& read) {
         if (!track.empty()) target.refuse("is also moved by an earlier channel");
-        track.between = between_of(sampler);
+        track.interpolation = interpolation_of(sampler);
         track.times = times_of(sampler);
         const std::uint64_t accessor = number_of(sampler, "output");
         const std::vector<double> numbers = buffers_.read(accessor, width);
-        const std::size_t each = track.between == Between::cubic ? 3 : 1;
+        const std::size_t each = track.interpolation == Interpolation::cubic ? 3 : 1;
         if (numbers.size() != track.times.size() * each * width)
             sampler.refuse(
                 fmt::format("has {} values for {} times", numbers.size() / width, track.times.size()));
@@ -94,12 +94,12 @@ private:
         for (std::size_t i = 0; i < numbers.size(); i += width) track.values.push_back(read(&numbers[i]));
     }
 
-    static Between between_of(const JsonValue& sampler) {
+    static Interpolation interpolation_of(const JsonValue& sampler) {
         const auto typed = sampler.find("interpolation");
-        if (!typed || typed->string() == "LINEAR") return Between::linear;
-        if (typed->string() == "STEP") return Between::step;
+        if (!typed || typed->string() == "LINEAR") return Interpolation::linear;
+        if (typed->string() == "STEP") return Interpolation::step;
         if (typed->string() != "CUBICSPLINE") typed->expected("LINEAR, STEP or CUBICSPLINE");
-        return Between::cubic;
+        return Interpolation::cubic;
     }
 
     std::vector<double> times_of(const JsonValue& sampler) {
@@ -122,7 +122,7 @@ private:
 
     /// Throws UserError if a rotation is far from a unit quaternion.
     static void check_turns(const JsonValue& sampler, const Track<glm::dquat>& turns) {
-        const std::size_t width = turns.between == Between::cubic ? 3 : 1;
+        const std::size_t width = turns.interpolation == Interpolation::cubic ? 3 : 1;
         for (std::size_t k = 0; k < turns.times.size(); ++k) {
             const glm::dquat& q = turns.values[width * k + width / 2];
             if (!(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4))
@@ -193,13 +193,13 @@ MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTr
     if (const auto move = in.find("translation")) node.translate = move->triple();
     if (const auto scale = in.find("scale")) node.scale = scale->triple();
     if (const auto turn = in.find("rotation"))
-        node.turn = glm::normalize(
+        node.rotation = glm::normalize(
             glm::dquat((*turn)[3].number(), (*turn)[0].number(), (*turn)[1].number(), (*turn)[2].number()));
     node.translates = tracks->translates;
     node.scales = tracks->scales;
-    node.turns = tracks->turns;
-    for (glm::dquat& turn : node.turns.values)
-        if (node.turns.between != Between::cubic) turn = glm::normalize(turn);
+    node.rotations = tracks->rotations;
+    for (glm::dquat& turn : node.rotations.values)
+        if (node.rotations.interpolation != Interpolation::cubic) turn = glm::normalize(turn);
     return node;
 }
 

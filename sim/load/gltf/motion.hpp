@@ -13,11 +13,11 @@ namespace rayclock {
 /// The tracks of a node.
 struct GltfTracks {
     Track<glm::dvec3> translates, scales;
-    Track<glm::dquat> turns;
+    Track<glm::dquat> rotations;
     std::vector<Track<double>> weights;   ///< one for each morph target of the node's mesh, or empty
 
     /// Returns true if the animation moves the node itself, and not only the shape of its mesh.
-    bool move_node() const { return !translates.empty() || !scales.empty() || !turns.empty(); }
+    bool move_node() const { return !translates.empty() || !scales.empty() || !rotations.empty(); }
 };
 
 /// Returns the tracks of the document's first animation by node. Notes that other animations are left out.

@@ -98,7 +98,7 @@ private:
     };
     struct Copy {
         std::uint64_t mesh, from;   ///< from: the document's node
-        Where where;
+        NodePlace where;
         bool deforms;
     };
 
@@ -158,7 +158,7 @@ private:
         Mesh& made = meshes_[number];
         if (made.is_read) return made;
         made.is_read = true;
-        loading_.tell("checking", number, meshes_.size());
+        loading_.report_progress("checking", number, meshes_.size());
         const JsonValue list = in_.at("meshes")[number].at("primitives").array();
         for (std::size_t i = 0; i < list.size(); ++i) {
             const std::uint64_t mode = list[i].whole_or("mode", 7, 4);
@@ -290,7 +290,7 @@ private:
     }
 
     /// Returns the place of a node below the place of its parent.
-    Where where_of(const JsonValue& in, std::uint64_t index, const Where& above) {
+    NodePlace where_of(const JsonValue& in, std::uint64_t index, const NodePlace& above) {
         const glm::dmat4 own = gltf_transform(in);
         const auto tracks = tracks_.find(index);
         if (tracks == tracks_.end() || !tracks->second.move_node()) return {above.place * own, above.node};
@@ -306,12 +306,12 @@ private:
         return found == tracks_.end() ? nullptr : &found->second;
     }
 
-    void visit(std::uint64_t index, int depth, const Where& above) {
+    void visit(std::uint64_t index, int depth, const NodePlace& above) {
         const JsonValue in = in_.at("nodes")[index];
         if (visited_[index]) in.refuse("appears twice in the tree of nodes");
         if (depth > max_depth) in.refuse(fmt::format("is nested deeper than {} nodes", max_depth));
         visited_[index] = true;
-        const Where where = where_of(in, index, above);
+        const NodePlace where = where_of(in, index, above);
         wheres_[index] = where;
         const glm::dmat4& place = where.place;
         if (const auto mesh = in.find("mesh")) {
@@ -352,7 +352,7 @@ private:
     }
 
     /// Adds a node's mesh at its place, or at many places by EXT_mesh_gpu_instancing.
-    void add_copies(const JsonValue& in, std::uint64_t number, std::uint64_t index, const Where& where) {
+    void add_copies(const JsonValue& in, std::uint64_t number, std::uint64_t index, const NodePlace& where) {
         const bool does_deform = deforms(in, index, number);
         const auto extensions = in.find("extensions");
         const auto many = extensions ? extensions->find("EXT_mesh_gpu_instancing") : std::nullopt;
@@ -463,8 +463,8 @@ private:
         }
         if (has_normals_ && !facets.empty()) make_faceted(facets, made, mesh);
         made.mesh = static_cast<std::uint32_t>(placed_.meshes.size());
-        static const Where in_the_scene{};
-        const Where& where = made.joints.empty() ? copy.where : in_the_scene;
+        static const NodePlace in_the_scene{};
+        const NodePlace& where = made.joints.empty() ? copy.where : in_the_scene;
         if (made.is_still())
             rayclock::deform(made, 0, {}, mesh);
         else
@@ -473,9 +473,9 @@ private:
         add_instance(copy.from, static_cast<std::uint32_t>(placed_.meshes.size() - 1), where);
     }
 
-    void add_instance(std::uint64_t node, std::uint32_t mesh, const Where& where) {
+    void add_instance(std::uint64_t node, std::uint32_t mesh, const NodePlace& where) {
         if (where.node)
-            placed_.motion.hung.push_back(
+            placed_.motion.attached.push_back(
                 {static_cast<std::uint32_t>(placed_.instances.size()), *where.node, where.place});
         placed_.instances.push_back({fmt::format("nodes[{}]", node), mesh, where.place, {}});
     }
@@ -489,15 +489,15 @@ private:
     Material made_material(std::uint64_t number) {
         if (number == none) return Material{.name = "default"};
         GltfMaterial material = this->material(number);
-        const auto tell = [&](bool is_so, const char* became) {
+        const auto note_if = [&](bool is_so, const char* became) {
             if (is_so) warnings_.count("material", became, 0, material.name);
         };
-        tell(material.base_texture && textures_.tint(material), averaged_texture);
-        tell(material.has_textures, "with other textures, which are not drawn");
-        tell(material.has_extensions, "with extensions that are not drawn");
-        tell(is_out_of_range(material.surface), "with values out of range, taken as the nearest within");
+        note_if(material.base_texture && textures_.tint(material), averaged_texture);
+        note_if(material.has_textures, "with other textures, which are not drawn");
+        note_if(material.has_extensions, "with extensions that are not drawn");
+        note_if(is_out_of_range(material.surface), "with values out of range, taken as the nearest within");
         Material made = material_of(material.surface, material.name);
-        tell(!add_emission(made, glm::dvec3(material.surface.emission)), mixed_emission);
+        note_if(!add_emission(made, glm::dvec3(material.surface.emission)), mixed_emission);
         return made;
     }
 
@@ -524,7 +524,7 @@ private:
     std::vector<std::optional<GltfMaterial>> materials_;
     std::map<std::uint64_t, bool> has_targets_;   // by mesh, filled at the first query
     std::vector<bool> visited_;
-    std::vector<std::optional<Where>> wheres_;        // of the nodes in the scene
+    std::vector<std::optional<NodePlace>> wheres_;    // of the nodes in the scene
     std::map<std::uint64_t, GltfTracks> tracks_;      // by node
     std::map<std::uint64_t, std::uint32_t> shared_;   // number of the shared mesh by the document's mesh
     PlacedScene placed_;

@@ -90,13 +90,13 @@ std::vector<double> key_times_of(const JsonValue& keyframes) {
     return times;
 }
 
-std::optional<std::uint32_t> anchor(const Where& where, Motion& motion) {
+std::optional<std::uint32_t> anchor(const NodePlace& where, Motion& motion) {
     if (where.place == glm::dmat4(1)) return where.node;
     motion.nodes.push_back({.name = "", .parent = where.node, .matrix = where.place});
     return static_cast<std::uint32_t>(motion.nodes.size() - 1);
 }
 
-Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading& loading) {
+NodePlace where_of(const JsonValue& in, const NodePlace& above, Motion& motion, Loading& loading) {
     const auto keys = in.find("keyframes");
     if (!keys) return {above.place * transform_of(in), above.node};
     for (const char* key : {"translate", "rotate", "scale", "matrix"})
@@ -107,8 +107,8 @@ Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading&
     return {glm::dmat4(1), static_cast<std::uint32_t>(motion.nodes.size() - 1)};
 }
 
-std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion) {
-    if (part.hung.empty()) return 0;
+std::uint32_t add_nodes(const Motion& part, const NodePlace& where, Motion& motion) {
+    if (part.attached.empty()) return 0;
     const std::optional<std::uint32_t> parent = anchor(where, motion);
     const auto base = static_cast<std::uint32_t>(motion.nodes.size());
     for (MotionNode node : part.nodes) {
@@ -134,9 +134,9 @@ void add_deforming(const Motion& part, std::uint32_t first_mesh, Motion& motion)
     }
 }
 
-std::vector<const Hung*> hung_of(const PlacedScene& part) {
-    std::vector<const Hung*> of(part.instances.size());
-    for (const Hung& hung : part.motion.hung) of[hung.instance] = &hung;
+std::vector<const AttachedInstance*> attached_of(const PlacedScene& part) {
+    std::vector<const AttachedInstance*> of(part.instances.size());
+    for (const AttachedInstance& attached : part.motion.attached) of[attached.instance] = &attached;
     return of;
 }
 
@@ -151,7 +151,7 @@ MotionNode node_of(const JsonValue& keyframes, Loading& loading) {
         if (has("matrix") && has(key)) keyframes[0].refuse(fmt::format("has both 'matrix' and '{}'", key));
     node.matrices = track_of<glm::dmat4>(keyframes, times, "matrix", matrix_of);
     node.translates = track_of<glm::dvec3>(keyframes, times, "translate", triple);
-    node.turns = turns_of(keyframes, times, loading);
+    node.rotations = turns_of(keyframes, times, loading);
     node.scales = track_of<glm::dvec3>(keyframes, times, "scale", scale_of);
     return node;
 }

@@ -13,21 +13,21 @@ constexpr double most_degrees = 360'000;
 constexpr double latest_time = 1e6;
 
 /// A place in the space of a node of a Motion, or in the space of the scene.
-struct Where {
+struct NodePlace {
     glm::dmat4 place{1};
     std::optional<std::uint32_t> node{};
 };
 /// Returns a node at this place that can be the parent of others. Returns nothing for the scene's own space.
-std::optional<std::uint32_t> anchor(const Where& where, Motion& motion);
+std::optional<std::uint32_t> anchor(const NodePlace& where, Motion& motion);
 /// Returns the place of an object or instance below `above`. Adds a node to `motion` if it has keyframes.
-Where where_of(const JsonValue& in, const Where& above, Motion& motion, Loading& loading);
+NodePlace where_of(const JsonValue& in, const NodePlace& above, Motion& motion, Loading& loading);
 /// Copies a part's nodes below `where` and returns the number of the first copy.
-std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion);
+std::uint32_t add_nodes(const Motion& part, const NodePlace& where, Motion& motion);
 /// Copies a part's deforming meshes, which become the meshes from `first_mesh` on. Their joints move in the
 /// mesh's space, wherever the mesh is placed.
 void add_deforming(const Motion& part, std::uint32_t first_mesh, Motion& motion);
 /// Returns for each instance how it hangs at a node, or null.
-std::vector<const Hung*> hung_of(const PlacedScene& part);
+std::vector<const AttachedInstance*> attached_of(const PlacedScene& part);
 
 /// Returns the times of all keys. They must rise, and there must be at least two, so that no motion has the
 /// length 0.

@@ -181,7 +181,7 @@ private:
             placed_triangles_ += one * copies;
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
-            library_.loading().tell("placing", i, list.size());
+            library_.loading().report_progress("placing", i, list.size());
             object(list[i], any_smooth);
         }
     }
@@ -214,7 +214,7 @@ private:
         }
         const std::optional<std::uint32_t> material = material_named(in);
         if (in.find("keyframes")) make_room(in, sizeof(MotionNode));
-        const Where where = where_of(in, {}, placed_.motion, library_.loading());
+        const NodePlace where = where_of(in, {}, placed_.motion, library_.loading());
         const auto instances = in.find("instances");
         if (!instances)
             return where.node ? share(in, mesh, where, material) : copy(in, mesh, where.place, material);
@@ -254,7 +254,7 @@ private:
     }
 
     /// Places the part's triangles as an instance that shares them. Copies true spheres and planes.
-    void share(const JsonValue& from, Named& mesh, const Where& where,
+    void share(const JsonValue& from, Named& mesh, const NodePlace& where,
                std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
         check_spheres(from, part, where.place);
@@ -276,7 +276,7 @@ private:
 
     /// Places the instances of the part itself, so that a graph of any depth becomes one level. The nodes of
     /// the part move in the space where the part is placed.
-    void compose(const JsonValue& from, Named& mesh, const Where& where,
+    void compose(const JsonValue& from, Named& mesh, const NodePlace& where,
                  std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
         if (part.instances.empty()) return;
@@ -287,14 +287,14 @@ private:
             make_room(from, bytes_of(part.motion));
             add_deforming(part.motion, *mesh.mesh_base, placed_.motion);
         }
-        const std::vector<const Hung*> hung = hung_of(part);
+        const std::vector<const AttachedInstance*> attached = attached_of(part);
         make_room(from, part.motion.nodes.size() * sizeof(MotionNode));
         const std::uint32_t nodes = add_nodes(part.motion, where, placed_.motion);
         for (std::size_t i = 0; i < part.instances.size(); ++i) {
             const Instance& inner = part.instances[i];
             const auto own = inner.material ? std::optional(*inner.material + materials) : std::nullopt;
-            const Where at = hung[i] ? Where{hung[i]->place, nodes + hung[i]->node}
-                                     : Where{where.place * inner.place, where.node};
+            const NodePlace at = attached[i] ? NodePlace{attached[i]->place, nodes + attached[i]->node}
+                                             : NodePlace{where.place * inner.place, where.node};
             instance(from, *mesh.mesh_base + inner.mesh, at, material ? material : own);
         }
     }
@@ -306,7 +306,7 @@ private:
         return static_cast<std::uint32_t>(placed_.meshes.size() - 1);
     }
 
-    void instance(const JsonValue& from, std::uint32_t mesh, const Where& where,
+    void instance(const JsonValue& from, std::uint32_t mesh, const NodePlace& where,
                   std::optional<std::uint32_t> material) {
         if (is_singular(where.place))
             from.refuse("flattens its mesh, or scales it too far, together with the places around it");
@@ -314,7 +314,7 @@ private:
         const bool is_folded = placed_triangles_ > most_unfolded;
         make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
         if (where.node)
-            placed_.motion.hung.push_back(
+            placed_.motion.attached.push_back(
                 {static_cast<std::uint32_t>(placed_.instances.size()), *where.node, where.place});
         placed_.instances.push_back({from.path(), mesh, where.place, material});
     }

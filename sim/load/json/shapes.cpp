@@ -144,7 +144,7 @@ PlacedScene shapes_of(const JsonValue& list, const std::filesystem::path& folder
         const std::string name = file.string();
         const std::filesystem::path path = folder / name;
         if (mesh_extension(path) != "obj") file.expected("an .obj file (with .gz or without)");
-        loading.tell("reading shapes", i, list.size());
+        loading.report_progress("reading shapes", i, list.size());
         std::string text = loading.read(path, file.where());
         if (extension(path) == "gz") text = gunzip(path, text, loading);
         joiner.add(file, name, read_obj_shape(path, std::move(text), loading));

@@ -31,7 +31,7 @@ bool is_mesh_file(const std::filesystem::path& path) {
 }
 
 PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by) {
-    loading.tell("reading", 0, 1);
+    loading.report_progress("reading", 0, 1);
     std::string bytes = loading.read(path, asked_by);
     const bool is_packed = extension(path) == "gz";
     if (is_packed) bytes = gunzip(path, bytes, loading);

@@ -151,7 +151,7 @@ public:
         const std::vector<Material> materials = read_materials();
         Assembly assembly(at_.file, loading_);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            loading_.tell("joining", i, runs_.size());
+            loading_.report_progress("joining", i, runs_.size());
             assembly.add(part(i, assembly));
         }
         assembly.make_alike();
@@ -353,15 +353,15 @@ private:
             }
             const MtlBlock& block = found->second;
             if (!block.fault.empty()) throw UserError(block.fault);
-            const auto tell = [&, &of = name](bool is_so, const char* became) {   // Clang cannot capture a
-                                                                                  // structured binding
-                                                                                  // implicitly
+            const auto note_if = [&, &of = name](bool is_so, const char* became) {   // Clang cannot capture a
+                                                                                     // structured binding
+                                                                                     // implicitly
                 if (is_so) warnings_.count("material", became, 0, of);
             };
             materials[number] = material_of(block.surface, name);
-            tell(is_out_of_range(block.surface), "with values out of range, taken as the nearest within");
-            tell(!add_emission(materials[number], glm::dvec3(block.surface.emission)), mixed_emission);
-            tell(block.has_textures, "with textures, which are not drawn");
+            note_if(is_out_of_range(block.surface), "with values out of range, taken as the nearest within");
+            note_if(!add_emission(materials[number], glm::dvec3(block.surface.emission)), mixed_emission);
+            note_if(block.has_textures, "with textures, which are not drawn");
         }
         return materials;
     }
@@ -442,7 +442,7 @@ void read_statements(ObjReader& reader, std::string text, Loading& loading) {
     join_lines(text);
     std::string_view rest = without_mark(text);
     for (std::uint64_t line = 1, breaks = 0; !rest.empty(); line += 1 + breaks) {
-        if (line % 65'536 == 1) loading.tell("checking", text.size() - rest.size(), text.size());
+        if (line % 65'536 == 1) loading.report_progress("checking", text.size() - rest.size(), text.size());
         const std::string_view statement = take_line(rest);
         breaks = static_cast<std::uint64_t>(std::count(statement.begin(), statement.end(), joined_break));
         reader.statement(statement, line);

@@ -27,7 +27,7 @@ private:
     /// Returns the next line with at least one word that is not a comment.
     std::string_view line(const char* wanted) {
         while (!rest_.empty()) {
-            if (++at_.line % 65'536 == 0) loading_.tell("checking", bytes_ - rest_.size(), bytes_);
+            if (++at_.line % 65'536 == 0) loading_.report_progress("checking", bytes_ - rest_.size(), bytes_);
             const std::string_view whole = take_line(rest_);
             check_text(whole, at_, "OFF");
             std::string_view text = whole.substr(0, whole.find('#')), words = text;

@@ -171,7 +171,7 @@ private:
             places.push_back(is_face && place < 6 ? -1 : place);
         }
         for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-            if (i % 65'536 == 0) loading_.tell("checking", i, element.count);
+            if (i % 65'536 == 0) loading_.report_progress("checking", i, element.count);
             body_.begin(element, i);
             has_fault_ = false;
             const std::size_t faces = mesh_.ends.size();

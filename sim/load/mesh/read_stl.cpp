@@ -40,7 +40,7 @@ Corners binary_corners(const std::string& bytes, const SourcePosition& at, const
     Corners corners;
     corners.reserve(3 * std::size_t{count});
     for (std::uint32_t t = 0; t < count; ++t) {
-        if (t % 65'536 == 0) loading.tell("checking", t, count);
+        if (t % 65'536 == 0) loading.report_progress("checking", t, count);
         float corner[9];
         std::memcpy(corner, bytes.data() + header_bytes + facet_bytes * std::size_t{t} + 12, sizeof corner);
         for (const float x : corner)
@@ -59,7 +59,8 @@ public:
 
     Corners read(Loading& loading) {
         for (std::string_view rest = text_; !rest.empty();) {
-            if (++at_.line % 65'536 == 0) loading.tell("checking", text_.size() - rest.size(), text_.size());
+            if (++at_.line % 65'536 == 0)
+                loading.report_progress("checking", text_.size() - rest.size(), text_.size());
             line(take_line(rest));
         }
         if (state_ != State::outside) at_.refuse("the file is cut off: endsolid is missing");

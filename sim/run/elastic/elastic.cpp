@@ -11,7 +11,7 @@
 #include "model/base/split.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/machine.hpp"
-#include "model/machine/where.hpp"
+#include "model/machine/stuck_rays.hpp"
 #include "sim/run/elastic/line_judge.hpp"
 #include "sim/run/elastic/ray_judge.hpp"
 #include "sim/run/gen/registers.hpp"
@@ -94,7 +94,7 @@ private:
             model_.step([&](const Move& move) { script.add(move); });
             if (model_.quiet() > limit_)
                 throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}",
-                                                     limit_, model_.cycle(), where_rays_are(model_)));
+                                                     limit_, model_.cycle(), describe_stuck_rays(model_)));
             if (progress && model_.cycle() % cycles_between_progress == 0)
                 progress("model", model_.hits(), script.size());
         }
@@ -138,7 +138,7 @@ private:
                                     watch.seconds(), interrupted() && !rtl_.done(), upload},
                                    work(frame), hits.hits(), hits.colours());
         if (is_done && f + 1 == frames_.size()) guarded([&] { drain(); });
-        tell_nonsense();
+        report_invalid_value();
         broken_ = broken_ || hangs;
         result_.rtl_runs.push_back(frame_result(frame, result_.rtl));
         compare_pixels();
@@ -226,9 +226,9 @@ private:
         check_face(now, false);
     }
 
-    void tell_nonsense() {
-        if (!rtl_.nonsense() || findings_.first) return;
-        const RtlMachine::Nonsense& n = *rtl_.nonsense();
+    void report_invalid_value() {
+        if (!rtl_.invalid_value() || findings_.first) return;
+        const RtlMachine::InvalidValue& n = *rtl_.invalid_value();
         findings_.add([&] {
             Divergence d =
                 difference(n.cycle, located(link_infos[index(n.link)].from, n.pipeline, n.link, job_.config),

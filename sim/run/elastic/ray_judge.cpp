@@ -24,8 +24,8 @@ void RayJudge::start(const Frame& frame, const MemoryImage& image, Script script
     frame_ = frame;
     image_ = &image;
     script_ = std::move(script);
-    witness_ = std::make_unique<Witness>(image, config_);
-    witness_->start(frame);
+    payloads_ = std::make_unique<PayloadReplay>(image, config_);
+    payloads_->start(frame);
     std::fill(contexts_.begin(), contexts_.end(), Context{});
     begun_.assign(script_->size(), false);
     tiles_ = script_->tiles();
@@ -100,8 +100,8 @@ bool RayJudge::take(std::uint64_t now, int pipeline, Link c) {
     if (c == Link::slot && context->state != Context::State::busy && !begin(now, pipeline, ray)) return false;
     if (context->state == Context::State::wrong) return true;
     if (context->state == Context::State::idle || context->links[context->next] != index(c)) return false;
-    (*witness_)(Move{pipeline, c, ray, 0, context->x, context->y},
-                [&](int, Link, const auto& wanted) { compare(now, pipeline, c, wanted, *context); });
+    (*payloads_)(Move{pipeline, c, ray, 0, context->x, context->y},
+                 [&](int, Link, const auto& wanted) { compare(now, pipeline, c, wanted, *context); });
     if (context->state == Context::State::wrong) return true;
     if (c == Link::ray) context->done = false;
     context->since = moved_at_ = now;
@@ -164,7 +164,7 @@ void RayJudge::refuse(std::uint64_t now, int pipeline, Link c) {
             d.expected = fmt::format("a ray below {}", config_.contexts);
         } else if (busy) {
             const Link next = Link(context->links[context->next]);
-            const std::vector<Wanted> all = transfers(pipeline, ray, *context);
+            const std::vector<ExpectedTransfer> all = transfers(pipeline, ray, *context);
             d.expected = fmt::format("no transfer: the ray's next one is on {} ({})",
                                      link_infos[index(next)].name, all[context->next].text);
             d.later = explain(pipeline, c, ray, *context);
@@ -181,20 +181,20 @@ void RayJudge::refuse(std::uint64_t now, int pipeline, Link c) {
 }
 
 /// Returns every transfer of a context's pixel.
-std::vector<RayJudge::Wanted> RayJudge::transfers(int pipeline, std::uint32_t ray,
-                                                  const Context& context) const {
-    Witness witness(*image_, config_);
-    witness.start(frame_);
-    std::vector<Wanted> all;
+std::vector<RayJudge::ExpectedTransfer> RayJudge::transfers(int pipeline, std::uint32_t ray,
+                                                            const Context& context) const {
+    PayloadReplay payloads(*image_, config_);
+    payloads.start(frame_);
+    std::vector<ExpectedTransfer> all;
     for (const std::uint8_t link : context.links)
-        witness(Move{pipeline, Link(link), ray, 0, context.x, context.y},
-                [&](int, Link c, const auto& payload) {
-                    all.push_back({c, pack(payload, config_), fields_text(payload, config_)});
-                });
+        payloads(Move{pipeline, Link(link), ray, 0, context.x, context.y},
+                 [&](int, Link c, const auto& payload) {
+                     all.push_back({c, pack(payload, config_), fields_text(payload, config_)});
+                 });
     return all;
 }
 
-bool RayJudge::equals_rtl(int pipeline, const Wanted& wanted) const {
+bool RayJudge::equals_rtl(int pipeline, const ExpectedTransfer& wanted) const {
     const RcPort& port = rtl_.link(pipeline, wanted.link);
     return std::memcmp(wanted.words.data(), port.data,
                        std::min<std::size_t>(wanted.words.size() * 4, port.bytes)) == 0;
@@ -203,7 +203,7 @@ bool RayJudge::equals_rtl(int pipeline, const Wanted& wanted) const {
 /// Says which other transfer of the same ray on this link has the RTL's value: one that it made, or one that
 /// comes later. Returns an empty text if there is none.
 std::string RayJudge::explain(int pipeline, Link c, std::uint32_t ray, const Context& context) const {
-    const std::vector<Wanted> all = transfers(pipeline, ray, context);
+    const std::vector<ExpectedTransfer> all = transfers(pipeline, ray, context);
     std::size_t number = 0, made = 0;   // of the ray's transfers on this link, and how many it has made
     std::optional<std::size_t> before, after;
     for (std::size_t i = 0; i < all.size(); ++i) {

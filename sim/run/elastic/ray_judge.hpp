@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/machine/witness.hpp"
+#include "model/machine/payload_replay.hpp"
 #include "sim/run/elastic/findings.hpp"
 #include "sim/run/elastic/script.hpp"
 
@@ -47,7 +47,7 @@ private:
                                             ///< and the port `pixel` of list or shade
     };
     /// A transfer of a pixel, as it should be.
-    struct Wanted {
+    struct ExpectedTransfer {
         Link link;
         Words words;   ///< the payload
         std::string text;
@@ -64,9 +64,9 @@ private:
     void mark_wrong(Context& ray);
     void see_ends(int pipeline);
     const char* driver(Link c, const Context& context) const;
-    std::vector<Wanted> transfers(int pipeline, std::uint32_t ray, const Context& context) const;
+    std::vector<ExpectedTransfer> transfers(int pipeline, std::uint32_t ray, const Context& context) const;
     std::string explain(int pipeline, Link c, std::uint32_t ray, const Context& context) const;
-    bool equals_rtl(int pipeline, const Wanted& wanted) const;
+    bool equals_rtl(int pipeline, const ExpectedTransfer& wanted) const;
     Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t ray) const;
 
     const Config& config_;
@@ -76,7 +76,7 @@ private:
     const MemoryImage* image_ = nullptr;
     std::optional<Script> script_;
     Frame frame_{};
-    std::unique_ptr<Witness> witness_;
+    std::unique_ptr<PayloadReplay> payloads_;
     std::vector<Context> contexts_;                             // [pipeline * contexts + ray]
     std::vector<bool> begun_;                                   // [place] of the script
     std::set<std::pair<std::uint32_t, std::uint32_t>> tiles_;   // that no pipeline has got yet

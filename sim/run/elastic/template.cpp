@@ -145,7 +145,7 @@ the chip. A payload's first field is the most significant.
 - An answer carries the `ray` or `id` of its request. A request has at most one answer. Answers may come
   after any number of cycles, and in any order across rays. A ray has one transfer in flight.
 - Reset lasts at least four cycles. After it, valid is 0.
-- `cause`, `deed`, `rests` and `waits` outputs feed the counters only. They are not compared.
+- `cause`, `outcome`, `occupied` and `waits` outputs feed the counters only. They are not compared.
 
 ## Don't-care outputs
 

@@ -11,7 +11,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/machine/witness.hpp"
+#include "model/machine/payload_replay.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "sim/run/elastic/corners.hpp"
 #include "sim/run/elastic/dont_care.hpp"
@@ -75,13 +75,13 @@ struct Pair {
 std::vector<Pair> record(const Job& job, const RecordedFrame& frame, const Shape& shape, std::uint64_t most) {
     Machine machine(job.config, job.khz);
     machine.start(frame.frame, frame.trace);
-    Witness witness(job.image, job.config);
-    witness.start(frame.frame);
+    PayloadReplay payloads(job.image, job.config);
+    payloads.start(frame.frame);
     std::vector<Pair> pairs;
     std::vector<Words> asked(std::size_t(job.config.pipelines * job.config.contexts));
     while (!machine.done() && pairs.size() < most && !interrupted())
         machine.step([&](const Move& move) {
-            witness(move, [&](int pipeline, Link c, const auto& payload) {
+            payloads(move, [&](int pipeline, Link c, const auto& payload) {
                 if (c != shape.req && c != shape.rsp) return;
                 Words& request = asked[std::size_t(pipeline * job.config.contexts) + move.id];
                 if (c == shape.req)
@@ -155,7 +155,7 @@ private:
             const bool answers = *rsp_.valid && (!rsp_.ready || *rsp_.ready);
             if (answers) check();
             quiet = answers ? 0 : quiet + 1;
-            if (quiet > longest_wait) return tell_missing();
+            if (quiet > longest_wait) return report_missing();
             module_.clock();
         }
     }
@@ -207,7 +207,7 @@ private:
         });
     }
 
-    void tell_missing() {
+    void report_missing() {
         for (std::uint32_t ray = 0; ray < waits_.size(); ++ray)
             if (waits_[ray]) {
                 findings_.add([&] {

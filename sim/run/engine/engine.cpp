@@ -14,7 +14,7 @@
 #include "model/trace/hits.hpp"
 #include "model/machine/machine.hpp"
 #include "model/mem/frame_buffer.hpp"
-#include "model/machine/where.hpp"
+#include "model/machine/stuck_rays.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {
@@ -122,7 +122,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
             if (machine.quiet() > limit)
                 throw std::runtime_error(fmt::format(
                     "model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}",
-                    machine.quiet(), machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
+                    machine.quiet(), machine.cycle(), machine.hits(), pixels, describe_stuck_rays(machine)));
             if (progress)
                 progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
@@ -212,7 +212,7 @@ FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& fram
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {
         machine.step([&](const HitOut& hit) { collector.add(hit); });
-        if (const auto& n = machine.nonsense())
+        if (const auto& n = machine.invalid_value())
             throw std::runtime_error(fmt::format("rtl: cycle {}: the link {} carries {}", machine.cycle() - 1,
                                                  link_infos[index(n->link)].name, n->what));
         quiet = machine.moved() ? 0 : quiet + 1;
@@ -233,7 +233,7 @@ FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& fram
                              !machine.done(),
                              upload};
     const auto lookups = [&](Unit cache) {
-        const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
+        const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheOutcome: hit, miss, merge
         return c[0] + c[1] + c[2];
     };
     return frame_result(

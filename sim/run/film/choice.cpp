@@ -23,7 +23,7 @@ Film film_of(const Scene& scene, FrameSize size, const PictureChoice& choice, co
              const Progress& progress, bool for_chip) {
     check_levels(scene, config, choice.finished, choice.view.ground);
     return Film({config, scene, choice.finished || config.shading, choice.settings}, choice.frames,
-                choice.view.is_asked(), size, progress, for_chip);
+                choice.view.is_given(), size, progress, for_chip);
 }
 
 }   // namespace rayclock

@@ -52,7 +52,7 @@ Camera panned(const Camera& camera, double pan, int i) {
     return turned;
 }
 
-Film::Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
+Film::Film(Request request, const FramesOptions& options, bool view_is_given, FrameSize size,
            const Progress& progress, bool for_chip)
     : request_(std::move(request)),
       pan_(options.pan),
@@ -74,7 +74,7 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
     placed_.own.name = scene.name;
     placed_.own.materials = scene.materials;   // the picture's settings may have changed them
     if (placed_.own.lights.empty()) placed_.own.lights = scene.lights;
-    camera_moves_ = !placed_.motion.camera.empty() && !view_is_asked;
+    camera_moves_ = !placed_.motion.camera.empty() && !view_is_given;
     if (!for_chip) return;
     if (request_.config.has_instances()) prepare_levels();
     if (!request_.config.has_instances() && !placed_.motion.deforming.empty() &&

@@ -22,7 +22,7 @@ struct FramesOptions {
     /// The tree of a deforming mesh is refitted while its cost is at most this multiple of the cost at its
     /// last build. Above that it is rebuilt.
     double rebuild = usual_rebuild;
-    bool is_asked() const {
+    bool is_given() const {
         const FramesOptions none;
         return frames != 1 || pan != 0 || fps || !time.empty() || uploads != none.uploads ||
                rebuild != none.rebuild;
@@ -33,7 +33,7 @@ struct FramesOptions {
 struct FrameTimes {
     std::vector<double> times;
     double fps = 25;
-    bool is_asked = false;   ///< --fps or --time was given
+    bool is_given = false;   ///< --fps or --time was given
 };
 constexpr double usual_fps = 25;
 constexpr int most_frames = 1000;
@@ -46,9 +46,9 @@ Camera panned(const Camera& camera, double pan, int i);
 /// Produces the frames in order: call next(), then use the other functions.
 class Film {
 public:
-    /// `view_is_asked` means that the user chose the camera, which then does not move with the scene.
+    /// `view_is_given` means that the user chose the camera, which then does not move with the scene.
     /// `for_chip` means that frames are made for a chip and not only for the reference. Throws UserError.
-    Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
+    Film(Request request, const FramesOptions& options, bool view_is_given, FrameSize size,
          const Progress& progress = {}, bool for_chip = true);
 
     std::size_t frames() const { return times_.times.size(); }

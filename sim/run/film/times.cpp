@@ -67,12 +67,12 @@ FrameTimes frame_times(const FramesOptions& o, bool moves) {
         throw UserError(
             "--time with two times, --frames and --fps say the same twice: leave one of them out");
     FrameTimes out;
-    out.is_asked = o.fps || !o.time.empty();
+    out.is_given = o.fps || !o.time.empty();
     out.fps = o.fps.value_or(usual_fps);
     const int count = count_of(o, span, out.fps);
     if (span.has_end && o.frames > 1) out.fps = o.frames / (span.end - span.begin);
     for (int i = 0; i < count; ++i) out.times.push_back(span.begin + i / out.fps);
-    if (!moves && out.is_asked)
+    if (!moves && out.is_given)
         std::fprintf(stderr,
                      "rayclock: note: nothing moves in this scene: --time and --fps have no effect\n");
     if (o.pan != 0 && count == 1)

@@ -11,7 +11,7 @@ namespace rayclock {
 namespace {
 
 /// Returns the structures that an engine walks: "`structure` is kd or octree".
-std::string walked_text(When when) {
+std::string walked_text(Presence when) {
     std::string text;
     for (const Structure structure : tree_structures()) {
         Config config;
@@ -21,14 +21,14 @@ std::string walked_text(When when) {
     return text;
 }
 
-std::string when_text(When when) {
+std::string when_text(Presence when) {
     switch (when) {
-        case When::shade: return "`shading`";
-        case When::stream: return "`source=stream`";
-        case When::shared_cache: return "`l2_sets` above 0";
-        case When::nodes: return "`structure` is not none";
-        case When::instances: return "`levels` is 2";
-        case When::always: return "always";
+        case Presence::shade: return "`shading`";
+        case Presence::stream: return "`source=stream`";
+        case Presence::shared_cache: return "`l2_sets` above 0";
+        case Presence::nodes: return "`structure` is not none";
+        case Presence::instances: return "`levels` is 2";
+        case Presence::always: return "always";
         default: return walked_text(when);
     }
 }
@@ -78,7 +78,7 @@ std::string links_table() {
 std::string links_diagram() {
     std::string text = "```mermaid\nflowchart LR\n";
     for (const LinkInfo& link : link_infos)
-        text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == When::always ? "-->" : "-.->",
+        text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == Presence::always ? "-->" : "-.->",
                             link.name, link.to);
     return text + "```\n";
 }

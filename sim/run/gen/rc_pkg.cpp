@@ -224,11 +224,11 @@ private:
 /// Returns the width of a link's payload in bits.
 int bits_on(Link link, const Config& config) {
     int bits = 0;
-    const auto look = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    const auto find_link = [&]<std::size_t... i>(std::index_sequence<i...>) {
         ((i == index(link) ? void(bits = bits_of<std::tuple_element_t<i, LinkPayloads>>(config)) : void()),
          ...);
     };
-    look(std::make_index_sequence<link_count>());
+    find_link(std::make_index_sequence<link_count>());
     return bits;
 }
 
@@ -413,23 +413,23 @@ void enumerations(Package& p) {
                                {"Refract", ShadeEvent::refract},
                                {"Reflect", ShadeEvent::reflect},
                                {"Pop", ShadeEvent::pop},
-                               {"Turn", ShadeEvent::turn}});
+                               {"Transform", ShadeEvent::transform}});
     p.enumeration<Pending>("pending_e", "Pending", 2,
                            {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
     using Leave = PassOut::Leave;
     p.enumeration<Leave>("leave_e", "Leave", 2,
                          {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}});
-    p.say("What a unit did in a cycle; first a cache's deeds.");
+    p.say("What a unit did in a cycle; first a cache's outcomes.");
     p.constant("CauseBits", cause_bits);
-    p.enumeration<CacheDeed>("deed_e", "Deed", cause_bits,
-                             {{"Hit", CacheDeed::hit},
-                              {"Miss", CacheDeed::miss},
-                              {"Merge", CacheDeed::merge},
-                              {"Drain", CacheDeed::drain},
-                              {"Starved", CacheDeed::starved},
-                              {"Mshrs", CacheDeed::mshrs},
-                              {"Conflict", CacheDeed::conflict},
-                              {"Answers", CacheDeed::answers}});
+    p.enumeration<CacheOutcome>("cache_outcome_e", "Cache", cause_bits,
+                                {{"Hit", CacheOutcome::hit},
+                                 {"Miss", CacheOutcome::miss},
+                                 {"Merge", CacheOutcome::merge},
+                                 {"Drain", CacheOutcome::drain},
+                                 {"Starved", CacheOutcome::starved},
+                                 {"Mshrs", CacheOutcome::mshrs},
+                                 {"Conflict", CacheOutcome::conflict},
+                                 {"Answers", CacheOutcome::answers}});
     for (std::size_t u = 0; u < unit_count; ++u) {
         const UnitInfo& unit = unit_infos[u];
         if (unit.place < UnitPlace::outside && !decides_nodes(Unit(u)) &&

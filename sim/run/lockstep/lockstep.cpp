@@ -10,8 +10,8 @@
 
 #include "model/base/stopwatch.hpp"
 #include "model/machine/machine.hpp"
-#include "model/machine/witness.hpp"
-#include "model/machine/where.hpp"
+#include "model/machine/payload_replay.hpp"
+#include "model/machine/stuck_rays.hpp"
 #include "sim/run/lockstep/driver.hpp"
 #include "sim/run/lockstep/fields.hpp"
 #include "sim/run/lockstep/ray_end.hpp"
@@ -61,7 +61,7 @@ public:
           model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed),
           image_(job.image),
-          witness_(std::in_place, image_, job.config) {}
+          payloads_(std::in_place, image_, job.config) {}
 
     LockstepResult run(const Progress& progress) {
         const Stopwatch watch;
@@ -70,7 +70,7 @@ public:
             bring_frame(f);
             begins_ = model_.cycle();
             run_frame(frames_[f], progress);
-            tell_first();
+            report_first();
             if (parted_ || interrupted()) break;
         }
         for (FrameResult* run : {&result_.model, &result_.rtl})
@@ -80,7 +80,7 @@ public:
 
 private:
     /// Reports the first divergence once, with its frame.
-    void tell_first() {
+    void report_first() {
         if (told_ || !result_.first) return;
         told_ = true;
         result_.first->frame = frame_, result_.first->frame_begins = begins_;
@@ -94,7 +94,7 @@ private:
         const Upload& upload = frames_[f].upload;
         if (upload.image_lines > 0) {
             apply(upload, image_);
-            witness_.emplace(image_, job_.config);
+            payloads_.emplace(image_, job_.config);
             rtl_.change(upload);
         }
         upload_ = bring(model_, f, std::span(frames_));
@@ -112,21 +112,21 @@ private:
         FrameCollector hits(frame.frame, job_.config.has_shade());
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
-        witness_->start(frame.frame);
+        payloads_->start(frame.frame);
         stopped_.reset();
         while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
-            tell_first();
+            report_first();
             if (model_.quiet() > limit)
                 throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit,
-                                                     model_.cycle(), where_rays_are(model_)));
+                                                     model_.cycle(), describe_stuck_rays(model_)));
             if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
         }
         if (parted_)
             run_apart(limit, hits);
         else if (!interrupted())
             check_end();
-        tell_first();
+        report_first();
         if (progress) progress("model and rtl", pixels, pixels);
         result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
                                model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
@@ -143,7 +143,7 @@ private:
                     (job_.config.has_shade() && result_.model.colours[i] != result_.rtl.colours[i]);
         result_.runs.push_back(frame_result(frame, result_.model));
         compare_counters();
-        tell_nonsense();
+        report_invalid_value();
     }
 
     void compare_counters() {
@@ -159,18 +159,18 @@ private:
 
     /// Reports an impossible value of the RTL. Lockstep compares payloads, but not those of an RTL that runs
     /// alone.
-    void tell_nonsense() {
-        if (!rtl_.nonsense()) return;
+    void report_invalid_value() {
+        if (!rtl_.invalid_value()) return;
         ++result_.value_mismatches;
         if (result_.first) return;
-        const RtlMachine::Nonsense& n = *rtl_.nonsense();
+        const RtlMachine::InvalidValue& n = *rtl_.invalid_value();
         result_.first = at(n.cycle, n.pipeline, n.link, last_ray_[index(n.link)]);
         result_.first->expected = "a value in range";
         result_.first->got = n.what;
     }
 
     /// Records a failed assertion. The RTL does not run on after it.
-    void tell_assertion(const RtlAssertion& assertion) {
+    void report_assertion(const RtlAssertion& assertion) {
         parted_ = broken_ = true;
         watched_.reset();
         if (result_.first) return;
@@ -179,15 +179,16 @@ private:
 
     /// Compares the chip's signals to the host: `running` and `done`.
     void check_face(std::uint64_t now, bool runs) {
-        const auto tell = [&](const char* signal, bool wanted, const char* yes, const char* no) {
+        const auto check_signal = [&](const char* signal, bool wanted, const char* yes, const char* no) {
             if (result_.first) return;
             result_.first = {now, "host", signal, 0, 0, 0, wanted ? yes : no, wanted ? no : yes, ""};
         };
         if (rtl_.says_running() != runs) {
-            tell("running", runs, "the frame runs", "the frame does not run");
+            check_signal("running", runs, "the frame runs", "the frame does not run");
             if (!stopped_) stopped_ = now;
         }
-        if (rtl_.says_done() == runs) tell("done", !runs, "the frame is done", "the frame is not done");
+        if (rtl_.says_done() == runs)
+            check_signal("done", !runs, "the frame is done", "the frame is not done");
     }
 
     /// Checks the cycle after the frame's last one.
@@ -203,7 +204,7 @@ private:
         check_face(now, true);
         model_.step([&](const Move& move) {
             last_ray_[index(move.link)] = move.id;
-            (*witness_)(
+            (*payloads_)(
                 move, [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
@@ -219,7 +220,7 @@ private:
         try {
             rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
         } catch (const RtlAssertion& assertion) {
-            tell_assertion(assertion);
+            report_assertion(assertion);
         }
     }
 
@@ -255,7 +256,7 @@ private:
         // another link's valid in the same cycle.
         const LinkMask offers = differ & (model.valid ^ rtl.valid);
         const Link c = Link(std::countr_zero(offers ? offers : differ));
-        const auto tell = [&](const Masks& m) {
+        const auto offer_text = [&](const Masks& m) {
             return m.fire & bit(c)    ? "a transfer"
                    : m.valid & bit(c) ? "an offer that is not accepted"
                                       : "no offer";
@@ -267,8 +268,8 @@ private:
                          bool(*rtl_.pixel_port(pipeline).valid) == offered};
         result_.first->unit = located(offers ? driver_of(c, {}, job_.config, end) : link_infos[index(c)].to,
                                       pipeline, c, job_.config);
-        result_.first->expected = tell(model);
-        result_.first->got = tell(rtl);
+        result_.first->expected = offer_text(model);
+        result_.first->got = offer_text(rtl);
         watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
     }
 
@@ -331,7 +332,7 @@ private:
                  quiet = rtl_.moved() ? 0 : quiet + 1)
                 step_rtl(hits);
         } catch (const RtlAssertion& assertion) {
-            tell_assertion(assertion);
+            report_assertion(assertion);
         }
         if (watched_)
             result_.first->later =
@@ -342,7 +343,7 @@ private:
         const std::uint64_t now = model_.cycle();
         if (!watched_ || !watched_->by_rtl) return model_.step();
         model_.step([&](const Move& move) {
-            (*witness_)(move, [&](int pipeline, Link c, const auto& payload) {
+            (*payloads_)(move, [&](int pipeline, Link c, const auto& payload) {
                 if (!watched_ || pipeline != watched_->pipeline || c != watched_->link) return;
                 pack(payload, job_.config, words_);
                 seen(now, words_.data(), words_.size() * 4);
@@ -387,7 +388,7 @@ private:
     Machine model_;
     RtlMachine rtl_;
     MemoryImage image_;   // of the current frame
-    std::optional<Witness> witness_;
+    std::optional<PayloadReplay> payloads_;
     UploadTiming upload_;                                // before the frame
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;

@@ -10,7 +10,7 @@ struct Finish {
     std::optional<double> threshold, contrast;
     bool jittered = false, fresnel = false;
 
-    bool is_asked() const { return depth || aa || threshold || contrast || jittered || fresnel; }
+    bool is_given() const { return depth || aa || threshold || contrast || jittered || fresnel; }
 };
 
 }   // namespace rayclock

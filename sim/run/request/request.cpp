@@ -13,7 +13,7 @@
 #include "sim/load/load.hpp"
 #include "sim/run/request/ground.hpp"
 #include "sim/run/memory/memory_file.hpp"
-#include "sim/run/request/idle.hpp"
+#include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/levels.hpp"
 #include "sim/run/request/material.hpp"
 
@@ -36,7 +36,7 @@ Whitted settings_of(const Finish& f, std::uint64_t seed) {
     return w;
 }
 
-void tell(const std::vector<std::string>& notes) {
+void print_notes(const std::vector<std::string>& notes) {
     constexpr std::size_t most = 20;
     for (std::size_t i = 0; i < std::min(notes.size(), most); ++i)
         std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
@@ -53,7 +53,7 @@ Config widened(Config config, const std::vector<std::string>& set) {
     return config;
 }
 
-void tell_idle(const std::vector<std::string>& sentences) {
+void print_ineffective(const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences)
         std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
 }
@@ -67,19 +67,19 @@ void refuse_stream(const Config& config) {
 }
 
 /// Adds a camera for a picture of this size, and applies the view options.
-void look(Scene& scene, FrameSize size, const ViewChoice& view) {
+void apply_view(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
-    if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+    if (view.is_given()) scene.camera = chosen_camera(*scene.camera, view, size);
     if (view.material) give_material(scene, *view.material);
     if (view.ground) lay_ground(scene);
 }
 
 }   // namespace
 
-Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
+Scene load_noted_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
     std::vector<std::string> notes;
     Scene scene = load_scene(spec, progress, primitives, &notes);
-    tell(notes);
+    print_notes(notes);
     return scene;
 }
 
@@ -91,12 +91,12 @@ void refuse_folded(const Scene& scene) {
 }
 
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
-    return ready_scene(told_scene(spec, progress), size, view);
+    return ready_scene(load_noted_scene(spec, progress), size, view);
 }
 
 Scene ready_scene(Scene scene, FrameSize size, const ViewChoice& view) {
     refuse_folded(scene);
-    look(scene, size, view);
+    apply_view(scene, size, view);
     return scene;
 }
 
@@ -120,15 +120,15 @@ Request request_of(const SceneSource& scene, const ConfigChoice& config, const F
     // A setting may concern units that only a shading chip has. So apply the settings once that is decided.
     const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
                                      [](const std::string& item) { return item.starts_with("shading="); });
-    const bool may_wait = finish.is_asked() && !by_hand;
+    const bool may_wait = finish.is_given() && !by_hand;
     r.config = load_config({config.name, may_wait ? decltype(config.set){} : config.set});
     if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
     refuse_stream(r.config);
-    r.finished = finish.is_asked() || r.config.shading;
+    r.finished = finish.is_given() || r.config.shading;
     r.scene = scene(r.finished ? Primitives::native : Primitives::triangles);
     check_levels(r.scene, r.config, r.finished, false);   // before any more work
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
-    look(r.scene, size, view);
+    apply_view(r.scene, size, view);
     if (finish.fresnel)
         for (Material& m : r.scene.materials) m.schlick = true;
     if (r.finished && !r.config.shading && !by_hand) {
@@ -141,17 +141,18 @@ Request request_of(const SceneSource& scene, const ConfigChoice& config, const F
     }
     refuse_stream(r.config);
     check_levels(r.scene, r.config, r.finished, view.ground);
-    for (const std::string& sentence : idle_settings(r.config, config.set)) idle.push_back(sentence);
-    for (const std::string& sentence : idle_finish(finish, r.settings, r.scene)) idle.push_back(sentence);
+    for (const std::string& sentence : ineffective_settings(r.config, config.set)) idle.push_back(sentence);
+    for (const std::string& sentence : ineffective_finish(finish, r.settings, r.scene))
+        idle.push_back(sentence);
     return r;
 }
 
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
                    std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
     std::vector<std::string> idle;
-    const auto load = [&](Primitives primitives) { return told_scene(scene, progress, primitives); };
+    const auto load = [&](Primitives primitives) { return load_noted_scene(scene, progress, primitives); };
     Request r = request_of(SceneSource(load), config, finish, seed, size, view, idle);
-    tell_idle(idle);
+    print_ineffective(idle);
     return r;
 }
 

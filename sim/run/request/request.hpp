@@ -14,13 +14,14 @@
 namespace rayclock {
 
 /// Calls load_scene(), and prints a warning on standard error for all content that is changed or not drawn.
-Scene told_scene(const std::string& spec, const Progress& progress,
-                 Primitives primitives = Primitives::triangles);
+Scene load_noted_scene(const std::string& spec, const Progress& progress,
+                       Primitives primitives = Primitives::triangles);
 
 /// Throws UserError for a folded scene: one with too many placed triangles to be written out.
 void refuse_folded(const Scene& scene);
 
-/// Calls told_scene(), and adds a camera for a picture of this size. Throws UserError for a folded scene.
+/// Calls load_noted_scene(), and adds a camera for a picture of this size. Throws UserError for a folded
+/// scene.
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress,
                   const ViewChoice& view = {});
 
@@ -42,8 +43,8 @@ struct Request {
 /// their widths.
 Config widened(Config config, const std::vector<std::string>& set);
 
-/// Prints notes of idle_settings() on standard error.
-void tell_idle(const std::vector<std::string>& sentences);
+/// Prints notes of ineffective_settings() on standard error.
+void print_ineffective(const std::vector<std::string>& sentences);
 
 /// Loads scene and configuration. For a finished picture, a configuration without shading gets the units that
 /// the scene needs, and its settings override them. `seed` is that of jittered samples. Throws UserError.

@@ -14,7 +14,7 @@ struct ViewChoice {
     bool ground = false;                   ///< lay_ground()
     std::optional<std::string> material;   ///< give_material()
 
-    bool is_asked() const { return eye || at || fov || orbit; }
+    bool is_given() const { return eye || at || fov || orbit; }
 };
 
 /// Returns the chosen camera. `orbit` applies last: it turns the eye about the point that it looks at, around

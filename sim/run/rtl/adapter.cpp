@@ -130,7 +130,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
         return ports;
     }
-    if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
+    if (module == "rc_xform") return {{"req", in}, {"occupied", plain}, {"change", PortKind::fires}};
     if (module == "rc_tri" || std::ranges::any_of(node_units, [&](const NodeUnit& u) {
             return module == std::string("rc_") + unit_name(u.unit);
         }))
@@ -144,18 +144,34 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return ports;
     }
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
-        return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
+        return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"outcome", plain}};
     if (module == "rc_shade")
         return {{"frame", fixed}, {"slot", listen},      {"ray", listen}, {"closest", in}, {"surf_req", out},
                 {"surf_rsp", in}, {"surf_waits", fixed}, {"spawn", out},  {"pixel", out},  {"cause", plain}};
     if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
     if (module == "rc_pass")
-        return {{"frame", fixed},   {"valid", fixed},     {"ray", fixed},        {"state", fixed},
-                {"hit", fixed},     {"o", fixed},         {"d", fixed},          {"surface", fixed},
-                {"top", fixed},     {"place", fixed},     {"look_valid", plain}, {"look_ray", plain},
-                {"look", plain},    {"end_valid", plain}, {"end_ray", plain},    {"end_state", plain},
-                {"changes", plain}, {"leave", plain},     {"spawn", plain},      {"pixel", plain},
-                {"push", plain},    {"pushed", plain}};
+        return {{"frame", fixed},
+                {"valid", fixed},
+                {"ray", fixed},
+                {"state", fixed},
+                {"hit", fixed},
+                {"o", fixed},
+                {"d", fixed},
+                {"surface", fixed},
+                {"top", fixed},
+                {"place", fixed},
+                {"material_valid", plain},
+                {"material_ray", plain},
+                {"material", plain},
+                {"end_valid", plain},
+                {"end_ray", plain},
+                {"end_state", plain},
+                {"changes", plain},
+                {"leave", plain},
+                {"spawn", plain},
+                {"pixel", plain},
+                {"push", plain},
+                {"pushed", plain}};
     if (module == "rc_power") return {{"valid", fixed}, {"c", fixed}, {"n", fixed}, {"power", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }

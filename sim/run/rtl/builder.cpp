@@ -35,10 +35,10 @@ public:
     explicit Report(std::string what) : what_(std::move(what)) {}
     Report(const Report&) = delete;
     ~Report() {
-        if (told_) tell("", {});
+        if (told_) update("", {});
     }
     double seconds() const { return watch_.seconds(); }
-    void tell(const char* stage, std::optional<double> left) {
+    void update(const char* stage, std::optional<double> left) {
         told_ = true;
         const std::lock_guard lock(reporter_mutex);
         if (reporter) reporter({what_, stage, seconds(), left});
@@ -54,7 +54,7 @@ private:
 void take(BuildLock& lock, Report& report) {
     while (!lock.take()) {
         if (interrupted()) throw Interrupted("interrupted while another program built the RTL");
-        report.tell("another program builds it", {});
+        report.update("another program builds it", {});
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
@@ -126,20 +126,20 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
                               : form == Form::rtl ? module
                                                   : form_name + " of " + module,
                               config.name, waves == Waves::yes ? " for waveforms" : ""));
-    const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
+    const auto update = [&](const char* stage, std::optional<double> left) { report.update(stage, left); };
     // Build one after the other, so that a killed build leaves at most the folder in which its own tools
     // work.
-    provide(support, report, [&](const fs::path& folder) { make_support(folder, waves, tell); });
+    provide(support, report, [&](const fs::path& folder) { make_support(folder, waves, update); });
     fs::path netlist;
     if (form == Form::netlist) {
         const fs::path gates =
             rtl_cache() / fmt::format("{}{:016x}-{:016x}", netlist_begin,
                                       hash_of(gates_ingredients(config, module)), hash_of(gates_tool()));
-        provide(gates, report, [&](const fs::path& folder) { make_gates(folder, config, module, tell); });
+        provide(gates, report, [&](const fs::path& folder) { make_gates(folder, config, module, update); });
         netlist = library_of(gates);
     }
     const bool made = provide(entry, report, [&](const fs::path& folder) {
-        make_library(folder, config, module, waves, library_of(support), netlist, tell);
+        make_library(folder, config, module, waves, library_of(support), netlist, update);
     });
     return {library_of(entry), !made, made ? report.seconds() : 0};
 }

@@ -90,7 +90,7 @@ bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value)
 /// Ends a cycle in which memory's time stands still.
 void RtlMachine::clock_bus() {
     if (see_) {
-        look();
+        sample_links();
         see_();
     }
     rtl_.clock();
@@ -126,7 +126,7 @@ void RtlMachine::start(const Frame& frame) {
     rays_ = {};
     accounts_.reset();
     started_ = now_;
-    memory_at_start_ = memory_.deeds();
+    memory_at_start_ = memory_.outcomes();
 }
 
 void RtlMachine::reset() {
@@ -166,11 +166,11 @@ void RtlMachine::drive() {
 void RtlMachine::settle() {
     drive();
     rtl_.settle();
-    look();
+    sample_links();
 }
 
 /// Reads which links offer and make a transfer.
-void RtlMachine::look() {
+void RtlMachine::sample_links() {
     moved_ = false;
     for (std::size_t p = 0; p < links_.size(); ++p) {
         LinkMask valid = 0, fire = 0;
@@ -194,7 +194,7 @@ void RtlMachine::look() {
 }
 
 void RtlMachine::complain(int pipeline, Link link, const std::string& what) {
-    if (!nonsense_) nonsense_ = {pipeline, link, what, now_};
+    if (!invalid_value_) invalid_value_ = {pipeline, link, what, now_};
 }
 
 /// Returns the RTL's request in this cycle, if it is valid.
@@ -291,7 +291,7 @@ void RtlMachine::read_counters() {
     for (int i = 0; !done() && i < patience_of_bus && ran + std::uint64_t(i) < counted_cycles_; ++i)
         memory_.clock(nullptr);
     for (std::size_t c = 0; c < cause_count; ++c)
-        sums.units[index(Unit::memory)][c] = memory_.deeds()[c] - memory_at_start_[c];
+        sums.units[index(Unit::memory)][c] = memory_.outcomes()[c] - memory_at_start_[c];
     accounts_ = sums;
 }
 

@@ -56,13 +56,13 @@ public:
     /// flight, or an unknown primitive. It may also be a pixel that is outside the picture or arrives twice.
     /// The value is not passed on: the memory returns zeros or does not answer, and the pixel is dropped or
     /// gets no hit. The machine runs on.
-    struct Nonsense {
+    struct InvalidValue {
         int pipeline = 0;
         Link link{};
         std::string what;
         std::uint64_t cycle = 0;
     };
-    const std::optional<Nonsense>& nonsense() const { return nonsense_; }
+    const std::optional<InvalidValue>& invalid_value() const { return invalid_value_; }
 
     bool done() const { return hits_ >= pixels_; }
     /// Return the chip's own signals about the frame, after settle().
@@ -99,7 +99,7 @@ public:
 
 private:
     void drive();
-    void look();
+    void sample_links();
     void clock_bus();
     void clock();
     std::optional<Memory::Answer> request();
@@ -140,7 +140,7 @@ private:
     std::vector<std::uint8_t> under_way_;      // [id] of requests to memory
     std::vector<std::uint8_t> given_;          // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
-    std::optional<Nonsense> nonsense_;
+    std::optional<InvalidValue> invalid_value_;
     std::optional<Accounts> accounts_;                 // empty until the counters are read
     std::uint64_t counted_cycles_ = 0, started_ = 0;   // started_: the frame's first cycle
     std::array<std::uint64_t, cause_count> memory_at_start_{};

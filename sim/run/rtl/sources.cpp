@@ -14,7 +14,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
-#include "sim/files/own_place.hpp"
+#include "sim/files/program_folder.hpp"
 
 namespace rayclock {
 
@@ -35,7 +35,7 @@ const char* chosen_folder() {
 /// Returns the tree around this program's file: a source tree, which may have been moved after the build, or
 /// an installation. Returns an empty path if there is none.
 fs::path own_tree() {
-    fs::path place = own_place();
+    fs::path place = program_folder();
     for (; !place.empty() && place != place.root_path(); place = place.parent_path())
         for (const fs::path& tree : {place / "share/rayclock", place})
             if (is_file(tree / "rtl/rc_top.sv")) return tree;

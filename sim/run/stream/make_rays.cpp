@@ -41,9 +41,9 @@ struct Spot {
 };
 
 /// Makes the rays that follow camera rays, from the reference's hits.
-class Maker {
+class RayGenerator {
 public:
-    Maker(const Scene& scene, const RayStreamPlan& plan, const Config& config)
+    RayGenerator(const Scene& scene, const RayStreamPlan& plan, const Config& config)
         : scene_(scene), plan_(plan), reference_(scene) {
         const Bounds b = bounds(scene);
         const double diagonal = glm::length(b.hi - b.lo);
@@ -175,7 +175,7 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
     if (all > most_rays)
         throw UserError("up to " + std::to_string(all) + " rays would be made, and a stream has at most " +
                         std::to_string(most_rays));
-    const Maker maker(scene, plan, config);
+    const RayGenerator maker(scene, plan, config);
     const auto width = std::size_t(plan.size.width);
     std::vector<std::vector<StreamRay>> of_pixel(width * std::size_t(plan.size.height));
     for_each_tile(plan.size, threads, "rays", progress, [&](const PixelTile& tile) {

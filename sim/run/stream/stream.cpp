@@ -163,8 +163,8 @@ std::function<const char*(const Ray&, const Closest&)> judge_of(const StreamJob&
     const MemoryImage& image = stream.job.image;
     const Config& config = stream.job.config;
     if (config.has_instances()) {
-        const auto asked = std::make_shared<const Asked>(
-            Asked{stream.scene, *stream.scene.camera, stream.job.frame, image.lattice, config});
+        const auto asked = std::make_shared<const FrameInputs>(
+            FrameInputs{stream.scene, *stream.scene.camera, stream.job.frame, image.lattice, config});
         const auto world = std::make_shared<const PlacedWorld>(*asked, image);
         if (!world->faults().empty())
             return [](const Ray&, const Closest&) {

@@ -48,7 +48,7 @@ double release_of(const std::string& version) {
     return major + minor / 100.0;
 }
 
-Nextpnr look() {
+Nextpnr find_nextpnr() {
     Nextpnr found{program(), {}, {}, {}};
     const char* chosen = std::getenv("RAYCLOCK_NEXTPNR");
     if (found.program.empty()) {
@@ -91,7 +91,7 @@ std::string nextpnr_version(const std::string& said) {
 }
 
 const Nextpnr& nextpnr() {
-    static const Nextpnr found = look();
+    static const Nextpnr found = find_nextpnr();
     return found;
 }
 
@@ -186,10 +186,10 @@ RouteStep step_of_log(const std::string& log) {
 
 namespace {
 
-using Tell = std::function<void(const std::string& what, int percent)>;
+using RouteProgress = std::function<void(const std::string& what, int percent)>;
 
 RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
-                  const std::vector<const char*>& files, const Tell& tell) {
+                  const std::vector<const char*>& files, const RouteProgress& on_progress) {
     std::vector<std::string> words{nextpnr().program.string()};
     for (const std::string& word : split(options, ' ')) words.push_back(word);
     words.insert(words.end(), files.begin(), files.end());
@@ -200,7 +200,7 @@ RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
         if (ticks % 50 != 0) continue;
         const RouteStep step = step_of_log(read_if_there(folder / "log"));
         if (step.is_stuck()) return RouteEnd::does_not_route;   // the process ends when this function returns
-        if (tell) tell(step.what, step.percent);
+        if (on_progress) on_progress(step.what, step.percent);
     }
     if (interrupted()) return RouteEnd::interrupted;
     if (process.code() == 0) return RouteEnd::done;
@@ -231,11 +231,11 @@ void write_roomy(const fs::path& placed, const fs::path& to) {
 
 // Passes file names relative to the folder, because a tool compiled to WebAssembly sees no other files.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
-                     const KeptSites& kept, const Tell& tell) {
+                     const KeptSites& kept, const RouteProgress& on_progress) {
     int placement = 1;
     const auto run = [&](std::vector<const char*> files) {
         const bool last = placement == methods.placements;
-        return run_once(folder, nextpnr_options(device, methods, last), seed, files, tell);
+        return run_once(folder, nextpnr_options(device, methods, last), seed, files, on_progress);
     };
     const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
     std::vector<const char*> routing{"--report",    "report.json", "--write",

@@ -63,7 +63,7 @@ struct KeptSites {
 /// Throws UserError with the tool's message if it fails.
 RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
                      int seed, const KeptSites& kept,
-                     const std::function<void(const std::string& what, int percent)>& tell);
+                     const std::function<void(const std::string& what, int percent)>& on_progress);
 
 /// The progress of a run, read from its log.
 struct RouteStep {

@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    void tell(const std::string& what, int percent) const {
+    void report_progress(const std::string& what, int percent) const {
         if (progress_) progress_(fmt::format("{}, {}", request_.top, what), std::uint64_t(percent), 100);
     }
 
@@ -167,7 +167,7 @@ private:
 
     /// Writes the netlist, which is kept complete or not at all, and returns the resources of its units.
     std::map<std::string, Use> synthesize() {
-        tell("synthesis", 0);
+        report_progress("synthesis", 0);
         const synth::YosysFolder folder(cache_.folder());
         folder.write("harness.v", harness_);
         run_yosys(folder, request_.config, synth_script(units_));
@@ -183,7 +183,7 @@ private:
         ordered_json json;
         for (const auto& [unit, use] : units) json[unit] = {use.lut, use.ff, use.dsp, use.bram};
         cache_.keep("chip-netlist", design_, json);
-        tell("synthesis", 100);
+        report_progress("synthesis", 100);
         return units;
     }
 
@@ -224,7 +224,7 @@ private:
         if (error) fs::copy_file(netlist(), folder.path("netlist.json"), error);
         if (error) throw UserError(fmt::format("{}: {}", netlist().string(), error.message()));
         const auto hear = [&](const std::string& what, int percent) {
-            tell(fmt::format("seed {}, {}", seed, what), percent);
+            report_progress(fmt::format("seed {}, {}", seed, what), percent);
         };
         const fs::path place = folder.path("netlist.json").parent_path();
         const RouteEnd end =

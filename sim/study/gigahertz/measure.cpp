@@ -41,9 +41,9 @@ std::vector<Point> camera_points() {
         for (const int mhz : clocks())
             for (const int p : pipelines())
                 if (mhz == clocks().back() || p == pipelines().front() || p == pipelines().back())
-                    points.emplace_back(m, mhz, p, Cure::none);
-        for (const Cure cure : {Cure::contexts, Cure::cache})
-            points.emplace_back(m, clocks().back(), pipelines().back(), cure);
+                    points.emplace_back(m, mhz, p, Remedy::none);
+        for (const Remedy remedy : {Remedy::contexts, Remedy::cache})
+            points.emplace_back(m, clocks().back(), pipelines().back(), remedy);
     }
     return points;
 }
@@ -53,7 +53,7 @@ std::vector<Point> finished_points() {
     for (std::size_t m = 0; m < memories().size(); ++m)
         for (const int mhz : {clocks().front(), clocks().back()})
             for (const int p : {pipelines().front(), pipelines().back()})
-                points.emplace_back(m, mhz, p, Cure::none);
+                points.emplace_back(m, mhz, p, Remedy::none);
     return points;
 }
 
@@ -93,13 +93,13 @@ const std::vector<int>& pipelines() {
 }
 
 Config config_of(const Config& base, const Point& point) {
-    const auto& [memory, mhz, pipelines, cure] = point;
+    const auto& [memory, mhz, pipelines, remedy] = point;
     Config config = base;
     set_parameter(config, "dram", memories()[memory].dram, "gigahertz");
     config.dram_channels = memories()[memory].channels;
     config.pipelines = pipelines;
-    if (cure == Cure::contexts) config.contexts = 4 * base.contexts;
-    if (cure == Cure::cache) {   // 1 MB
+    if (remedy == Remedy::contexts) config.contexts = 4 * base.contexts;
+    if (remedy == Remedy::cache) {   // 1 MB
         config.l2_sets = 4096;
         config.l2_mshrs = 64;
     }

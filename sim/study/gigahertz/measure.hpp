@@ -37,27 +37,27 @@ struct Frame {
 };
 
 /// Changes to the machine that may remove the limit, by their names on the page.
-enum class Cure { none, contexts, cache };
-constexpr int cures = 3;
+enum class Remedy { none, contexts, cache };
+constexpr int remedies = 3;
 
-/// Identifies a frame: index of the memory, MHz, pipelines, cure.
-using Point = std::tuple<std::size_t, int, int, Cure>;
+/// Identifies a frame: index of the memory, MHz, pipelines, remedy.
+using Point = std::tuple<std::size_t, int, int, Remedy>;
 
 /// All results of the study.
 struct Figures {
     /// Clocks x memories with the fewest and the most pipelines; the last clock with every number of
-    /// pipelines; cures at the last clock and number.
+    /// pipelines; remedies at the last clock and number.
     std::map<Point, Frame> camera;
     std::map<Point, Frame> finished;   ///< first and last clock with the first and last number of pipelines
     std::size_t triangles = 0;
     double finished_rays_per_pixel = 0;
 
-    const Frame& at(std::size_t memory, int mhz, int pipelines, Cure cure = Cure::none) const {
-        return camera.at({memory, mhz, pipelines, cure});
+    const Frame& at(std::size_t memory, int mhz, int pipelines, Remedy remedy = Remedy::none) const {
+        return camera.at({memory, mhz, pipelines, remedy});
     }
 };
 
-/// Returns the machine with the memory, the pipelines and the cure of a point.
+/// Returns the machine with the memory, the pipelines and the remedy of a point.
 Config config_of(const Config& base, const Point& point);
 
 /// Runs the study. Throws Interrupted after Ctrl-C.

@@ -102,7 +102,7 @@ Table cure_table(const Figures& f) {
     Table table({"memory", "as it is", "four times the rays in flight", "a shared cache of 1 MB"});
     for (std::size_t m = 0; m < memories().size(); ++m) {
         std::vector<std::string> row{memories()[m].name};
-        for (int c = 0; c < cures; ++c) row.push_back(fps_text(f.at(m, fastest(), most(), Cure(c)).fps));
+        for (int c = 0; c < remedies; ++c) row.push_back(fps_text(f.at(m, fastest(), most(), Remedy(c)).fps));
         table.add(row);
     }
     return table;
@@ -118,7 +118,7 @@ Table finished_table(const Figures& f) {
         std::vector<std::string> row{memories()[m].name};
         for (const int mhz : {slowest(), fastest()})
             for (const int p : {fewest(), most()}) {
-                const Frame& frame = f.finished.at({m, mhz, p, Cure::none});
+                const Frame& frame = f.finished.at({m, mhz, p, Remedy::none});
                 row.push_back(fmt::format("{} ({})", fps_text(frame.fps), megarays(frame.rays_per_second())));
             }
         table.add(row);
@@ -224,14 +224,14 @@ std::string passed_text(const Figures& f) {
     return text + ". ";
 }
 
-/// Returns the geometric mean of a cure's gain over all memories except the ideal one, at the last clock with
-/// the most pipelines.
-double cure_gain(const Figures& f, Cure cure) {
+/// Returns the geometric mean of a remedy's gain over all memories except the ideal one, at the last clock
+/// with the most pipelines.
+double remedy_gain(const Figures& f, Remedy remedy) {
     double sum = 0;
     int count = 0;
     for (std::size_t m = 0; m < memories().size(); ++m) {
         if (memories()[m].dram == "ideal") continue;
-        sum += std::log(f.at(m, fastest(), most(), cure).fps / f.at(m, fastest(), most()).fps);
+        sum += std::log(f.at(m, fastest(), most(), remedy).fps / f.at(m, fastest(), most()).fps);
         ++count;
     }
     return std::exp(sum / count);
@@ -260,7 +260,7 @@ std::string answer(const Figures& f) {
                       "flight draw {:.2f} times the frames, and a shared cache of 1 MB {:.2f} times "
                       "(geometric means). A faster clock helps until the memory's bus, rows or latency limit "
                       "the frame. Then more bandwidth or larger caches help.\n",
-                      fastest(), most(), cure_gain(f, Cure::contexts), cure_gain(f, Cure::cache));
+                      fastest(), most(), remedy_gain(f, Remedy::contexts), remedy_gain(f, Remedy::cache));
 }
 
 constexpr const char* intro = R"(# At the clocks of processors

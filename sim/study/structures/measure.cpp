@@ -142,12 +142,12 @@ SceneCells measure(const std::string& name, const std::vector<NamedStructure>& c
                    bool finished, const Progress& progress) {
     const bool is_round = study.is_round(name);
     Scene scene, native;
-    if (finished || is_round) native = told_scene(name, stopping({}), Primitives::native);
+    if (finished || is_round) native = load_noted_scene(name, stopping({}), Primitives::native);
     if (is_round) {
         scene = native;
         scene.lights.clear();   // so that only camera rays are traced
     } else {
-        scene = told_scene(name, stopping({}));
+        scene = load_noted_scene(name, stopping({}));
     }
     if (!scene.camera) scene.camera = fit_camera(scene, double(study.size.width) / study.size.height);
     native.camera = scene.camera;

@@ -10,7 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/machine/machine.hpp"
-#include "model/machine/witness.hpp"
+#include "model/machine/payload_replay.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {
@@ -27,7 +27,7 @@ public:
           model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed, Waves::yes),
           image_(job.image),
-          witness_(std::in_place, image_, job.config) {
+          payloads_(std::in_place, image_, job.config) {
         for (int p = 0; p < job.config.pipelines; ++p)
             for (std::size_t c = 0; c < link_count; ++c)
                 if (is_there(Link(c), job.config) && (p == 0 || c < pipeline_links))
@@ -44,7 +44,7 @@ public:
             for (std::size_t f = 0; f < frames.size(); ++f) {
                 if (frames[f].upload.image_lines > 0) {
                     apply(frames[f].upload, image_);
-                    witness_.emplace(image_, job_.config);
+                    payloads_.emplace(image_, job_.config);
                     rtl_.change(frames[f].upload);
                 }
                 bring(model_, f, std::span(frames));
@@ -65,7 +65,7 @@ private:
     bool run_frame(const RecordedFrame& frame, const Progress& progress) {
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
-        witness_->start(frame.frame);
+        payloads_->start(frame.frame);
         while (!(model_.done() && rtl_.done())) {
             if (rtl_.cycle() > last_ || interrupted()) return false;
             cycle();
@@ -88,7 +88,7 @@ private:
             capture_.cycles.emplace_back(capture_.links.size());
         }
         model_.step([&](const Move& move) {
-            (*witness_)(move, [&](int pipeline, Link link, const auto& payload) {
+            (*payloads_)(move, [&](int pipeline, Link link, const auto& payload) {
                 if (shows) at(pipeline, link).model = pack(payload, job_.config);
             });
         });
@@ -98,7 +98,9 @@ private:
     }
 
     LinkCycle& at(int pipeline, Link link) {
-        const auto here = [&](const Capture::Where& w) { return w.pipeline == pipeline && w.link == link; };
+        const auto here = [&](const Capture::CapturedLink& w) {
+            return w.pipeline == pipeline && w.link == link;
+        };
         const auto found = std::find_if(capture_.links.begin(), capture_.links.end(), here);
         return capture_.cycles.back()[std::size_t(found - capture_.links.begin())];
     }
@@ -133,7 +135,7 @@ private:
     Machine model_;
     RtlMachine rtl_;
     MemoryImage image_;   // of the frame that runs
-    std::optional<Witness> witness_;
+    std::optional<PayloadReplay> payloads_;
     bool writes_ = false;
     Capture capture_;
 };

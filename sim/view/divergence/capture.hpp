@@ -18,11 +18,11 @@ struct LinkCycle {
 
 /// The last cycles before a divergence, and a few after it.
 struct Capture {
-    struct Where {
+    struct CapturedLink {
         int pipeline;   ///< 0 for links that all pipelines share
         Link link;
     };
-    std::vector<Where> links;
+    std::vector<CapturedLink> links;
     std::uint64_t first = 0;                      ///< machine cycle
     std::vector<std::vector<LinkCycle>> cycles;   ///< [cycle - first][link]
     std::optional<std::uint64_t> differs_at;      ///< the first of these cycles in which a link differs

@@ -40,7 +40,7 @@ void check_divergence_folder(const std::string& folder) {
     for (const char* name : {wave_name, view_name, page_name}) check_writable((there / name).string());
 }
 
-DivergenceShow::DivergenceShow(const Diverged& d, const std::string& folder, const Progress& progress)
+DivergenceShow::DivergenceShow(const DivergedRun& d, const std::string& folder, const Progress& progress)
     : work_("rayclock-divergence"),
       rtl_wave_(work_.path() / "rtl.fst"),
       seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, progress)) {
@@ -55,7 +55,7 @@ DivergenceShow::DivergenceShow(const Diverged& d, const std::string& folder, con
     write_bytes(files_.view, waveform_view(seen_, config, d.first, rtl_wave_, wave_name));
 }
 
-DivergenceFiles DivergenceShow::page(const Diverged& d) {
+DivergenceFiles DivergenceShow::page(const DivergedRun& d) {
     write_bytes(files_.page, divergence_page(d, seen_, source_of(d.first, d.job.config), files_, rtl_wave_));
     return files_;
 }

@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// A run in lockstep that has found a divergence.
-struct Diverged {
+struct DivergedRun {
     const Job& job;
     const std::vector<RecordedFrame>& frames;
     Traffic traffic;
@@ -28,9 +28,9 @@ struct DivergenceFiles {
 /// Throws UserError if a file cannot be written, and Interrupted after Ctrl-C.
 class DivergenceShow {
 public:
-    DivergenceShow(const Diverged& diverged, const std::string& folder, const Progress& progress = {});
+    DivergenceShow(const DivergedRun& diverged, const std::string& folder, const Progress& progress = {});
     /// Writes divergence.html. `diverged` may contain more about the divergence than at construction.
-    DivergenceFiles page(const Diverged& diverged);
+    DivergenceFiles page(const DivergedRun& diverged);
 
 private:
     TemporaryFolder work_;

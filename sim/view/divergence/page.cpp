@@ -35,7 +35,7 @@ dt { color: #5d6875; } dd { margin: 0 0 6px 0; font-weight: 600; }
 /// The cycles around the divergence, in columns.
 class LinkTable {
 public:
-    LinkTable(const Diverged& d, const Capture& capture) : capture_(capture), cycle_(d.first.cycle) {
+    LinkTable(const DivergedRun& d, const Capture& capture) : capture_(capture), cycle_(d.first.cycle) {
         constexpr std::uint64_t before = 8, after = 6;
         first_ = std::max(capture.first, cycle_ - std::min(cycle_, before));
         last_ = std::min(capture.first + capture.cycles.size(), cycle_ + after);
@@ -105,21 +105,21 @@ private:
 };
 
 /// What the pixel's rays did in the model until the divergence.
-std::string story(const Diverged& d) {
+std::string story(const DivergedRun& d) {
     const std::uint64_t before = d.first.frame_begins;
     const std::uint32_t width = d.job.frame.width;
     StepsUntil steps(d.first.y * width + d.first.x, d.first.cycle - before);
     observe(d.job.config, d.job.khz, std::span(d.frames).first(d.first.frame + 1), d.traffic, 0, &steps);
     if (steps.events.empty()) return "<p>No ray of this pixel had begun.</p>\n";
-    constexpr const char* deeds[] = {"hit", "miss", "merge"};
+    constexpr const char* outcomes[] = {"hit", "miss", "merge"};
     std::vector<std::vector<std::string>> rows;
     for (const RayEvent& event : steps.events) {
         const LinkInfo& info = link_infos[index(event.link)];
-        const bool looked = event.what == RayEvent::What::looked_up;
+        const bool looked = event.type == RayEvent::Type::lookup;
         rows.push_back({fmt::format("{}", before + event.cycle), fmt::format("{}", event.ray),
                         purpose_names[std::size_t(event.purpose)],
                         looked ? fmt::format("{} looks up line {}: {}", info.to, event.addr,
-                                             deeds[std::size_t(event.deed)])
+                                             outcomes[std::size_t(event.outcome)])
                                : fmt::format("{} from {} to {}", info.name, info.from, info.to)});
     }
     constexpr std::size_t most = 200;
@@ -212,7 +212,7 @@ std::string verdict_of(const Divergence& d) {
     return "The transfer came in the right cycle, with another payload.";
 }
 
-std::string divergence_page(const Diverged& d, const Capture& capture, const SourceLine& source,
+std::string divergence_page(const DivergedRun& d, const Capture& capture, const SourceLine& source,
                             const DivergenceFiles& files, const std::string& rtl_wave) {
     const Divergence& f = d.first;
     std::string text = head;

@@ -13,7 +13,7 @@ std::string verdict_of(const Divergence& divergence);
 
 /// Returns the page: the difference and its cycle, the link cycle by cycle on both machines, the ray's path
 /// until then, and the source line that drives the link.
-std::string divergence_page(const Diverged& diverged, const Capture& capture, const SourceLine& source,
+std::string divergence_page(const DivergedRun& diverged, const Capture& capture, const SourceLine& source,
                             const DivergenceFiles& files, const std::string& rtl_wave);
 
 }   // namespace rayclock

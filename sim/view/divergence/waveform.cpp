@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t cycle_time = 10, settled = 5;
 constexpr int cycle_bits = 40;
 
-std::string scope_of(const Capture::Where& where, const Config& config) {
+std::string scope_of(const Capture::CapturedLink& where, const Config& config) {
     const char* link = link_infos[index(where.link)].name;
     return config.pipelines > 1 && index(where.link) < pipeline_links
                ? fmt::format("{}_{}", link, where.pipeline)
@@ -31,7 +31,7 @@ public:
     LinkSignals(FstWriter& out, const Capture& capture, const Config& config) : out_(out), capture_(capture) {
         out.open_scope("links");
         cycle_ = out.add_bits("cycle", cycle_bits);
-        for (const Capture::Where& where : capture.links) {
+        for (const Capture::CapturedLink& where : capture.links) {
             out.open_scope(scope_of(where, config));
             Signals s;
             for (std::size_t i = 0; i < flag_names.size(); ++i) s.flags[i] = out.add_bits(flag_names[i], 1);
@@ -110,7 +110,7 @@ std::string hexadecimal(std::string_view digits) {
     return text;
 }
 
-std::vector<GtkwSignal> signals_of_link(const Capture::Where& where, const Config& config) {
+std::vector<GtkwSignal> signals_of_link(const Capture::CapturedLink& where, const Config& config) {
     const std::string path = "links." + scope_of(where, config) + ".";
     std::vector<GtkwSignal> all;
     for (const char* flag : {"differs", "valid_model", "valid_rtl", "fires_model", "fires_rtl"})
@@ -185,15 +185,15 @@ std::string waveform_view(const Capture& capture, const Config& config, const Di
                            {{GtkwSignal::As::decimal, ranged("links.cycle", cycle_bits)},
                             {GtkwSignal::As::bits, "TOP.clk_i"}}});
     const std::string unit = divergence.unit.substr(0, divergence.unit.find('['));
-    const auto at = [&](const Capture::Where& where) {
+    const auto at = [&](const Capture::CapturedLink& where) {
         return divergence.on == where.link &&
                (where.pipeline == divergence.pipeline || index(where.link) >= pipeline_links);
     };
-    for (const Capture::Where& where : capture.links)
+    for (const Capture::CapturedLink& where : capture.links)
         if (at(where))
             view.groups.push_back({fmt::format("link {}: model and RTL", scope_of(where, config)),
                                    signals_of_link(where, config)});
-    for (const Capture::Where& where : capture.links) {
+    for (const Capture::CapturedLink& where : capture.links) {
         const LinkInfo& info = link_infos[index(where.link)];
         const bool near = (unit == info.from || unit == info.to) &&
                           (where.pipeline == divergence.pipeline || index(where.link) >= pipeline_links);

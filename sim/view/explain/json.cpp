@@ -18,8 +18,8 @@ ordered_json sums_json(const std::vector<Stay::Wait>& sums) {
     return json;
 }
 
-const char* lookup_name(CacheDeed deed) {
-    return unit_infos[index(Unit::node_cache)].causes[std::size_t(deed)].name;
+const char* lookup_name(CacheOutcome outcome) {
+    return unit_infos[index(Unit::node_cache)].causes[std::size_t(outcome)].name;
 }
 
 ordered_json step_json(const Step& step) {

@@ -75,10 +75,10 @@ std::string steps_as_text(const RayStory& ray) {
         std::string waits;
         for (const Stay::Wait& wait : step.waits())
             waits += fmt::format("{}{} {}", waits.empty() ? "" : ", ", wait.cause, wait.cycles);
-        constexpr const char* deeds[] = {"hit", "miss", "merge"};
+        constexpr const char* outcomes[] = {"hit", "miss", "merge"};
         table.add({grouped(step.first()), step_name(step.phase),
                    lookup ? fmt::format("{}", lookup->addr) : "",
-                   lookup ? deeds[std::size_t(lookup->lookup)] : "", outcome(step), waits,
+                   lookup ? outcomes[std::size_t(lookup->lookup)] : "", outcome(step), waits,
                    grouped(step.cycles()), grouped(step.work())});
     }
     return table.text(4);

@@ -11,21 +11,21 @@
 namespace rayclock {
 
 /// Counters of one pipeline since the frame began: refused cycles of each link, and cycles of each cache by
-/// deed. The difference of two such records shows what a ray waited for between them.
+/// outcome. The difference of two such records shows what a ray waited for between them.
 struct WaitCounts {
     std::array<std::uint32_t, pipeline_links> refused{};
-    std::array<std::array<std::uint32_t, cause_count>, ray_caches> deeds{};
+    std::array<std::array<std::uint32_t, cause_count>, ray_caches> outcomes{};
     /// Length of the unbroken run of refused cycles that ends just before this cycle.
     std::array<std::uint32_t, pipeline_links> run{};
 };
 
 /// A transfer of a ray on a link, or a cache's look-up of its request.
 struct RayEvent {
-    enum class What : std::uint8_t { moved, looked_up };
+    enum class Type : std::uint8_t { transfer, lookup };
     std::uint64_t cycle = 0;   ///< of the frame
-    What what = What::moved;
+    Type type = Type::transfer;
     Link link{};              ///< the link of the transfer; for a look-up, the link of its request
-    CacheDeed deed{};         ///< for a look-up: hit, miss or merge
+    CacheOutcome outcome{};   ///< for a look-up: hit, miss or merge
     std::uint32_t addr = 0;   ///< address of a request
     int pipeline = 0;
     std::uint32_t context = 0;

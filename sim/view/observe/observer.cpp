@@ -59,9 +59,9 @@ void Observer::step(Machine& machine) {
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         PipelineState& state = pipelines_[p];
         for (std::size_t c = 0; c < ray_caches - !shading_; ++c) {
-            const CacheDeed deed = machine.deed(int(p), cache_units[c]);
-            if (deed <= CacheDeed::merge) looked_up(int(p), c, deed);
-            ++state.waits.deeds[c][std::size_t(deed)];
+            const CacheOutcome outcome = machine.outcome(int(p), cache_units[c]);
+            if (outcome <= CacheOutcome::merge) looked_up(int(p), c, outcome);
+            ++state.waits.outcomes[c][std::size_t(outcome)];
         }
         const LinkMask fire = machine.fire_mask(int(p));
         for (LinkMask left = machine.valid_mask(int(p)) & ~fire; left; left &= left - 1) {
@@ -94,9 +94,9 @@ void Observer::shared(const Machine& machine) {
     for (LinkMask left = machine.shared_valid() & ~machine.shared_fire(); left; left &= left - 1)
         ++costs_.refused[std::size_t(std::countr_zero(left))];
     if (!has_l2_) return;
-    const CacheDeed deed = machine.deed(0, Unit::l2);
-    if (deed > CacheDeed::merge) return;
-    if (deed == CacheDeed::miss) l2_missing_.push_back(l2_requests_.front());
+    const CacheOutcome outcome = machine.outcome(0, Unit::l2);
+    if (outcome > CacheOutcome::merge) return;
+    if (outcome == CacheOutcome::miss) l2_missing_.push_back(l2_requests_.front());
     l2_requests_.pop_front();
 }
 
@@ -162,7 +162,7 @@ void Observer::moved(const Move& m) {
         context.addr[cache] = addr;
         p.caches[std::size_t(cache)].requests.push_back(m.id);
     }
-    if (context.watched) show(m.pipeline, m.id, RayEvent::What::moved, m.link, {}, addr);
+    if (context.watched) show(m.pipeline, m.id, RayEvent::Type::transfer, m.link, {}, addr);
     if (m.link == Link::hit) context = {};
 }
 
@@ -219,7 +219,7 @@ void Observer::at(PipelineState& p, Context& context, Link link) {
     }
 }
 
-void Observer::looked_up(int pipeline, std::size_t cache, CacheDeed deed) {
+void Observer::looked_up(int pipeline, std::size_t cache, CacheOutcome outcome) {
     PipelineState& p = pipelines_[std::size_t(pipeline)];
     CacheQueue& queue = p.caches[cache];
     const std::uint32_t id = queue.requests.front();
@@ -227,26 +227,26 @@ void Observer::looked_up(int pipeline, std::size_t cache, CacheDeed deed) {
     Context& context = p.contexts[id];
     PurposeCost& sums = purpose(context);
     if (context.watched)
-        show(pipeline, id, RayEvent::What::looked_up, request_link(cache, streams_), deed,
+        show(pipeline, id, RayEvent::Type::lookup, request_link(cache, streams_), outcome,
              context.addr[cache]);
-    if (deed == CacheDeed::hit) {
+    if (outcome == CacheOutcome::hit) {
         ++sums.hits[cache];
         return;
     }
     ++cost(context).misses;
-    ++(deed == CacheDeed::miss ? sums.misses : sums.merges)[cache];
-    if (deed == CacheDeed::miss) queue.missing.push_back(id);
+    ++(outcome == CacheOutcome::miss ? sums.misses : sums.merges)[cache];
+    if (outcome == CacheOutcome::miss) queue.missing.push_back(id);
     sums.places[context.place] += now_ - context.since;   // from here on the context waits for memory
     context.since = now_;
     context.place = memory_place;
 }
 
-void Observer::show(int pipeline, std::uint32_t id, RayEvent::What what, Link link, CacheDeed deed,
+void Observer::show(int pipeline, std::uint32_t id, RayEvent::Type what, Link link, CacheOutcome outcome,
                     std::uint32_t addr) {
     const PipelineState& p = pipelines_[std::size_t(pipeline)];
     const Context& c = p.contexts[id];
     pending_.push_back(
-        {now_, what, link, deed, addr, pipeline, id, c.pixel, c.ray, c.purpose, c.first, &p.waits});
+        {now_, what, link, outcome, addr, pipeline, id, c.pixel, c.ray, c.purpose, c.first, &p.waits});
 }
 
 void Observer::close_window(const Machine& machine) {

@@ -47,12 +47,12 @@ private:
     void moved(const Move& move);
     void began(PipelineState& p, const Move& move);
     void at(PipelineState& p, Context& context, Link link);
-    void looked_up(int pipeline, std::size_t cache, CacheDeed deed);
+    void looked_up(int pipeline, std::size_t cache, CacheOutcome outcome);
     void asked_memory(PipelineState& p, std::size_t cache);
     void shared(const Machine& machine);
     void count_runs(const Machine& machine);
     void close_window(const Machine& machine);
-    void show(int pipeline, std::uint32_t context, RayEvent::What what, Link link, CacheDeed deed,
+    void show(int pipeline, std::uint32_t context, RayEvent::Type what, Link link, CacheOutcome outcome,
               std::uint32_t addr);
     PixelCost& cost(const Context& c) { return costs_.pixels[c.pixel]; }
     PurposeCost& purpose(const Context& c) { return costs_.purposes[std::size_t(c.purpose)]; }

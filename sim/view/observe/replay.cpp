@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "model/machine/machine.hpp"
-#include "model/machine/where.hpp"
+#include "model/machine/stuck_rays.hpp"
 #include "sim/view/observe/observer.hpp"
 
 namespace rayclock {
@@ -15,7 +15,7 @@ constexpr std::uint64_t cycles_between_reports = 1 << 16;
 
 void check_moving(const Machine& machine, std::uint64_t limit) {
     if (machine.quiet() > limit)
-        throw std::runtime_error("model: nothing moves any more\n" + where_rays_are(machine));
+        throw std::runtime_error("model: nothing moves any more\n" + describe_stuck_rays(machine));
 }
 
 FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trace, std::uint64_t limit,

@@ -22,7 +22,7 @@ struct Part {
 std::vector<Part> parts_of(const std::vector<RayEvent>& events) {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < events.size(); ++i) {
-        if (events[i].what == RayEvent::What::looked_up) {
+        if (events[i].type == RayEvent::Type::lookup) {
             parts.back().lookup = i;
             parts.back().has_lookup = true;
             continue;
@@ -42,16 +42,16 @@ void shorten(AllCacheTimes& times, const std::vector<RayEvent>& events, const st
     for (const Part& part : parts) {
         if (!part.has_lookup) continue;
         CacheTimes& t = times[cache_index(events[part.begin].link)];
-        const std::uint64_t begin = events[part.begin].cycle, look = events[part.lookup].cycle,
+        const std::uint64_t begin = events[part.begin].cycle, lookup_cycle = events[part.lookup].cycle,
                             end = events[part.end].cycle;
-        t.before = std::min(t.before, look - begin);
-        if (events[part.lookup].deed == CacheDeed::hit) t.after = std::min(t.after, end - look);
+        t.before = std::min(t.before, lookup_cycle - begin);
+        if (events[part.lookup].outcome == CacheOutcome::hit) t.after = std::min(t.after, end - lookup_cycle);
     }
 }
 
-class Teller {
+class StoryBuilder {
 public:
-    Teller(const PixelEvents& mine, const PixelEvents& alone, bool streams)
+    StoryBuilder(const PixelEvents& mine, const PixelEvents& alone, bool streams)
         : mine_(mine),
           alone_(alone),
           streams_(streams),
@@ -106,27 +106,28 @@ private:
         const std::size_t cache = cache_index(stay.by);
         const std::string name = place_name(stay.place);
         const CacheTimes& times = times_[cache];
-        const std::uint64_t begin = mine_.events[part.begin].cycle, look = mine_.events[part.lookup].cycle,
+        const std::uint64_t begin = mine_.events[part.begin].cycle,
+                            lookup_cycle = mine_.events[part.lookup].cycle,
                             end = mine_.events[part.end].cycle;
         stay.is_lookup = true;
-        stay.lookup = mine_.events[part.lookup].deed;
-        const auto deed = [&](CacheDeed d) {
-            const auto& before = mine_.waits[part.begin].deeds[cache];
-            const auto& after = mine_.waits[part.lookup].deeds[cache];
+        stay.lookup = mine_.events[part.lookup].outcome;
+        const auto outcome = [&](CacheOutcome d) {
+            const auto& before = mine_.waits[part.begin].outcomes[cache];
+            const auto& after = mine_.waits[part.lookup].outcomes[cache];
             return after[std::size_t(d)] - before[std::size_t(d)];
         };
-        std::uint64_t left = look - begin - times.before;
+        std::uint64_t left = lookup_cycle - begin - times.before;
         stay.work = times.before;
-        wait(stay, left, deed(CacheDeed::mshrs), name + ": too many lines are on their way");
-        wait(stay, left, deed(CacheDeed::conflict), name + ": all ways of a set wait for lines");
-        wait(stay, left, deed(CacheDeed::drain), name + ": rays that waited for a line are answered");
-        wait(stay, left, deed(CacheDeed::answers), name + ": answers are not taken");
+        wait(stay, left, outcome(CacheOutcome::mshrs), name + ": too many lines are on their way");
+        wait(stay, left, outcome(CacheOutcome::conflict), name + ": all ways of a set wait for lines");
+        wait(stay, left, outcome(CacheOutcome::drain), name + ": rays that waited for a line are answered");
+        wait(stay, left, outcome(CacheOutcome::answers), name + ": answers are not taken");
         wait(stay, left, left, name + ": other rays are looked up first");
         const std::uint64_t least = times.after == ~0ull ? 0 : times.after;
-        const std::uint64_t rest = end - look;
+        const std::uint64_t rest = end - lookup_cycle;
         stay.work += std::min(least, rest);
         left = rest - std::min(least, rest);
-        if (stay.lookup == CacheDeed::hit)
+        if (stay.lookup == CacheOutcome::hit)
             wait(stay, left, left, name + ": its answer waits behind others");
         else
             wait(stay, left, left, "the memory");
@@ -172,8 +173,8 @@ std::vector<Stay::Wait> PixelStory::causes() const {
     return sorted(std::move(sums));
 }
 
-PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
-                const PixelEvents& in_frame, const PixelEvents& alone) {
+PixelStory make_story(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
+                      const PixelEvents& in_frame, const PixelEvents& alone) {
     PixelStory story;
     const RayEvent &begin = in_frame.events.front(), &end = in_frame.events.back();
     story.x = begin.pixel % costs.width;
@@ -184,12 +185,12 @@ PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& co
     story.alone = alone.events.back().cycle - alone.events.front().cycle;
     for (RayValues& values : rays_of_pixel(job.image, frame.frame, job.config, story.x, story.y))
         story.rays.push_back({std::move(values), 0, 0, {}, 0, 0});
-    for (auto& [ray, stay] : Teller(in_frame, alone, job.config.is_stream()).stays()) {
+    for (auto& [ray, stay] : StoryBuilder(in_frame, alone, job.config.is_stream()).stays()) {
         RayStory& told = story.rays.at(ray);
         if (told.stays.empty()) told.first = stay.first;
         told.cycles = stay.first + stay.cycles - told.first;
-        told.misses += stay.is_lookup && stay.lookup == CacheDeed::miss;
-        told.merges += stay.is_lookup && stay.lookup == CacheDeed::merge;
+        told.misses += stay.is_lookup && stay.lookup == CacheOutcome::miss;
+        told.merges += stay.is_lookup && stay.lookup == CacheOutcome::merge;
         told.stays.push_back(std::move(stay));
     }
     if (end.cycle - begin.cycle != story.cost.cycles)

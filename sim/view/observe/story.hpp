@@ -17,7 +17,7 @@ struct Stay {
     Link by{};                             ///< the link by which the ray came
     std::uint32_t addr = 0;                ///< for a cache: the line, or the half line of a primitive
     bool is_lookup = false;
-    CacheDeed lookup{};   ///< for a cache
+    CacheOutcome lookup{};   ///< for a cache
     std::uint64_t work = 0;
     struct Wait {
         std::string cause;
@@ -65,7 +65,7 @@ private:
 };
 
 /// Builds the story from the pixel's events in the frame and from its events alone on the chip.
-PixelStory tell(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
-                const PixelEvents& in_frame, const PixelEvents& alone);
+PixelStory make_story(const Job& job, const RecordedFrame& frame, const FrameCosts& costs,
+                      const PixelEvents& in_frame, const PixelEvents& alone);
 
 }   // namespace rayclock

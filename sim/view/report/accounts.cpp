@@ -72,7 +72,7 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameResult& 
 }
 
 CacheAccount cache_account(const FrameResult& run, Unit cache) {
-    const CauseCounts& c = run.accounts.units[index(cache)];   // indexed by CacheDeed: hit, miss, merge
+    const CauseCounts& c = run.accounts.units[index(cache)];   // indexed by CacheOutcome: hit, miss, merge
     return {c[0] + c[1] + c[2], c[0], c[2]};
 }
 

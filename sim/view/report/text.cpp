@@ -34,7 +34,7 @@ public:
     }
     WorkLine(const WorkLine&) = delete;
 
-    void tell(std::string_view what, std::uint64_t done, std::uint64_t total) {
+    void show(std::string_view what, std::uint64_t done, std::uint64_t total) {
         const Clock::time_point now = Clock::now();
         const std::lock_guard lock(mutex_);
         if (const std::string_view work = what.substr(0, what.find(',')); work_ != work)
@@ -90,7 +90,7 @@ private:
 Progress terminal_progress() {
     if (!isatty(STDERR_FILENO)) return {};
     return [line = std::make_shared<WorkLine>()](std::string_view what, std::uint64_t done,
-                                                 std::uint64_t total) { line->tell(what, done, total); };
+                                                 std::uint64_t total) { line->show(what, done, total); };
 }
 
 void write_file(const std::string& path, const std::string& text) {

@@ -97,9 +97,9 @@ private:
         at(first, s.pixel, fmt::format("{},{}", ray.pixel % width, ray.pixel / width));
         at(first, s.ray, fmt::format("{} {}", ray.ray, purpose_names[std::size_t(ray.purpose)]));
         for (const TimelineStay& stay : ray.stays) {
-            constexpr const char* deeds[] = {"hit", "miss", "merge"};
+            constexpr const char* outcomes[] = {"hit", "miss", "merge"};
             std::string place = place_name(stay.place);
-            if (stay.lookup) place += fmt::format(" {}: {}", stay.addr, deeds[std::size_t(*stay.lookup)]);
+            if (stay.lookup) place += fmt::format(" {}: {}", stay.addr, outcomes[std::size_t(*stay.lookup)]);
             at(stay.first, s.place, std::move(place));
             if (stay.wait_first < stay.last) at(stay.wait_first, s.waits_for, stay.waits_for);
             ends(stay.last, s.waits_for);

@@ -25,9 +25,9 @@ void add_ray(Commands& at, const Timeline& timeline, std::size_t id, const Timel
         const char* name = place_name(stay.place);
         at[stay.first] += fmt::format("S\t{}\t0\t{}\n", id, name);
         if (stay.lookup) {
-            constexpr const char* deeds[] = {"hit", "miss", "merge"};
-            at[stay.first] +=
-                fmt::format("L\t{}\t1\t; {} {}: {}\n", id, name, stay.addr, deeds[std::size_t(*stay.lookup)]);
+            constexpr const char* outcomes[] = {"hit", "miss", "merge"};
+            at[stay.first] += fmt::format("L\t{}\t1\t; {} {}: {}\n", id, name, stay.addr,
+                                          outcomes[std::size_t(*stay.lookup)]);
         }
         if (stay.wait_first < stay.last) {
             at[stay.wait_first] += fmt::format("S\t{}\t1\tfor_{}\n", id, stay.waits_for);

@@ -147,9 +147,9 @@ private:
               "ray");
         for (const TimelineStay& stay : ray.stays) {
             std::vector<Message> notes;
-            constexpr const char* deeds[] = {"hit", "miss", "merge"};
+            constexpr const char* outcomes[] = {"hit", "miss", "merge"};
             if (stay.lookup)
-                notes = {note("address", stay.addr), note("look-up", deeds[std::size_t(*stay.lookup)])};
+                notes = {note("address", stay.addr), note("look-up", outcomes[std::size_t(*stay.lookup)])};
             slice(uuid, stay.first, stay.last, place_name(stay.place), "stay", 1, notes);
             if (stay.wait_first < stay.last)
                 slice(uuid, stay.wait_first, stay.last, "waits for " + stay.waits_for, "wait", 2);

@@ -31,8 +31,8 @@ bool Timeline::wants(std::uint32_t pixel) {
 
 void Timeline::event(const RayEvent& event) {
     Open& open = open_of(event);
-    if (event.what == RayEvent::What::looked_up) {
-        open.lookup = event.deed;
+    if (event.type == RayEvent::Type::lookup) {
+        open.lookup = event.outcome;
         open.looked_up = event.cycle;
         return;
     }
@@ -63,7 +63,7 @@ void Timeline::close(Open& open, std::uint64_t cycle, const RayEvent* end) {
     TimelineStay stay{
         place_after(begin.link, config_.is_stream()), first, last, last, {}, open.lookup, begin.addr};
     std::uint64_t from = cycle;
-    if (open.lookup && *open.lookup != CacheDeed::hit) {
+    if (open.lookup && *open.lookup != CacheOutcome::hit) {
         from = open.looked_up + 1;
         stay.waits_for = place_name(memory_place);
     } else if (end && end->waits->run[index(end->link)] > 0) {

@@ -24,9 +24,9 @@ struct TimelineStay {
     std::uint64_t first = 0, last = 0;   ///< half open: `last` is the cycle after the last one
     /// The cycle in which the ray began to wait; equal to `last` if it did not wait.
     std::uint64_t wait_first = 0;
-    std::string waits_for;             ///< name of the unit
-    std::optional<CacheDeed> lookup;   ///< for a cache
-    std::uint32_t addr = 0;            ///< for a cache
+    std::string waits_for;                ///< name of the unit
+    std::optional<CacheOutcome> lookup;   ///< for a cache
+    std::uint32_t addr = 0;               ///< for a cache
 };
 /// The stays of one ray.
 struct TimelineRay {
@@ -68,7 +68,7 @@ private:
     struct Open {
         bool is_open = false;
         RayEvent begin;
-        std::optional<CacheDeed> lookup;
+        std::optional<CacheOutcome> lookup;
         std::uint64_t looked_up = 0;
         int at = -1, before = -1;   ///< indices in `rays`: this ray, and the pixel's previous ray
     };

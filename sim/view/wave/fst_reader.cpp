@@ -15,7 +15,7 @@ std::string name_of(std::string name) {
     return name;
 }
 
-void tell_hierarchy(void* reader, const FstVisitor& visitor) {
+void read_hierarchy(void* reader, const FstVisitor& visitor) {
     fstReaderIterateHierRewind(reader);
     while (const fstHier* entry = fstReaderIterateHier(reader)) {
         if (entry->htyp == FST_HT_SCOPE && visitor.open_scope) visitor.open_scope(entry->u.scope.name);
@@ -35,7 +35,7 @@ std::string_view view(const unsigned char* value, std::size_t length) {
 void read_fst(const std::string& path, const FstVisitor& visitor) {
     const std::unique_ptr<void, void (*)(void*)> reader(fstReaderOpen(path.c_str()), fstReaderClose);
     if (!reader) throw UserError(printable(path) + ": is not a waveform");
-    tell_hierarchy(reader.get(), visitor);
+    read_hierarchy(reader.get(), visitor);
     if (!visitor.change) return;
     fstReaderSetFacProcessMaskAll(reader.get());
     const auto text = [](void* user, std::uint64_t time, fstHandle signal, const unsigned char* value,

@@ -28,10 +28,10 @@ int clock_of(const std::string& text) {
 void merge(std::string_view bytes) {
     const std::string file = scratch_file("part.json", bytes);
     passes([&] {
-        const sweep::Merged merged = sweep::merge({file}, clock_of);
-        const auto& [axes, results] = std::tie(merged.asked.axes, merged.outcome.results);
+        const sweep::MergedSweep merged = sweep::merge({file}, clock_of);
+        const auto& [axes, results] = std::tie(merged.settings.axes, merged.outcome.results);
         demand(!axes.empty() && !results.empty(), "a sweep has axes and points");
-        const sweep::Front front = sweep::front_of(results, sweep::parse_cost(merged.asked.cost));
+        const sweep::Front front = sweep::front_of(results, sweep::parse_cost(merged.settings.cost));
         const std::string csv = sweep::csv(axes, results, front);
         demand(csv.size() > results.size(), "a table has a row for each point");
         demand(sweep::points_json(axes, results, front).size() == results.size(), "each point is told again");

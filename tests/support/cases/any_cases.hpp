@@ -109,13 +109,13 @@ inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c)
     return 1 + std::max(oracle::Rational(unit * oracle::power_of_two(-c.origin_bits) / a),
                         oracle::Rational(radius * oracle::power_of_two(1 - root_bits)));
 }
-inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
+inline oracle::SphereRoot sphere_truth(const TriReq& r, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
-    if (is_far(r)) return oracle::Meets::no;
+    if (is_far(r)) return oracle::SphereRoot::none;
     if (is_opaque(r) && ((leaves(r) && r.self == r.triangle.prim) || ball.outside(0) <= 0))
-        return oracle::Meets::no;
+        return oracle::SphereRoot::none;
     if (leaves(r) && r.self == r.triangle.prim)
-        return r.inside ? oracle::meets_from_its_surface(ball) : oracle::Meets::no;
+        return r.inside ? oracle::meets_from_its_surface(ball) : oracle::SphereRoot::none;
     return oracle::meets(ball);
 }
 /// Returns true if the way back from the line's end, outside the sphere, to its beginning meets the sphere.
@@ -127,7 +127,8 @@ inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
 inline bool blocked_truth(const TriReq& r, const Config& c) {
     if (r.partial && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
     if (!is_shadow(r))
-        return is_sphere(r, c) ? sphere_truth(r, c) != oracle::Meets::no : flat_crossing(r, c).has_value();
+        return is_sphere(r, c) ? sphere_truth(r, c) != oracle::SphereRoot::none
+                               : flat_crossing(r, c).has_value();
     const oracle::Rational end = oracle::power_of_two(-c.origin_bits);
     if (is_sphere(r, c)) {
         const oracle::Ball ball = ball_of(r, c);
@@ -144,12 +145,12 @@ inline void judge_zeros(const TriRsp& rsp) {
 }
 /// `alone` is the answer to the same request without a hit to beat.
 inline void judge_sphere(const TriReq& r, const TriRsp& alone, const Config& c) {
-    const oracle::Meets meets = sphere_truth(r, c);
-    REQUIRE((alone.closer != 0) == (meets != oracle::Meets::no));
+    const oracle::SphereRoot meets = sphere_truth(r, c);
+    REQUIRE((alone.closer != 0) == (meets != oracle::SphereRoot::none));
     if (!alone.closer) return judge_zeros(alone);
     const oracle::Ball ball = ball_of(r, c);
     const oracle::Rational unit = unit_of(c), t = oracle::Rational(alone.t);
-    REQUIRE(alone.back == (meets == oracle::Meets::far));
+    REQUIRE(alone.back == (meets == oracle::SphereRoot::far));
     REQUIRE(alone.t >= 1);
     if (alone.t < most_t(c)) REQUIRE(oracle::reached(ball, meets, t / unit));
     REQUIRE(!oracle::reached(ball, meets, (t - sphere_excess(ball, c)) / unit));

@@ -74,7 +74,8 @@ template <class K> struct CacheLinks {
     Wire<typename K::Rsp> rsp;
     Wire<typename K::Miss> miss;
     std::optional<typename K::Fill> fill;
-    CacheDeed deed = CacheDeed::starved;   ///< known after commit() in the model, after eval() in the RTL
+    CacheOutcome outcome = CacheOutcome::starved;   ///< known after commit() in the model, after eval() in
+                                                    ///< the RTL
 };
 
 template <class K> class CacheModel : public CacheLinks<K> {
@@ -94,8 +95,8 @@ public:
             request = {K::id(*this->req.offer), this->req.offer->addr / K::parts};
             asked_[request.id] = *this->req.offer;
         }
-        this->deed = cache_.clock(this->req.fires(), request, this->rsp.fires(),
-                                  this->fill ? &this->fill->id : nullptr, this->miss.fires());
+        this->outcome = cache_.clock(this->req.fires(), request, this->rsp.fires(),
+                                     this->fill ? &this->fill->id : nullptr, this->miss.fires());
     }
 
 private:
@@ -118,7 +119,7 @@ public:
         links_.read_in("req", this->req);
         links_.read_out("rsp", this->rsp);
         links_.read_out("miss", this->miss);
-        this->deed = CacheDeed(links_.plain("deed"));
+        this->outcome = CacheOutcome(links_.plain("outcome"));
     }
     void commit() { links_.clock(); }
 

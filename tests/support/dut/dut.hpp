@@ -27,9 +27,9 @@ template <class P> struct Wire {
 };
 
 /// A link delayed by some cycles: the units of a fast chip process it that much later.
-template <class P> class Late {
+template <class P> class DelayedLink {
 public:
-    explicit Late(int cycles) : kept_(std::size_t(cycles)) {}
+    explicit DelayedLink(int cycles) : kept_(std::size_t(cycles)) {}
     const std::optional<P>& out(const std::optional<P>& in) const {
         return kept_.empty() ? in : kept_.front();
     }
@@ -44,10 +44,12 @@ private:
 };
 
 /// Returns the ray of a payload, if there is one.
-template <class P> OnLink ray_of(const std::optional<P>& payload) {
+template <class P> LinkRay ray_of(const std::optional<P>& payload) {
     return {payload.has_value(), payload ? payload->ray : 0};
 }
-template <class P> OnLink ray_of(const Wire<P>& link) { return link.fires() ? ray_of(link.offer) : OnLink{}; }
+template <class P> LinkRay ray_of(const Wire<P>& link) {
+    return link.fires() ? ray_of(link.offer) : LinkRay{};
+}
 
 template <class P> bool same(const P& a, const P& b, const Config& config) {
     return pack(a, config) == pack(b, config);

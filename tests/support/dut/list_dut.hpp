@@ -61,7 +61,7 @@ private:
     List list_;
     std::vector<Ray> rays_;
     std::vector<RayTests> tests_;
-    Late<TriRsp> tried_;
+    DelayedLink<TriRsp> tried_;
 };
 
 class ListRtl : public ListLinks {

@@ -18,7 +18,7 @@ public:
         : config_(config), frame_(frame), pipe_(config.raygen_latency(), config.raygen_queue) {}
     void eval() {
         second_ = merge_.second(spawn.offer.has_value());
-        const bool begins = pipe_.ready() && rest_ == 0;
+        const bool begins = pipe_.ready() && hold_left_ == 0;
         spawn.ready = begins && !second_;
         slot.ready = begins && second_;
         ray.offer.reset();
@@ -31,7 +31,7 @@ public:
         if (slot.fires()) made = raygen(*slot.offer, frame_, config_);
         const bool begun = spawn.fires() || slot.fires();
         pipe_.clock(now_++, ray.fires(), begun, made);
-        rest_ = begun ? config_.raygen_interval - 1 : std::max(rest_ - 1, 0);
+        hold_left_ = begun ? config_.raygen_interval - 1 : std::max(hold_left_ - 1, 0);
     }
 
 private:
@@ -39,7 +39,7 @@ private:
     Frame frame_;
     Merge merge_;
     bool second_ = false;
-    int rest_ = 0;   // cycles left in which it starts no ray
+    int hold_left_ = 0;   // cycles left in which it starts no ray
     Pipe<Ray> pipe_;
     std::uint64_t now_ = 0;
 };

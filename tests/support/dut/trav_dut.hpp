@@ -57,7 +57,7 @@ public:
     }
     void commit() {
         const std::optional<BoxRsp> boxed = boxed_.out(box_rsp.offer);
-        const OnLink leafless = leaves ? OnLink{} : ray_of(boxed);
+        const LinkRay leafless = leaves ? LinkRay{} : ray_of(boxed);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
                         if (!valid) return Decision::Flags{};
@@ -98,7 +98,7 @@ private:
     std::uint32_t root_;
     Trav trav_;
     std::vector<Context> contexts_;
-    Late<BoxRsp> boxed_;
+    DelayedLink<BoxRsp> boxed_;
 };
 
 class TravRtl : public TravLinks {

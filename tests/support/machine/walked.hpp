@@ -22,7 +22,7 @@ inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
             words[head] |= Trace::tests_flag;
         }
         const std::uint32_t turns = walk.decide(done);
-        words[head] |= (done ? Trace::end_flag : 0) | turns << Trace::turns_shift;
+        words[head] |= (done ? Trace::end_flag : 0) | turns << Trace::dropped_shift;
     }
 }
 

@@ -43,7 +43,7 @@ template <class Dut> void check_hit_latency(const Config& config) {
             bench.dut.rsp.ready = part % 2 == 0;   // with and without a ready receiver
             REQUIRE(bench.ask(0, bench.addr(line, part)).req.fires());
             const auto looked_up = bench.cycle();
-            REQUIRE(looked_up.deed == CacheDeed::hit);
+            REQUIRE(looked_up.outcome == CacheOutcome::hit);
             REQUIRE_FALSE(looked_up.rsp.offer);
             REQUIRE_FALSE(bench.cycle().rsp.offer);
             REQUIRE(bench.right(bench.cycle().rsp.offer, 0, bench.addr(line, part)));
@@ -62,7 +62,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
                             addr = bench.addr(line, round % bench.parts());
         REQUIRE(bench.ask(0, addr).req.fires());
         const auto looked_up = bench.cycle();
-        REQUIRE(looked_up.deed == CacheDeed::miss);
+        REQUIRE(looked_up.outcome == CacheOutcome::miss);
         REQUIRE_FALSE(looked_up.miss.offer);
         std::vector<std::uint32_t> ids;
         for (std::uint32_t word = 0; word < words; ++word) {   // requests start after 2 cycles, one in each
@@ -85,7 +85,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
             REQUIRE_FALSE(bench.cycle({}, *at).rsp.offer);
             ids.erase(at);
         }
-        REQUIRE(bench.cycle().deed == CacheDeed::drain);
+        REQUIRE(bench.cycle().outcome == CacheOutcome::drain);
         REQUIRE_FALSE(bench.cycle().rsp.offer);
         REQUIRE(bench.right(bench.cycle().rsp.offer, 0, addr));   // 3 cycles after the last word
         REQUIRE_FALSE(bench.cycle().rsp.offer);
@@ -159,8 +159,8 @@ template <class Dut> void check_merge(const Config& config, std::uint32_t more, 
         if (n == late) req = bench.request(id(more), addr(more));
         const auto seen = bench.cycle(req, n == 0 ? std::optional(words.back()) : std::nullopt);
         if (req) REQUIRE(seen.req.fires());
-        if (n < late + 1 && seen.deed == CacheDeed::merge) REQUIRE(n < -3);
-        if (n == late + 1 && n <= 0) REQUIRE(seen.deed == CacheDeed::merge);
+        if (n < late + 1 && seen.outcome == CacheOutcome::merge) REQUIRE(n < -3);
+        if (n == late + 1 && n <= 0) REQUIRE(seen.outcome == CacheOutcome::merge);
         if (!seen.rsp.offer) continue;
         REQUIRE(bench.right(seen.rsp.offer, id(answered), addr(answered)));
         ++answered;
@@ -234,9 +234,9 @@ template <class Dut> void check_waiting_way_stays(const Config& config) {
     }
 }
 
-/// With `lines` in flight, one more request must stall with `deed` until the first of them arrives.
+/// With `lines` in flight, one more request must stall with `outcome` until the first of them arrives.
 template <class Dut> void check_stall(const Config& config, const std::vector<std::uint32_t>& lines,
-                                      std::uint32_t blocked, CacheDeed deed) {
+                                      std::uint32_t blocked, CacheOutcome outcome) {
     CacheBench<Dut> bench{config};
     std::vector<std::uint32_t> words, others;
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -247,12 +247,12 @@ template <class Dut> void check_stall(const Config& config, const std::vector<st
     REQUIRE(bench.ask(id, bench.addr(blocked)).req.fires());
     for (int n = 0; n < 20; ++n) {
         const auto seen = bench.cycle();
-        REQUIRE(seen.deed == deed);
+        REQUIRE(seen.outcome == outcome);
         REQUIRE_FALSE(seen.miss.offer);
     }
-    for (const std::uint32_t word : words) REQUIRE(bench.cycle({}, word).deed == deed);
-    REQUIRE(bench.cycle().deed == CacheDeed::drain);
-    REQUIRE(bench.cycle().deed == CacheDeed::miss);
+    for (const std::uint32_t word : words) REQUIRE(bench.cycle({}, word).outcome == outcome);
+    REQUIRE(bench.cycle().outcome == CacheOutcome::drain);
+    REQUIRE(bench.cycle().outcome == CacheOutcome::miss);
     REQUIRE(bench.right(bench.cycle().rsp.offer, 0, bench.addr(lines[0])));
     for (int n = 1; n < bench.shape.words; ++n) bench.cycle();
     REQUIRE(bench.misses == int(lines.size() + 1) * bench.shape.words);
@@ -265,7 +265,7 @@ template <class Dut> void check_conflict(const Config& config) {
     for (int i = 0; i <= shape.ways; ++i) lines.push_back(std::uint32_t(i * shape.sets + shape.sets / 2));
     const std::uint32_t blocked = lines.back();
     lines.pop_back();
-    check_stall<Dut>(config, lines, blocked, CacheDeed::conflict);
+    check_stall<Dut>(config, lines, blocked, CacheOutcome::conflict);
 }
 
 template <class Dut> void check_full_mshrs(const Config& config) {
@@ -273,7 +273,7 @@ template <class Dut> void check_full_mshrs(const Config& config) {
     if (shape.mshrs > shape.sets * shape.ways || shape.mshrs >= Dut::CacheKind::ids(config)) return;
     std::vector<std::uint32_t> lines;
     for (int i = 0; i < shape.mshrs; ++i) lines.push_back(std::uint32_t(i));
-    check_stall<Dut>(config, lines, std::uint32_t(shape.mshrs), CacheDeed::mshrs);
+    check_stall<Dut>(config, lines, std::uint32_t(shape.mshrs), CacheOutcome::mshrs);
 }
 
 template <class Dut> void check_answers_not_taken(const Config& config) {
@@ -289,7 +289,7 @@ template <class Dut> void check_answers_not_taken(const Config& config) {
         const auto seen = bench.ask(std::uint32_t(accepted % room), addr(accepted));
         accepted += seen.req.fires();
         steady.check(seen.rsp);
-        if (n > room) REQUIRE(seen.deed == CacheDeed::answers);
+        if (n > room) REQUIRE(seen.outcome == CacheOutcome::answers);
     }
     REQUIRE(accepted == room);
     bench.dut.rsp.ready = true;
@@ -327,7 +327,7 @@ template <class Dut> void check_random(const Config& config, int seeds, int requ
 /// Runs model and RTL in lockstep. The RTL runs two rounds, with a reset in the middle of traffic between
 /// them.
 template <class K> void lockstep(const Config& config, int seeds, int cycles) {
-    std::array<int, cache_deeds> deeds{};
+    std::array<int, cache_outcomes> outcomes{};
     for (const Flow& flow : flows)
         for (int seed = 1; seed <= seeds; ++seed) {
             CacheRtl<K> rtl{config, seed};
@@ -347,25 +347,25 @@ template <class K> void lockstep(const Config& config, int seeds, int cycles) {
                     REQUIRE(same(model.miss, rtl.miss, config));
                     world.watch(model);
                     model.commit();
-                    REQUIRE(int(model.deed) == int(rtl.deed));
+                    REQUIRE(int(model.outcome) == int(rtl.outcome));
                     rtl.commit();
-                    ++deeds[std::size_t(model.deed)];
+                    ++outcomes[std::size_t(model.outcome)];
                 }
                 REQUIRE(world.answers() > cycles / 50);
             }
         }
     const CacheShape shape = K::shape(config);
-    for (std::size_t deed = 0; deed < cache_deeds; ++deed) {   // every possible deed occurred
-        INFO(config.name << ", deed " << deed);
-        if (CacheDeed(deed) == CacheDeed::conflict &&
+    for (std::size_t outcome = 0; outcome < cache_outcomes; ++outcome) {   // every possible outcome occurred
+        INFO(config.name << ", outcome " << outcome);
+        if (CacheOutcome(outcome) == CacheOutcome::conflict &&
             (shape.mshrs <= shape.ways || K::ids(config) <= shape.ways))
             continue;
-        if (CacheDeed(deed) == CacheDeed::mshrs &&
+        if (CacheOutcome(outcome) == CacheOutcome::mshrs &&
             (shape.mshrs > shape.sets * shape.ways || K::ids(config) <= shape.mshrs))
             continue;
-        if (CacheDeed(deed) == CacheDeed::merge && K::ids(config) == 1) continue;
-        if (CacheDeed(deed) == CacheDeed::answers && K::ids(config) <= shape.queue) continue;
-        REQUIRE(deeds[deed] > 0);
+        if (CacheOutcome(outcome) == CacheOutcome::merge && K::ids(config) == 1) continue;
+        if (CacheOutcome(outcome) == CacheOutcome::answers && K::ids(config) <= shape.queue) continue;
+        REQUIRE(outcomes[outcome] > 0);
     }
 }
 

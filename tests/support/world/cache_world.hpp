@@ -228,7 +228,7 @@ public:
         dut.eval();
         CacheLinks<K> seen = dut;
         dut.commit();
-        seen.deed = dut.deed;
+        seen.outcome = dut.outcome;
         if (seen.miss.fires()) {
             wanted[seen.miss.offer->id] = seen.miss.offer->addr;
             ++misses;

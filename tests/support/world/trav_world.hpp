@@ -246,7 +246,7 @@ private:
 
     Frame frame_;
     Config config_;
-    Late<BoxRsp> boxed_;   // answers that trav has accepted and not yet processed
+    DelayedLink<BoxRsp> boxed_;   // answers that trav has accepted and not yet processed
     Flow flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;

@@ -6,7 +6,7 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
-  output logic             rests_o,
+  output logic             occupied_o,
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
   output rc_pkg::tri_rsp_t rsp_o
@@ -18,7 +18,7 @@ module rc_tri (
   logic [8:0]       idle_q;   // cycles
 
   rc_tri_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o, .rsp_valid_o(own_valid), .rsp_ready_i,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o, .rsp_valid_o(own_valid), .rsp_ready_i,
     .rsp_o(own));
 
   assign again       = has_last_q && idle_q == Pause && !own_valid;

@@ -7,7 +7,7 @@ module rc_box (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::box_req_t req_i,
-  output logic             rests_o,       // accepts no node: the last node's children are in test
+  output logic             occupied_o,    // accepts no node: the last node's children are in test
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -16,7 +16,7 @@ module rc_box (
   rc_pkg::box_rsp_t own;
 
   rc_box_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,
     .rsp_valid_o, .rsp_ready_i, .rsp_o(own));
 
   localparam int unsigned W = rc_pkg::NodeWidth;

@@ -7,7 +7,7 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
-  output logic             rests_o,       // accepts nothing: the last products are being made
+  output logic             occupied_o,    // accepts nothing: the last products are being made
   // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -16,7 +16,7 @@ module rc_tri (
   rc_pkg::tri_rsp_t own;
 
   rc_tri_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,
     .rsp_valid_o, .rsp_ready_i, .rsp_o(own));
 
   always_comb begin

@@ -7,7 +7,7 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
-  output logic             rests_o,
+  output logic             occupied_o,
   // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -25,7 +25,7 @@ module rc_tri (
   logic [More*Width-1:0] data_q;
 
   rc_tri_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,
     .rsp_valid_o(own_valid), .rsp_ready_i(moves), .rsp_o(own));
 
   assign rsp_valid_o = valid_q[More-1];

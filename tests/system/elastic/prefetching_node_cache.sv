@@ -17,7 +17,7 @@ module rc_node_cache (
   input  logic               fill_fires_i,
   input  rc_pkg::node_fill_t fill_i,
   output logic               waits_o,
-  output logic [rc_pkg::CauseBits-1:0] deed_o
+  output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
   localparam logic [5:0] Pause = 6'd40;
 
@@ -30,7 +30,7 @@ module rc_node_cache (
     .clk_i, .rst_ni, .req_valid_i(req_valid_i && !offers_q && !waits_q), .req_ready_o(own_ready), .req_i,
     .rsp_valid_o, .rsp_ready_i, .rsp_o, .next_fires_o, .next_ray_o, .miss_valid_o(own_miss_valid),
     .miss_ready_i(miss_ready_i && !offers_q), .miss_o(own_miss), .fill_fires_i(fill_fires_i && !waits_q),
-    .fill_i, .waits_o, .deed_o);
+    .fill_i, .waits_o, .outcome_o);
 
   assign req_ready_o  = own_ready && !offers_q && !waits_q;
   assign miss_valid_o = own_miss_valid || offers_q;

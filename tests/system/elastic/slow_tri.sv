@@ -7,21 +7,21 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
-  output logic             rests_o,
+  output logic             occupied_o,
   // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
   output rc_pkg::tri_rsp_t rsp_o
 );
-  logic       own_ready, own_rests;
+  logic       own_ready, own_occupied;
   logic [1:0] pause_q;   // cycles until the next primitive
 
   rc_tri_own u_own (
     .clk_i, .rst_ni, .req_valid_i(req_valid_i && pause_q == 0), .req_ready_o(own_ready), .req_i,
-    .rests_o(own_rests), .rsp_valid_o, .rsp_ready_i, .rsp_o);
+    .occupied_o(own_occupied), .rsp_valid_o, .rsp_ready_i, .rsp_o);
 
   assign req_ready_o = own_ready && pause_q == 0;
-  assign rests_o     = own_rests || pause_q != 0;
+  assign occupied_o  = own_occupied || pause_q != 0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni)                         pause_q <= '0;

@@ -8,7 +8,7 @@ module rc_box (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::box_req_t req_i,
-  output logic             rests_o,
+  output logic             occupied_o,
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -20,7 +20,7 @@ module rc_box (
   logic             leaves;    // the kept answer is offered
 
   rc_box_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rests_o,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,
     .rsp_valid_o(own_valid), .rsp_ready_i(own_ready), .rsp_o(own));
 
   assign leaves      = age_q == 4'd8;

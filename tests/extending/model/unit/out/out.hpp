@@ -17,11 +17,11 @@ public:
     bool contains(std::uint32_t ray) const { return rays_.contains(RayNumber(ray)); }
 
     /// Runs one clock edge: `result` is the result that came, `taken` whether the oldest was accepted.
-    void clock(OnLink result, bool taken) {
+    void clock(LinkRay result, bool taken) {
         last_ = !valid() ? 1 : taken ? 0 : 2;
         ++cycles_[last_];
         rays_.pop(taken);
-        rays_.push(RayNumber(result.ray), result.there);
+        rays_.push(RayNumber(result.ray), result.valid);
     }
     /// Counts cycles like the last one.
     void skip(std::uint64_t cycles) { cycles_[last_] += cycles; }

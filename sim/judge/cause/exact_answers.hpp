@@ -21,12 +21,12 @@ struct ExactPixel {
 /// Returns a camera ray of a chip that does not shade.
 Ray camera_ray(const Vec3i& eye, const Vec3i& direction);
 
-class Truth {
+class ExactAnswers {
 public:
-    Truth(const Scene& scene, const Lattice& lattice, const Config& config)
+    ExactAnswers(const Scene& scene, const Lattice& lattice, const Config& config)
         : surface_(oracle::snapped(scene, lattice)), config_(config) {}
     /// For two levels, where the direction is rounded separately for each instance.
-    Truth(const PlacedWorld& placed, const Config& config)
+    ExactAnswers(const PlacedWorld& placed, const Config& config)
         : surface_(std::vector<oracle::Corners>{}), placed_(&placed), config_(config) {}
 
     ExactPixel pixel(const Frame& frame, int x, int y) const;

@@ -11,13 +11,13 @@
 namespace rayclock::balance {
 
 /// The speed and the area of machines on one scene.
-class SceneDoors {
+class SceneEvaluator {
 public:
     /// The scene must have a camera and must outlive this object. Machines are compared at `khz`.
-    SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh, const Progress& progress,
-               const PictureChoice& picture = {});
+    SceneEvaluator(const Scene& scene, FrameSize size, int khz, int threads, bool fresh,
+                   const Progress& progress, const PictureChoice& picture = {});
 
-    Doors doors();
+    Evaluator evaluator();
 
     /// Returns the configuration with the stack depth and the address bits that the scene needs. Both depend
     /// on the number of children of a node.

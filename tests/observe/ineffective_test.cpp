@@ -9,7 +9,7 @@
 #include "model/core/parameters.hpp"
 #include "sim/run/engine/engine.hpp"
 #include "sim/load/load.hpp"
-#include "sim/run/request/idle.hpp"
+#include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/material.hpp"
 
 using namespace rayclock;
@@ -44,7 +44,7 @@ TEST_CASE("a setting that is said to have no effect has none") {
         for (const Parameter& p : parameters()) {
             Config other = config;
             const std::string item = std::string(p.key) + "=";
-            if (idle_settings(config, {item}).empty()) continue;
+            if (ineffective_settings(config, {item}).empty()) continue;
             ++idle;
             p.set(other, p.power_of_two() ? p.get(config) * 2 : p.get(config) + 1);
             if (p.get(other) > p.hi) p.set(other, p.power_of_two() ? p.get(config) / 2 : p.lo);
@@ -56,7 +56,7 @@ TEST_CASE("a setting that is said to have no effect has none") {
     }
 }
 
-TEST_CASE("of every parameter it is known where it cannot matter, or that it always does") {
+TEST_CASE("every parameter either always has an effect or has a rule for when it has none") {
     using Values = std::vector<std::pair<std::string, std::string>>;
     // A machine on which the parameter changes nothing, and what the note names.
     struct Row {
@@ -113,17 +113,18 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
         const bool matters = std::find(always.begin(), always.end(), key) != always.end();
         REQUIRE((row != rows.end()) != matters);   // one of the two
         if (row != rows.end())
-            CHECK(idle_settings(configured(row->machine), {key + "=1"}) ==
+            CHECK(ineffective_settings(configured(row->machine), {key + "=1"}) ==
                   std::vector<std::string>{key + " has no effect with " + row->because});
         for (const char* structure : {"bvh", "kd", "octree", "none"})
-            if (matters) CHECK(idle_settings(configured({{"structure", structure}}), {key + "=1"}).empty());
+            if (matters)
+                CHECK(ineffective_settings(configured({{"structure", structure}}), {key + "=1"}).empty());
     }
     CHECK(rows.size() + always.size() == parameters().size());
 }
 
-TEST_CASE("options of a finished picture that change nothing are told") {
+TEST_CASE("options of a finished picture without effect are reported") {
     const auto told = [](const Finish& f, const Whitted& w) {
-        return idle_finish(f, w, make_builtin("mirrors"));
+        return ineffective_finish(f, w, make_builtin("mirrors"));
     };
     Finish finish;
     finish.threshold = 0.1, finish.contrast = 0.1;
@@ -136,19 +137,19 @@ TEST_CASE("options of a finished picture that change nothing are told") {
     CHECK(told({}, {.depth = 0, .aa = 1}).empty());
 }
 
-TEST_CASE("bounces that no material makes are told, if they were asked for") {
+TEST_CASE("requested bounces that no material causes are reported") {
     Finish finish;
     Scene dull = make_builtin("icosphere:1");
-    CHECK(idle_finish(finish, {.depth = 5}, dull).empty());
+    CHECK(ineffective_finish(finish, {.depth = 5}, dull).empty());
     finish.depth = 2;
-    CHECK(idle_finish(finish, {.depth = 2}, make_builtin("mirrors")).empty());
-    CHECK(idle_finish(finish, {.depth = 0}, dull).empty());
+    CHECK(ineffective_finish(finish, {.depth = 2}, make_builtin("mirrors")).empty());
+    CHECK(ineffective_finish(finish, {.depth = 0}, dull).empty());
     const std::string told =
         "--depth 2 draws no reflected or refracted ray, since no material reflects or transmits light";
     dull.materials[0].name = "clay";
-    CHECK(idle_finish(finish, {.depth = 2}, dull) == std::vector<std::string>{told});
+    CHECK(ineffective_finish(finish, {.depth = 2}, dull) == std::vector<std::string>{told});
     dull.materials[0].name = "default";
-    CHECK(idle_finish(finish, {.depth = 2}, dull) ==
+    CHECK(ineffective_finish(finish, {.depth = 2}, dull) ==
           std::vector<std::string>{told +
                                    "; --material mirror=0.5 lets reflect what has no material of its own"});
     for (const auto& [scene, bounces] :
@@ -192,14 +193,14 @@ TEST_CASE("a material is given to what has none, and to nothing else") {
     CHECK_THAT(says("glass", "brass"), Catch::Contains("every surface of") && Catch::Contains("has one"));
 }
 
-TEST_CASE("a setting without effect is told with what decides it") {
+TEST_CASE("a setting without effect is reported with the parameter that disables it") {
     const Config config = configured({{"dram", "ddr3"}, {"structure", "none"}});
-    CHECK(idle_settings(config, {"mem_latency=5"}) ==
+    CHECK(ineffective_settings(config, {"mem_latency=5"}) ==
           std::vector<std::string>{"mem_latency has no effect with dram=ddr3"});
-    CHECK(idle_settings(config, {"l2_ways=2", "contexts=8", "node_sets=4"}) ==
+    CHECK(ineffective_settings(config, {"l2_ways=2", "contexts=8", "node_sets=4"}) ==
           std::vector<std::string>{"l2_ways has no effect with l2_sets=0",
                                    "node_sets has no effect with structure=none"});
-    CHECK(idle_settings(configured({{"dram", "ideal"}}), {"mem_latency=5"}).empty());
+    CHECK(ineffective_settings(configured({{"dram", "ideal"}}), {"mem_latency=5"}).empty());
 }
 
 TEST_CASE("a name that is far from all lists them, if they are few") {

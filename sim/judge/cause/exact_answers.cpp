@@ -1,5 +1,5 @@
 // Computes the exact hits of camera rays, and rounds t, u and v by its own formulas.
-#include "sim/judge/cause/truth.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ Int128 size(Int128 a) { return a < 0 ? -a : a; }
 
 // The weight of a corner is the volume over the ray's direction and the other two, seen from the origin; all
 // three sum to den. Widths: num < 2^(3N+1) <= 2^61, u, v and den < 2^(2N+M+1) <= 2^63, see oracle/cross.hpp.
-ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
+ExactPixel ExactAnswers::pixel(const Frame& frame, int x, int y) const {
     const Vec3i direction = exact_direction(frame, config_, {}, x, y, 0);
     if (placed_) return placed_pixel(camera_ray(frame.eye, direction));
     const oracle::ExactHit hit = surface_.closest(frame.eye, direction);
@@ -40,7 +40,7 @@ Ray camera_ray(const Vec3i& eye, const Vec3i& direction) {
     return ray;
 }
 
-ExactPixel Truth::placed_pixel(const Ray& ray) const {
+ExactPixel ExactAnswers::placed_pixel(const Ray& ray) const {
     const oracle::PlacedHit found = placed_->solids().nearest(placed_->ray(ray));
     if (found.place == oracle::PlacedRay::nowhere) return {};
     const oracle::FlatHit& hit = found.hit;   // of a ray without fraction bits total is den
@@ -48,7 +48,7 @@ ExactPixel Truth::placed_pixel(const Ray& ray) const {
 }
 
 // t has at most 2^31 units a step of num / den, and a weight 2^24: nothing here reaches 2^93.
-Closest Truth::answer(const ExactPixel& pixel) const {
+Closest ExactAnswers::answer(const ExactPixel& pixel) const {
     if (pixel.primitive == no_primitive) return {};
     const Int128 units = pixel.num * power_of_two(config_.dir_bits - 1 + config_.t_frac_bits),
                  most = power_of_two(config_.t_bits()) - 1;

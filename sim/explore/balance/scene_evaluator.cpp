@@ -1,5 +1,5 @@
 // Simulates and synthesises the machines that a search asks about, with a cache for both.
-#include "sim/explore/balance/doors.hpp"
+#include "sim/explore/balance/scene_evaluator.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,8 +19,8 @@ chip::Use use_of(const synth::Count& count) { return {count.luts(), count.ff, co
 
 }   // namespace
 
-SceneDoors::SceneDoors(const Scene& scene, FrameSize size, int khz, int threads, bool fresh,
-                       const Progress& progress, const PictureChoice& picture)
+SceneEvaluator::SceneEvaluator(const Scene& scene, FrameSize size, int khz, int threads, bool fresh,
+                               const Progress& progress, const PictureChoice& picture)
     : scene_(scene),
       size_(size),
       khz_(khz),
@@ -30,12 +30,12 @@ SceneDoors::SceneDoors(const Scene& scene, FrameSize size, int khz, int threads,
       progress_(progress),
       picture_(picture) {}
 
-Doors SceneDoors::doors() {
+Evaluator SceneEvaluator::evaluator() {
     return {[this](std::vector<Machine>& machines) { return fps(machines); },
             [this](std::vector<Machine>& machines) { return use(machines); }};
 }
 
-Config SceneDoors::with_needs(Config config) {
+Config SceneEvaluator::with_needs(Config config) {
     const auto at = reports_.find(config.node_width);
     if (at == reports_.end()) {
         Config widest = config;
@@ -51,7 +51,7 @@ Config SceneDoors::with_needs(Config config) {
     return config;
 }
 
-bool SceneDoors::fps(std::vector<Machine>& machines) {
+bool SceneEvaluator::fps(std::vector<Machine>& machines) {
     std::vector<sweep::Point> points;
     for (Machine& machine : machines) {
         machine.config = with_needs(machine.config);
@@ -70,7 +70,7 @@ bool SceneDoors::fps(std::vector<Machine>& machines) {
     return true;
 }
 
-bool SceneDoors::use(std::vector<Machine>& machines) {
+bool SceneEvaluator::use(std::vector<Machine>& machines) {
     std::vector<area::Variant> variants;
     for (const Machine& machine : machines) variants.push_back({machine.config.name, machine.config});
     if (variants.empty()) return true;

@@ -1,5 +1,5 @@
 // Notes on settings and options that have no effect.
-#include "sim/run/request/idle.hpp"
+#include "sim/run/request/ineffective.hpp"
 
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace rayclock {
 
-std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set) {
+std::vector<std::string> ineffective_settings(const Config& config, const std::vector<std::string>& set) {
     std::vector<std::string> sentences;
     for (const std::string& item : set) {
         const Parameter& p = parameter(std::string_view(item).substr(0, item.find('=')));
@@ -22,7 +22,7 @@ std::vector<std::string> idle_settings(const Config& config, const std::vector<s
     return sentences;
 }
 
-std::vector<std::string> idle_finish(const Finish& f, const Whitted& settings, const Scene& scene) {
+std::vector<std::string> ineffective_finish(const Finish& f, const Whitted& settings, const Scene& scene) {
     std::vector<std::string> sentences;
     if (f.depth && settings.depth > 0 && !has_bounces(scene))
         sentences.push_back(

@@ -36,15 +36,15 @@ struct Path {
 bool in_plane(const RationalPoint& place, const Corners& triangle);
 
 /// Collects what the path meets, one triangle at a time.
-class Sight {
+class Visibility {
 public:
     /// `surface` must hold path.from (see in_plane()). `facing` is the side of its normal on which the path
     /// leaves it: 1 or -1.
-    Sight(const Path& path, const Corners& surface, int facing);
+    Visibility(const Path& path, const Corners& surface, int facing);
 
     /// Tests a triangle. Returns false once no other triangle can change the answer, because the path is
     /// blocked.
-    bool look(const Corners& triangle);
+    bool add(const Corners& triangle);
 
     enum class Answer { free, blocked, either };
     Answer answer() const;

@@ -1,5 +1,5 @@
 // Runs a simulation and makes its report.
-#include "sim/app/simulated.hpp"
+#include "sim/app/simulate_run.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -22,7 +22,7 @@ std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>&
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
     jobs::for_each(clocks.size(), threads, [&](std::size_t i) {
-        const Progress tell =
+        const Progress replay_progress =
             !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
                 const std::lock_guard lock(mutex);
                 done[i] = std::max(done[i], n);
@@ -31,7 +31,8 @@ std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>&
                 progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
             };
         runs[i].khz = clocks[i];
-        const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
+        const std::vector<FrameTiming> timings =
+            replay(job.config, clocks[i], traces, traffic, replay_progress);
         for (std::size_t f = 0; f < timings.size(); ++f)
             runs[i].frames.push_back(frame_result(traces[f], timings[f]));
     });
@@ -51,8 +52,9 @@ std::vector<FramesAtClock> run_rtl_clocks(const Job& job, const std::vector<int>
 
 }   // namespace
 
-Simulated run_simulation(const SimulateHow& how, const SimulatePlan& work, const Progress& progress) {
-    Simulated s;
+SimulateResult run_simulation(const SimulateSettings& how, const SimulateInput& work,
+                              const Progress& progress) {
+    SimulateResult s;
     Film& film = work.film;
     s.is_model = how.is_model;
     // A single frame at a single clock replays while it is recorded.
@@ -73,7 +75,7 @@ Simulated run_simulation(const SimulateHow& how, const SimulatePlan& work, const
     return s;
 }
 
-void compare_frames(Simulated& s, const SimulateHow& how, const SimulatePlan& work,
+void compare_frames(SimulateResult& s, const SimulateSettings& how, const SimulateInput& work,
                     const Progress& progress) {
     s.compared = rayclock::compare(work.request(), work.job(),
                                    {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(),
@@ -81,7 +83,7 @@ void compare_frames(Simulated& s, const SimulateHow& how, const SimulatePlan& wo
                                    how.is_judged, how.threads, progress);
 }
 
-Totals totals_of(const Simulated& s) {
+Totals totals_of(const SimulateResult& s) {
     Totals t;
     for (const FramesAtClock& run : s.runs)
         for (const FrameResult& frame : run.frames) {
@@ -96,15 +98,15 @@ Totals totals_of(const Simulated& s) {
     return t;
 }
 
-Picture last_frame_picture(const SimulatePlan& work, const Simulated& s) {
+Picture last_frame_picture(const SimulateInput& work, const SimulateResult& s) {
     if (s.compared) return s.compared->picture;
     return work.request().finished
                ? picture_from_colours(work.size, s.colours())
                : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
-nlohmann::ordered_json simulation_json(const SimulateHow& how, const SimulatePlan& work, const Simulated& s,
-                                       const Limits& limits, const Totals& t) {
+nlohmann::ordered_json simulation_json(const SimulateSettings& how, const SimulateInput& work,
+                                       const SimulateResult& s, const Limits& limits, const Totals& t) {
     const Config& config = work.request().config;
     const FrameResult& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();

@@ -21,7 +21,7 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, bo
 
 /// Prints the table under the line `how` ("6 points from 3 traces") and writes the files. `shard` is the
 /// result of shard_json().
-void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,
+void write_sweep(const SweepOutputs& o, const sweep::MergedSweep& swept, const std::string& how,
                  const nlohmann::ordered_json& shard);
 
 }   // namespace rayclock

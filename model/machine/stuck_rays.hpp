@@ -7,6 +7,6 @@ namespace rayclock {
 class Machine;
 
 /// Returns the place of every ray of a machine that no longer moves, a line each, for the watchdog.
-std::string where_rays_are(const Machine& machine);
+std::string describe_stuck_rays(const Machine& machine);
 
 }   // namespace rayclock

@@ -1,5 +1,5 @@
 // The register of inputs and outputs: two maps under one mutex.
-#include "sim/files/named.hpp"
+#include "sim/files/input_registry.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,11 +1,11 @@
 // Collects the findings and events of explained pixels.
-#include "sim/app/explained.hpp"
+#include "sim/app/pixel_findings.hpp"
 
 #include <fmt/format.h>
 
 namespace rayclock {
 
-ColourFinding colour_finding(const Compared& c, std::size_t pixel) {
+ColourFinding colour_finding(const FrameComparison& c, std::size_t pixel) {
     ColourFinding found;
     found.machine = c.picture.pixels[pixel];
     found.reference = c.reference.pixels[pixel];
@@ -21,9 +21,9 @@ ColourFinding colour_finding(const Compared& c, std::size_t pixel) {
     return found;
 }
 
-PixelsEvents::PixelsEvents(const std::vector<std::uint32_t>& pixels) {
+PixelEventRecorder::PixelEventRecorder(const std::vector<std::uint32_t>& pixels) {
     for (const std::uint32_t pixel : pixels) events_.emplace(pixel, PixelEvents(pixel));
 }
-void PixelsEvents::event(const RayEvent& event) { events_.at(event.pixel).event(event); }
+void PixelEventRecorder::event(const RayEvent& event) { events_.at(event.pixel).event(event); }
 
 }   // namespace rayclock

@@ -6,6 +6,6 @@ namespace rayclock {
 
 /// Returns the folder of the file that holds this code: the program, or the Python module. The files that
 /// come with it are found from there. Returns an empty path if the system does not say.
-std::filesystem::path own_place();
+std::filesystem::path program_folder();
 
 }   // namespace rayclock

@@ -17,7 +17,7 @@ struct MachineFrame {
 };
 
 /// The machine's frame and the reference's, with all differences.
-struct Compared {
+struct FrameComparison {
     FrameError error;
     std::optional<Judgement> judgement;
     Picture picture, reference;       ///< the machine's picture and the reference's
@@ -25,7 +25,8 @@ struct Compared {
     std::vector<PixelStage> stages;   ///< stages of the requested pixel, if the chip does not shade
 };
 /// Compares a frame. `judged` runs the judge; `pixel` selects a pixel whose stages are recorded.
-Compared compare(const Request& request, const Job& job, const MachineFrame& made, bool judged, int threads,
-                 const Progress& progress, std::optional<std::size_t> pixel = std::nullopt);
+FrameComparison compare(const Request& request, const Job& job, const MachineFrame& made, bool judged,
+                        int threads, const Progress& progress,
+                        std::optional<std::size_t> pixel = std::nullopt);
 
 }   // namespace rayclock

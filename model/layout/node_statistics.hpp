@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// The nodes of a tree in the order of their writing: children after their parents.
-class WrittenNodes {
+class NodeStatistics {
 public:
     /// Adds a node below `parent`, with `inner` children that are nodes, and returns its number. The first
     /// node is the root.
@@ -20,7 +20,7 @@ public:
     }
 
     /// Sets the report's depth, stack_need, nodes and bytes.
-    void account(MemoryImage& image) {
+    void fill_report(MemoryImage& image) {
         for (std::size_t i = nodes_.size(); i-- > 0;) {
             Node& node = nodes_[i];
             node.need += node.inner >= 2;   // the siblings wait on the stack while a ray walks one child

@@ -1,11 +1,11 @@
 // Reports the place of every ray.
-#include "model/machine/where.hpp"
+#include "model/machine/stuck_rays.hpp"
 
 #include "model/machine/machine.hpp"
 
 namespace rayclock {
 
-std::string where_rays_are(const Machine& machine) {
+std::string describe_stuck_rays(const Machine& machine) {
     std::string text;
     for (int p = 0; p < machine.config().pipelines; ++p)
         for (std::uint32_t ray = 0; ray < std::uint32_t(machine.config().contexts); ++ray) {

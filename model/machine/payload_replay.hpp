@@ -12,9 +12,9 @@ namespace rayclock {
 
 /// Computes the payload of every transfer of a machine, ray by ray, from the units' pure functions. The
 /// machine itself holds only timing.
-class Witness {
+class PayloadReplay {
 public:
-    Witness(const MemoryImage& image, const Config& config)
+    PayloadReplay(const MemoryImage& image, const Config& config)
         : image_(image), config_(config), decoder_(image, config) {}
 
     void start(const Frame& frame) {
@@ -39,7 +39,7 @@ private:
         return words;
     }
     /// Returns the stored address of a cache's request. It stays until the answer, which has the same id.
-    std::uint32_t& asked(const Move& m, Link request) {
+    std::uint32_t& requested(const Move& m, Link request) {
         return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id];
     }
 
@@ -52,104 +52,106 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> words_;   // requested addresses
 };
 
-template <class See> void Witness::operator()(const Move& m, See&& see) {
-    const auto tell = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
-    const auto ask = [&]<class E>(E) {   // trav -> the unit that decides nodes
+template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
+    const auto emit = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
+    const auto emit_request = [&]<class E>(E) {   // trav -> the unit that decides nodes
         Walk& w = walk(m);
-        tell(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
+        emit(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
         w.test_node();
     };
     const auto answer = [&] {
-        tell(walk(m).boxes());
+        emit(walk(m).boxes());
         bool done = false;
         if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
     };
     switch (m.link) {
-        case Link::tile: return tell(Tile{m.x, m.y});
+        case Link::tile: return emit(Tile{m.x, m.y});
         case Link::slot:
             if (!config_.is_stream()) walk(m).start({m.id, m.x, m.y});
             if (config_.has_shade()) shader(m).start({m.id, m.x, m.y});
-            return tell(Slot{m.id, m.x, m.y});
+            return emit(Slot{m.id, m.x, m.y});
         case Link::ray:
             if (config_.has_shade()) shader(m).sent(walk(m).ray());
-            return tell(walk(m).ray());
-        case Link::node_req: return tell(NodeReq{m.id, walk(m).node()});
+            return emit(walk(m).ray());
+        case Link::node_req: return emit(NodeReq{m.id, walk(m).node()});
         case Link::xform_req: {
             Walk& w = walk(m);
-            tell(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_),
+            emit(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_),
                           w.ray().kind, w.ray().home});
             w.test_node();
             return;
         }
         case Link::change: {
-            tell(walk(m).change());
+            emit(walk(m).change());
             bool done = false;
             walk(m).decide(done);
             return;
         }
-#define RAYCLOCK_CASES(with, structure, unit, Engine) \
-    case Link::unit##_req: return ask(Engine{});      \
+#define RAYCLOCK_CASES(with, structure, unit, Engine)     \
+    case Link::unit##_req: return emit_request(Engine{}); \
     case Link::unit##_rsp: return answer();
             RAYCLOCK_ENGINES(RAYCLOCK_CASES, )
 #undef RAYCLOCK_CASES
         case Link::leaves:
             if (config_.is_list()) walk(m).test_node();
-            return tell(walk(m).leaves());
-        case Link::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
+            return emit(walk(m).leaves());
+        case Link::prim_req: return emit(PrimReq{m.id, walk(m).prim()});
         case Link::tri_req: {
             Walk& w = walk(m);
             const Ray& r = w.ray();
-            tell(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
+            emit(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
                         r.partial});
             w.test_triangle();
             return;
         }
         case Link::tri_rsp:
-            tell(walk(m).tri());
+            emit(walk(m).tri());
             walk(m).advance();
             return;
         case Link::tested: {
             bool done = false;
-            tell(walk(m).tested());
+            emit(walk(m).tested());
             walk(m).decide(done);
             return;
         }
         case Link::hit:
-            if (!config_.has_shade()) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
-            return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
+            if (!config_.has_shade()) return emit(HitOut{m.x, m.y, walk(m).closest(), {}});
+            return emit(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
         case Link::closest:
-            tell(walk(m).closest());
+            emit(walk(m).closest());
             shader(m).arrived(walk(m).closest());
             if (!shader(m).wants_surface()) shader(m).run();
             return;
-        case Link::surf_req: return tell(SurfReq{m.id, shader(m).next_line()});
+        case Link::surf_req: return emit(SurfReq{m.id, shader(m).next_line()});
         case Link::surf_rsp:
-            tell(SurfRsp{m.id, unpack<Surface>(image_.line(shader(m).next_line()), config_)});
+            emit(SurfRsp{m.id, unpack<Surface>(image_.line(shader(m).next_line()), config_)});
             if (!shader(m).got_line()) return;
             shader(m).run();
             return;
         case Link::spawn:
-            tell(shader(m).spawn());
+            emit(shader(m).spawn());
             walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_));
             return;
         case Link::record: {
             const StreamRsp given{m.id,
                                   unpack<RayRecord>(image_.record(m.y << config_.pixel_bits | m.x), config_)};
             walk(m).start_at(recorded_ray(given.record, m.id, config_));
-            return tell(given);
+            return emit(given);
         }
-        case Link::stream_miss: asked(m, Link::stream_miss) = m.addr; return tell(StreamMiss{m.id, m.addr});
-        case Link::stream_fill: return tell(StreamFill{m.id, line(asked(m, Link::stream_miss))});
-        case Link::surf_miss: asked(m, Link::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
-        case Link::surf_fill: return tell(SurfFill{m.id, line(asked(m, Link::surf_miss))});
-        case Link::node_miss: asked(m, Link::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
-        case Link::prim_miss: asked(m, Link::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
-        case Link::l2_req: asked(m, Link::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
-        case Link::mem_req: return tell(MemReq{m.id, m.addr});
-        case Link::node_fill: return tell(NodeFill{m.id, line(asked(m, Link::node_miss))});
-        case Link::prim_fill: return tell(PrimFill{m.id, line(asked(m, Link::prim_miss))});
-        case Link::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Link::l2_req))});
-        case Link::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
+        case Link::stream_miss:
+            requested(m, Link::stream_miss) = m.addr;
+            return emit(StreamMiss{m.id, m.addr});
+        case Link::stream_fill: return emit(StreamFill{m.id, line(requested(m, Link::stream_miss))});
+        case Link::surf_miss: requested(m, Link::surf_miss) = m.addr; return emit(SurfMiss{m.id, m.addr});
+        case Link::surf_fill: return emit(SurfFill{m.id, line(requested(m, Link::surf_miss))});
+        case Link::node_miss: requested(m, Link::node_miss) = m.addr; return emit(NodeMiss{m.id, m.addr});
+        case Link::prim_miss: requested(m, Link::prim_miss) = m.addr; return emit(PrimMiss{m.id, m.addr});
+        case Link::l2_req: requested(m, Link::l2_req) = m.addr; return emit(L2Req{m.id, m.addr});
+        case Link::mem_req: return emit(MemReq{m.id, m.addr});
+        case Link::node_fill: return emit(NodeFill{m.id, line(requested(m, Link::node_miss))});
+        case Link::prim_fill: return emit(PrimFill{m.id, line(requested(m, Link::prim_miss))});
+        case Link::l2_rsp: return emit(L2Rsp{m.id, line(requested(m, Link::l2_req))});
+        case Link::mem_rsp: return emit(MemRsp{m.id, line(m.addr)});
     }
 }
 

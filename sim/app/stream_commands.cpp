@@ -1,5 +1,5 @@
 // simulate and verify with a stream of rays in place of a camera.
-#include "sim/app/streamed.hpp"
+#include "sim/app/stream_commands.hpp"
 
 #include <memory>
 #include <utility>
@@ -59,11 +59,11 @@ bool traces_stream(const StreamChoice& choice, const PictureOptions& picture) {
     }
     const auto& [size, finish, view, frames, limits, own] = picture;
     const char* odd = size != default_size ? "--size"
-                      : finish.is_asked()  ? "--depth, --aa or another option of finished pictures"
-                      : view.is_asked()    ? "an option of the camera"
+                      : finish.is_given()  ? "--depth, --aa or another option of finished pictures"
+                      : view.is_given()    ? "an option of the camera"
                       : view.ground        ? "--ground"
                       : view.material      ? "--material"
-                      : frames.is_asked()  ? "an option of films"
+                      : frames.is_given()  ? "an option of films"
                       : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
                                                                                       : nullptr;
     for (const PictureOptions::Own& option : own)
@@ -78,7 +78,7 @@ StreamRequest stream_request(const std::string& scene, const ConfigChoice& choic
     std::vector<std::string> notes;
     StreamRequest request;
     request.config = stream_config(choice, notes);
-    tell_idle(notes);
+    print_ineffective(notes);
     request.input = stream_input(scene, stream, progress);
     return request;
 }
@@ -87,7 +87,7 @@ std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const 
                                                 const Progress& progress) {
     const Outside outside = parse_outside(stream.outside);
     auto rays = std::make_unique<const RayFile>(*stream.rays, stream.any_hit);
-    return std::make_unique<const StreamInput>(told_scene(scene, progress), std::move(rays), outside);
+    return std::make_unique<const StreamInput>(load_noted_scene(scene, progress), std::move(rays), outside);
 }
 
 void check_hits(const StreamChoice& choice, const JsonOutput& json) {
@@ -144,7 +144,7 @@ int simulate_stream(const StreamCommand& c) {
     const Config& config = request.config;
     const std::vector<int> clocks = clocks_of(c.clock, config);
     const StreamJob s = request.input->job(config, stop);
-    const StreamRun run = run_stream(s, clocks, traffic, !c.no_judge, c.threads, progress);
+    const StreamResult run = run_stream(s, clocks, traffic, !c.no_judge, c.threads, progress);
     const std::vector<FramesAtClock>& runs = run.runs;
     const std::optional<StreamJudgement>& judged = run.judged;
     if (!c.json.is_alone()) {

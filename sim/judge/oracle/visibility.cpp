@@ -1,5 +1,5 @@
 // The signs of the unmoved path, and those of the moves where they are 0.
-#include "sim/judge/oracle/sight.hpp"
+#include "sim/judge/oracle/visibility.hpp"
 
 namespace rayclock::oracle {
 
@@ -29,7 +29,7 @@ bool in_plane(const RationalPoint& place, const Corners& t) {
     return exact_volume(between(t.a, place), between(t.a, t.b), between(t.a, t.c)) == 0;
 }
 
-Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path) {
+Visibility::Visibility(const Path& path, const Corners& surface, int facing) : path_(path) {
     for (std::size_t k = 0; k < 3; ++k)
         way_[k] =
             path.to ? Int128((*path.to)[k]) * path.from.den - path.from.num[k] : Int128(path.direction[k]);
@@ -48,7 +48,7 @@ Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path)
     if (signs(surface).end == -facing) blocked_ = all;
 }
 
-Sight::Signs Sight::signs(const Corners& t) const {
+Visibility::Signs Visibility::signs(const Corners& t) const {
     const Triple<Int128> ab = between(t.a, t.b), ac = between(t.a, t.c), begin = between(t.a, path_.from);
     Signs s{sign(exact_volume(begin, ab, ac)), 0, 0, 0, 0};
     s.end = sign(exact_volume(path_.to ? between(t.a, *path_.to) : triple<Int128>(path_.direction), ab, ac));
@@ -64,18 +64,18 @@ Sight::Signs Sight::signs(const Corners& t) const {
     return s;
 }
 
-int Sight::moved_plane(const Corners& t, const Set& set) const {
+int Visibility::moved_plane(const Corners& t, const Set& set) const {
     for (const auto& move : set.moves)
         if (const int s = sign(exact_volume(move, between(t.a, t.b), between(t.a, t.c)))) return s;
     return 0;
 }
-int Sight::moved_edge(const Vec3i& p, const Vec3i& q, const Set& set) const {
+int Visibility::moved_edge(const Vec3i& p, const Vec3i& q, const Set& set) const {
     for (const auto& move : set.moves)
         if (const int s = sign(exact_volume(move, way_, between(p, q)))) return s;
     return 0;
 }
 
-bool Sight::look(const Corners& t) {
+bool Visibility::add(const Corners& t) {
     const Signs s = signs(t);
     // The path crosses only if no decided sign contradicts a crossing.
     if (s.end == 0 || s.begin == s.end) return true;
@@ -99,7 +99,7 @@ bool Sight::look(const Corners& t) {
     return blocked_ != all;
 }
 
-Sight::Answer Sight::answer() const {
+Visibility::Answer Visibility::answer() const {
     return blocked_ == 0 ? Answer::free : blocked_ == all ? Answer::blocked : Answer::either;
 }
 

@@ -1,7 +1,7 @@
 // Converts a component of a unit vector (S1.16) to a component of a direction of M bits. No
 // magnitude exceeds 2^(M-2). Combinational. Model: direction_of() in model/unit/shade/dot.hpp.
 `default_nettype none
-module rc_turn #(
+module rc_to_direction #(
   localparam int unsigned AB = rc_pkg::AxisBits,
   localparam int unsigned M = rc_pkg::DirBits
 ) (

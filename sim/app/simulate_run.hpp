@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/trace/hits.hpp"
-#include "sim/app/compared.hpp"
+#include "sim/app/frame_comparison.hpp"
 #include "sim/app/film_strip.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/view/report/json.hpp"
@@ -17,7 +17,7 @@
 namespace rayclock {
 
 /// The way in which a simulation runs.
-struct SimulateHow {
+struct SimulateSettings {
     bool is_model = true;      ///< on the model; otherwise on the RTL
     Traffic traffic{};         ///< disturbances of memory and sink
     std::uint64_t seed = 1;    ///< of the RTL's uninitialised registers
@@ -29,7 +29,7 @@ struct SimulateHow {
 };
 
 /// The input of a simulation: the frames of a film, and the clocks.
-struct SimulatePlan {
+struct SimulateInput {
     Film& film;
     FrameSize size;
     std::vector<int> clocks;
@@ -39,12 +39,12 @@ struct SimulatePlan {
 };
 
 /// The results of a simulation.
-struct Simulated {
+struct SimulateResult {
     bool is_model = true;
     std::vector<RecordedFrame> traces;
-    std::vector<FramesAtClock> runs;    ///< [clock]
-    FilmStrip strip;                    ///< of the frames, if they were recorded one by one
-    std::optional<Compared> compared;   ///< the last frame compared with the reference
+    std::vector<FramesAtClock> runs;           ///< [clock]
+    FilmStrip strip;                           ///< of the frames, if they were recorded one by one
+    std::optional<FrameComparison> compared;   ///< the last frame compared with the reference
     bool partial = false;
 
     std::optional<FrameError> error() const {
@@ -74,14 +74,16 @@ struct Totals {
 };
 
 /// Runs the frames at each clock. After Ctrl-C the result is partial. Rethrows what `progress` throws.
-Simulated run_simulation(const SimulateHow& how, const SimulatePlan& work, const Progress& progress);
+SimulateResult run_simulation(const SimulateSettings& how, const SimulateInput& work,
+                              const Progress& progress);
 /// Compares the last frame with the reference and judges it.
-void compare_frames(Simulated& s, const SimulateHow& how, const SimulatePlan& work, const Progress& progress);
-Totals totals_of(const Simulated& s);
+void compare_frames(SimulateResult& s, const SimulateSettings& how, const SimulateInput& work,
+                    const Progress& progress);
+Totals totals_of(const SimulateResult& s);
 /// Returns the last frame's picture, from the comparison if there is one.
-Picture last_frame_picture(const SimulatePlan& work, const Simulated& s);
+Picture last_frame_picture(const SimulateInput& work, const SimulateResult& s);
 /// Returns the report of `simulate --json`: docs/report.md.
-nlohmann::ordered_json simulation_json(const SimulateHow& how, const SimulatePlan& work, const Simulated& s,
-                                       const Limits& limits, const Totals& totals);
+nlohmann::ordered_json simulation_json(const SimulateSettings& how, const SimulateInput& work,
+                                       const SimulateResult& s, const Limits& limits, const Totals& totals);
 
 }   // namespace rayclock

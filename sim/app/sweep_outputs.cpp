@@ -1,5 +1,5 @@
 // Checks and writes the outputs of sweep and merge.
-#include "sim/app/swept.hpp"
+#include "sim/app/sweep_outputs.hpp"
 
 #include <algorithm>
 
@@ -85,19 +85,19 @@ void check_outputs(const SweepOutputs& o) {
     check_page_library();
 }
 
-void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,
+void write_sweep(const SweepOutputs& o, const sweep::MergedSweep& swept, const std::string& how,
                  const nlohmann::ordered_json& shard) {
-    const std::vector<sweep::Axis>& axes = swept.asked.axes;
+    const std::vector<sweep::Axis>& axes = swept.settings.axes;
     const std::vector<sweep::Result>& results = swept.outcome.results;
-    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
+    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.settings.cost));
     const std::string scene = swept.scene.at("name").get<std::string>();
     const Limits limits = limits_of(o.limits);
     const std::string far = sweep::far_points(axes, results, limits);
     if (!o.json.is_alone()) {
         if (!far.empty()) write_output(far + "\n");
-        const nlohmann::ordered_json& stream = swept.asked.stream;
+        const nlohmann::ordered_json& stream = swept.settings.stream;
         const std::string traced =
-            swept.asked.is_stream()
+            swept.settings.is_stream()
                 ? fmt::format("{} rays of {}", grouped(stream.at("rays").get<std::uint64_t>()),
                               printable(stream.at("file").get<std::string>()))
                 : fmt::format("{}x{}", swept.size.width, swept.size.height);
