@@ -23,10 +23,11 @@ Machine::Machine(const Config& config, int khz, Traffic traffic)
     if (has_l2_) l2_.emplace(l2_shape(config));
 }
 
-void Machine::start(const Frame& frame, const Trace& trace) {
-    dispatch_.start(frame);
+void Machine::start(const Frame& frame, const Trace& trace, std::vector<Stretch> stretches,
+                    std::uint64_t pixels) {
+    dispatch_.start(frame, std::move(stretches));
     for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
-    pixels_ = frame.pixels();
+    pixels_ = pixels;
     hits_ = 0;
     moved_at_ = now_;
 }
@@ -188,11 +189,20 @@ void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
     clock_shared();
 }
 
-void Machine::run(std::uint64_t until) {
-    while (!done() && now_ < until) {
+void Machine::run(std::uint64_t until, std::uint64_t hits) {
+    const std::uint64_t last = std::min(hits, pixels_);
+    while (hits_ < last && now_ < until) {
         step();
         if (moved_at_ < now_ && undisturbed_) sleep(until);
     }
+}
+
+void Machine::warm(std::uint32_t pipeline, const std::uint32_t* pixel) {
+    pipelines_[pipeline % pipelines_.size()].replay_reads(pixel, [&](Cache& cache, std::uint32_t word) {
+        if (cache.warm(word) || !has_l2_) return;
+        const auto words = std::uint32_t(cache.words());
+        for (std::uint32_t i = 0; i < words; ++i) l2_->warm((word & ~(words - 1)) + i);
+    });
 }
 
 // If nothing can change before an answer of a pipe or of memory, the cycles until then are like the last one.

@@ -90,6 +90,10 @@ public:
         return RayPurpose(rays_[ray].at[-2] >> Trace::purpose_shift & 3);
     }
 
+    /// Calls `look_up(Cache&, word)` for each word that a pixel's rays read, ray by ray. Samples of a frame
+    /// warm the caches so.
+    template <class LookUp> void replay_reads(const std::uint32_t* at, LookUp&& look_up);
+
     // ---- For idle times.
 
     /// True if nothing moved or changed in the last cycle. The following cycles are the same until `wakes()`.
@@ -254,6 +258,23 @@ private:
     std::uint32_t last_lower_ = 0;
     std::array<std::uint64_t, 4> lowers_{};   // of the lower engine's unit
 };
+
+template <class LookUp> void Pipeline::replay_reads(const std::uint32_t* at, LookUp&& look_up) {
+    for (;;) {
+        for (std::uint32_t head = 0; !(head & Trace::end_flag);) {
+            head = *at++;
+            if (!lists_) look_up(node_cache_, head & Trace::node_mask);
+            if (!(head & Trace::tests_flag)) continue;
+            do look_up(prim_cache_, (*at & Trace::prim_mask) >> 1);
+            while (!(*at++ & Trace::last_flag));
+        }
+        if (source_ != Rays::shade) return;
+        while (*at & Trace::place_flag) look_up(third_cache_, *at++ & Trace::node_mask);
+        if (*at & Trace::surface_flag) look_up(third_cache_, *at & Trace::node_mask);
+        if (*at & Trace::pixel_flag) return;
+        at += 2;
+    }
+}
 
 }   // namespace rayclock
 

@@ -68,6 +68,22 @@ CacheOutcome Cache::ask(const Request& request, std::uint32_t line, std::uint32_
     return CacheOutcome::miss;
 }
 
+bool Cache::warm(std::uint32_t addr) {
+    const std::uint32_t line = addr >> word_bits_;
+    Set& set = sets_[line & set_mask_];
+    std::uint32_t way = 0;
+    while (way < std::uint32_t(shape_.ways) && set.lines[way] != line + 1) ++way;
+    const bool present = way < std::uint32_t(shape_.ways);
+    if (!present) {
+        const int place = victim(set);
+        if (place < 0) return false;
+        way = std::uint32_t(place);
+        set.lines[way] = line + 1;
+    }
+    set.recent = touched(set, way);
+    return present;
+}
+
 /// The line is in flight: the request joins the end of its chain.
 CacheOutcome Cache::wait(const Request& request, Set& set, std::uint32_t way) {
     set.recent = touched(set, way);

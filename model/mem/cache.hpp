@@ -93,6 +93,11 @@ public:
         return outcome;
     }
 
+    /// Looks up a word outside of time, for samples of a frame: a line that is absent replaces another at
+    /// once. Returns true if the line was present.
+    bool warm(std::uint32_t addr);
+    int words() const { return shape_.words; }   ///< of a line
+
     bool answers() const { return !answers_.empty(); }   ///< now or in the next cycle
     bool loaded() const { return loaded_; }              ///< a request has just reached its look-up
     bool waits() const { return busy_ > 0; }             ///< lines are in flight

@@ -39,6 +39,11 @@ struct RayCounts {
             primary_hits += o.primary_hits;
         return *this;
     }
+    friend RayCounts operator-(RayCounts a, const RayCounts& b) {
+        a.primary -= b.primary, a.shadow -= b.shadow, a.reflection -= b.reflection,
+            a.refraction -= b.refraction, a.primary_hits -= b.primary_hits;
+        return a;
+    }
     std::uint64_t all() const { return primary + shadow + reflection + refraction; }
     friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };

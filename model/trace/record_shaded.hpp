@@ -22,6 +22,9 @@ public:
           record_(record_any()),
           shader_(frame_, config_, image) {}
 
+    /// Records a pixel. Its words begin at `at` in scratch.words. Returns their end.
+    std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch,
+                      RecordTotals& totals);
     void block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals);
     const RayCounts& counts() const { return shader_.counts(); }
 
@@ -30,10 +33,6 @@ public:
     std::uint64_t signature() const { return shader_.signature(); }   ///< of that pixel
 
 private:
-    /// Records a pixel. Its words begin at `at` in scratch.words. Returns their end.
-    std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch,
-                      RecordTotals& totals);
-
     const Config& config_;
     const Frame& frame_;
     const Decoder& decoder_;

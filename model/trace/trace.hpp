@@ -14,6 +14,14 @@
 
 namespace rayclock {
 
+/// Records the rays of a pixel when a machine starts it.
+class PixelRecorder {
+public:
+    virtual ~PixelRecorder() = default;
+    /// Returns the pixel's first word. The words stay in place until the machine has finished the pixel.
+    virtual const std::uint32_t* record(std::uint32_t x, std::uint32_t y) = 0;
+};
+
 /// A frame's rays as recorded: for every pixel the nodes visited, the triangles tested and the hit. It is
 /// valid for every configuration of the same format, node width and leaf size, with any caches, memory,
 /// clock, contexts and pipelines.
@@ -52,6 +60,8 @@ struct Trace {
     std::vector<std::vector<std::uint32_t>> chunks;
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, dropped_groups = 0;
     double seconds = 0;   ///< host time of the recording
+    /// Records rays on demand, in the machine's thread; `rays` is then empty. Null: they are in `rays`.
+    PixelRecorder* source = nullptr;
 
     /// Set if recording ended early. It moves with the trace as plain data, so do not move a trace during its
     /// recording.
@@ -91,8 +101,10 @@ private:
     std::unique_ptr<Work> work_;
 };
 
-/// Returns a ray's first word, and waits for it if the ray is not yet recorded. Throws if recording failed.
+/// Returns a ray's first word. If the trace has a source, that records the ray on demand. Otherwise this
+/// waits for a ray that is not yet recorded. Throws if recording failed.
 inline const std::uint32_t* ray_at(const Trace& trace, std::uint32_t x, std::uint32_t y) {
+    if (trace.source) return trace.source->record(x, y);
     auto& place = const_cast<const std::uint32_t*&>(trace.rays[std::size_t(y) * trace.width + x]);
     const std::atomic_ref<const std::uint32_t*> word(place);
     const std::uint32_t* first = word.load(std::memory_order_acquire);

@@ -62,6 +62,7 @@ class SimulateReport(_Report):
     film: Optional[List[Json]]
     engine: str
     partial: bool
+    sampling: None
     compile: Json
     rays: Json
     work: Json

@@ -13,11 +13,13 @@
 #include "sim/app/film_strip.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/picture_folder.hpp"
+#include "sim/app/sample_run.hpp"
 #include "sim/app/simulate_run.hpp"
 #include "sim/app/stream_commands.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/output.hpp"
 #include "sim/view/observe/replay.hpp"
+#include "sim/view/report/sampled.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/view/page/frame.hpp"
@@ -36,12 +38,22 @@ struct SimulateOptions {
     FramesOptions frames;
     TrafficOptions traffic;
     StreamChoice stream;
+    SampleChoice sample;
     bool no_reference = false, no_judge = false;
     LimitsChoice limits;
     int threads = 0;
     std::string report, output;
     JsonOutput json;
 };
+
+void sample_options(Parser& parser, SampleChoice& choice) {
+    parser.option("--sample", choice.share,
+                  "simulate only this share of the frame, for example 2%, and estimate all figures with 95 % "
+                  "intervals; draws no picture");
+    parser.option("--error", choice.error,
+                  "the same, with a share for which the interval of the cycles is within this percentage");
+    parser.option("--within", choice.within, "the same, with a share that takes this time, for example 10s");
+}
 
 void declare_simulate(Parser& parser, SimulateOptions& o) {
     scene_option(parser, o.scene).required();
@@ -58,6 +70,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     stream_options(parser, o.stream, true);
+    sample_options(parser, o.sample);
     parser.option("--report", o.report,
                   "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
     parser.option("-o,--output", o.output,
@@ -158,7 +171,50 @@ void write_report(const SimulateOptions& o, const SimulateInput& work, const Sim
     if (progress) progress("writing the page", 1, 1);
 }
 
+/// Throws UserError if an option was given that a sample cannot serve.
+void check_sample_options(const SimulateOptions& o) {
+    check_sample(o.sample);
+    const auto refuse = [](bool is_given, const char* option, const char* why) {
+        if (is_given) throw UserError(fmt::format("--sample: {}; leave out {}", why, option));
+    };
+    refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
+    refuse(o.engine != "model", "--engine", "the RTL draws whole frames only");
+    refuse(o.frames.frames > 1 || o.frames.pan != 0 || !o.frames.time.empty() || o.frames.fps.has_value(),
+           "--frames and its group", "a sample is of one frame, at the scene's first moment");
+    refuse(!o.report.empty(), "--report", "a sample draws no picture for the page");
+    refuse(!o.output.empty(), "--output", "a sample draws no picture");
+    refuse(o.limits.max_other || o.limits.max_depth_error || o.limits.min_psnr,
+           "--max-other, --max-depth-error and --min-psnr", "a sample has no picture to compare");
+    traces_stream(o.stream, no_picture_options({}));   // refuses what needs --rays
+}
+
+int run_simulate_sample(const SimulateOptions& o) {
+    const Stopwatch watch;
+    check_sample_options(o);
+    const FrameSize size = parse_size(o.size);
+    if (o.clock.find("fmax") == std::string::npos) parse_clocks(o.clock);
+    const Traffic traffic = traffic_of(o.traffic);
+    o.json.check();
+    const Progress progress = stopping(terminal_progress());
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const std::vector<int> clocks = clocks_of(o.clock, request.config);
+    const Camera camera = *request.scene.camera;
+    const Job job = make_job(request.scene, camera, size, request.config, progress, request.settings);
+    sample::Ask ask{0, o.traffic.seed};
+    const std::vector<sample::Sampled> sampled =
+        run_sample(job, clocks, o.sample, watch.seconds(), ask, traffic, o.threads, progress);
+    if (!o.json.is_alone()) {
+        fmt::print("{}\n{}\n{}", heading(request.scene, size, job), sampled_table(job.config, sampled),
+                   sampled_lines(sampled[0].effort()));
+        fmt::print("  host: {:.2f} s, {:.2f} s of them for the sample\n", watch.seconds(),
+                   sampled[0].effort().seconds);
+    }
+    o.json.write(sample_json(request, job, size, camera, ask, sampled));
+    return 0;
+}
+
 int run_simulate(const SimulateOptions& o) {
+    if (o.sample.is_given()) return run_simulate_sample(o);
     if (traces_stream(o.stream, {o.size,
                                  o.finish,
                                  o.view,

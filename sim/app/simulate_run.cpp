@@ -123,6 +123,7 @@ nlohmann::ordered_json simulation_json(const SimulateSettings& how, const Simula
             {"film", film_json(config, s.runs, s.strip, s.traces)},
             {"engine", how.is_model ? "model" : "rtl"},
             {"partial", s.partial},
+            {"sampling", nullptr},
             {"compile", compile_json(work.job().image.report)},
             {"rays", rays_json(frame.rays)},
             {"work", work_json(frame)},

@@ -262,3 +262,22 @@ TEST_CASE("a configuration's name takes precedence over a folder of the same nam
     REQUIRE(o.code == 2);
     REQUIRE(o.err.find("mine: is a folder, not a configuration") != std::string::npos);
 }
+
+TEST_CASE("samples that make no sense") {
+    check({simulate({"--sample", "0%"}, {"--sample", "'0%'"}),
+           simulate({"--sample", "200%"}, {"--sample", "'200%'"}),
+           simulate({"--sample", "60%"}, {"--sample", "'60%'", "30 %"}),
+           simulate({"--sample", "2"}, {"--sample", "percentage"}),
+           simulate({"--sample", "2%", "--error", "1%"}, {"--sample, --error and --within", "one of them"}),
+           simulate({"--error", "1%", "--within", "1s"}, {"--sample, --error and --within", "one of them"}),
+           simulate({"--error", "0%"}, {"--error", "'0%'"}), simulate({"--within", "3"}, {"--within", "'3'"}),
+           simulate({"--within", "0s"}, {"--within", "'0s'"}),
+           simulate({"--sample", "2%", "--size", "64x48"}, {"64x48", "65536 pixels"}),
+           simulate({"--sample", "2%", "--engine", "rtl"}, {"--engine"}),
+           simulate({"--sample", "2%", "--frames", "3"}, {"--frames"}),
+           simulate({"--sample", "2%", "--pan", "2"}, {"--frames"}),
+           simulate({"--sample", "2%", "--report", "page.html"}, {"--report"}),
+           simulate({"--sample", "2%", "-o", "folder"}, {"--output"}),
+           simulate({"--sample", "2%", "--min-psnr", "30"}, {"--min-psnr"}),
+           simulate({"--sample", "2%", "--rays", "rays.npy"}, {"--rays"})});
+}

@@ -26,6 +26,7 @@ Command yardstick_command();
 Command figures_command();
 Command counts_command();
 Command structures_command();
+Command sampling_command();
 Command streams_command();
 Command gigahertz_command();
 Command area_command();

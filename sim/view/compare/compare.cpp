@@ -116,6 +116,10 @@ NamedReport read_report(const std::string& file) {
         throw UserError(printable(file) + " is not a report of simulate or verify: " + what);
     };
     if (!report.is_object()) refuse("it is not an object");
+    if (report.contains("sampling") && !report["sampling"].is_null())
+        throw UserError(
+            printable(file) +
+            " is a report of a sample, and its figures are estimates: compare takes exact reports");
     for (const char* key : {"scene", "config", "frame", "clocks", "units", "memory", "digest"})
         if (!report.contains(key)) refuse(fmt::format("it has no key '{}'", key));
     for (const char* key : {"scene", "config", "frame", "memory"})

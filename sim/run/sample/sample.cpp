@@ -1,0 +1,298 @@
+// Walks single pixels of the whole frame, draws parts, replays them in chains, and estimates.
+#include "sim/run/sample/sample.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
+#include "model/machine/machine.hpp"
+#include "model/machine/stuck_rays.hpp"
+#include "model/trace/on_demand.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/files/process/threads.hpp"
+
+namespace rayclock::sample {
+
+namespace {
+
+/// Returns the work of a pixel.
+WorkCounts counts_of(const PixelWork& work, const Config& config) {
+    const std::uint64_t least =
+        std::max({work.steps.visits * std::uint64_t(config.box_interval()),
+                  work.steps.triangle_tests * std::uint64_t(config.tri_interval),
+                  work.rays.all() * std::uint64_t(config.raygen_interval), std::uint64_t(1)});
+    return {least,
+            work.steps.visits,
+            work.steps.box_tests,
+            work.steps.triangle_tests,
+            work.rays.primary,
+            work.rays.shadow,
+            work.rays.reflection,
+            work.rays.refraction,
+            work.rays.primary_hits};
+}
+constexpr WorkCounts outside{1};   // sched takes a cycle for a slot outside the picture
+
+/// The first phase: x of two single pixels in each block of slots.
+struct Coarse {
+    std::vector<std::uint64_t> work;   ///< [part]: the least cycles of these pixels
+    std::array<Auxiliary, work_kinds> works;
+    std::uint64_t pixels = 0;
+};
+
+/// What the parts of a sample share.
+struct Plan {
+    const Job& job;
+    Parts parts;
+    OnDemandJob shared;
+    Ask ask;
+    Traffic traffic;
+    int threads;
+    Progress progress;
+
+    Rng rng(std::uint64_t purpose, std::uint64_t number) const {
+        Rng seeds(ask.seed);
+        return Rng(seeds.next() ^ Rng(seeds.next() + (purpose << 32) + number).next());
+    }
+};
+
+constexpr std::uint64_t coarse_goal = 16384;   // single pixels of a frame
+
+Coarse walk_single_pixels(const Plan& w) {
+    const SlotOrder& order = w.parts.order;
+    std::uint64_t block = 16;
+    while (block < 4096 && 2 * order.slots() / block > coarse_goal) block *= 2;
+    const std::uint32_t parts = w.parts.count;
+    Coarse coarse;
+    coarse.work.resize(parts);
+    struct Sums {
+        std::array<double, work_kinds> totals{}, squares{};
+        std::uint64_t pixels = 0;
+    };
+    constexpr std::uint32_t pieces = 16;
+    std::vector<Sums> sums(pieces);
+    jobs::for_each(pieces, w.threads, [&](std::size_t piece) {
+        OnDemandRecorder recorder(w.shared);
+        Sums& sum = sums[piece];
+        for (auto part = std::uint32_t(parts * piece / pieces); part < parts * (piece + 1) / pieces; ++part) {
+            stop_if_interrupted();
+            Rng rng = w.rng(1, part);
+            const std::uint64_t end = w.parts.end_tile(part) * order.tile_slots();
+            for (std::uint64_t at = w.parts.first_tile(part) * order.tile_slots(); at < end; at += block) {
+                const std::uint64_t size = std::min(block, end - at), a = below(rng, size),
+                                    b = size > 1 ? below(rng, size - 1) : 0;
+                const std::uint64_t slots[2] = {at + a, size > 1 ? at + (b < a ? b : b + 1) : at};
+                WorkCounts counts[2] = {outside, outside};
+                for (int i = 0; i < 2; ++i) {
+                    const SlotOrder::Pixel p = order.pixel(slots[i]);
+                    if (!order.is_inside(p)) continue;
+                    counts[i] = counts_of(recorder.walk(p.x, p.y), w.job.config);
+                    ++sum.pixels;
+                }
+                coarse.work[part] += counts[0][0] + counts[1][0];
+                if (part == 0 || part + 1 == parts) continue;
+                const double n = double(size);
+                for (std::size_t k = 0; k < work_kinds; ++k) {
+                    const double first = double(counts[0][k]), second = double(counts[1][k]);
+                    sum.totals[k] += n * (first + second) / 2;
+                    sum.squares[k] += n * std::max(0.0, n - 2) * (first - second) * (first - second) / 4;
+                }
+            }
+        }
+    });
+    for (const Sums& sum : sums) {
+        for (std::size_t k = 0; k < work_kinds; ++k) {
+            coarse.works[k].total += sum.totals[k];
+            coarse.works[k].variance += sum.squares[k];
+        }
+        coarse.pixels += sum.pixels;
+    }
+    return coarse;
+}
+
+/// Replays some of the measured parts on one machine, in their order.
+class Chain {
+public:
+    Chain(const Plan& w, std::span<const std::uint32_t> numbers) : w_(w), recorder_(w.shared) {
+        for (const std::uint32_t number : numbers) add(number, number == numbers.back());
+    }
+    std::uint64_t pixels() const { return pixels_; }
+
+    /// Replays all parts at one clock.
+    std::vector<Sampled::Measured> replay(int khz) {
+        Machine machine(w_.job.config, khz, w_.traffic);
+        if (places_.front().number > 0) warm(machine, 0);
+        std::vector<Stretch> stretches;
+        for (const Place& place : places_) stretches.push_back(place.stretch);
+        machine.start(w_.job.frame, recorder_.trace(), std::move(stretches), pixels_);
+        std::vector<Sampled::Measured> measured;
+        const std::uint64_t limit = patience(w_.job.config, khz, w_.traffic);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            if (i > 0) warm(machine, i);
+            run(machine, places_[i].begin, limit);
+            const std::uint64_t cycles = machine.cycle();
+            const Accounts accounts = machine.accounts();
+            const MemoryStats memory = machine.memory().stats();
+            run(machine, places_[i].end, limit);
+            Sampled::Measured part;
+            part.timing.cycles = machine.cycle() - cycles;
+            part.timing.accounts = machine.accounts() - accounts;
+            part.timing.memory = machine.memory().stats() - memory;
+            add_work(places_[i].number, part);
+            measured.push_back(part);
+        }
+        return measured;
+    }
+
+private:
+    struct Place {
+        std::uint32_t number = 0, first_tile = 0, end_tile = 0;
+        Stretch stretch;
+        std::uint64_t begin = 0, end = 0;   ///< pixels that the machine has finished when it is measured
+    };
+
+    /// Adds a part. At the end of a chain dispatch needs tiles for the queues of sched, as in a whole frame.
+    void add(std::uint32_t number, bool ends_chain) {
+        const Parts& u = w_.parts;
+        const bool is_first = number == 0, is_last = number + 1 == u.count;
+        const std::uint32_t part = u.first_tile(number),
+                            first = is_first ? 0 : part - std::min(part, u.lengths.warm_up),
+                            ahead = ends_chain ? 3 * std::uint32_t(w_.job.config.pipelines) : 0,
+                            end = is_last ? u.order.tiles()
+                                          : std::min(u.order.tiles(),
+                                                     u.end_tile(number) + u.lengths.tail + ahead);
+        const auto pixels = [&](std::uint32_t to) {
+            return u.order.pixels_before(to) - u.order.pixels_before(first);
+        };
+        const auto before = [&](std::uint32_t tile) {
+            return tile == u.order.tiles() ? w_.job.frame.pixels() - u.order.pixels_before(first)
+                                           : pixels(tile);
+        };
+        places_.push_back({number,
+                           first,
+                           end,
+                           {u.order.tile(first), end - first},
+                           pixels_ + before(part),
+                           pixels_ + before(u.end_tile(number))});
+        pixels_ += before(end);
+    }
+
+    /// Puts lines into the caches that the row of tiles before a place would have left there. It walks every
+    /// fourth pixel above the place and every 16th elsewhere, in the mean.
+    void warm(Machine& machine, std::size_t i) {
+        const SlotOrder& order = w_.parts.order;
+        const Place& place = places_[i];
+        constexpr std::uint32_t margin = 2;   // tiles to both sides
+        const std::uint32_t columns = order.columns(), span = place.end_tile - place.first_tile,
+                            back = columns + std::min(span, columns) / 2,
+                            after = i > 0 ? places_[i - 1].end_tile : 0,
+                            first = std::max(place.first_tile - std::min(place.first_tile, back),
+                                             std::min(after, place.first_tile));
+        Rng rng = w_.rng(2, place.number);
+        std::uint64_t slot = first * order.tile_slots();
+        while (slot < place.first_tile * order.tile_slots()) {
+            const auto tile = std::uint32_t(slot / order.tile_slots());
+            const std::uint32_t above = tile + columns;
+            const bool is_near = above + margin >= place.first_tile && above < place.end_tile + margin;
+            const SlotOrder::Pixel p = order.pixel(slot);
+            if (order.is_inside(p)) machine.warm(tile, recorder_.passing(p.x, p.y));
+            slot += 1 + below(rng, is_near ? 7 : 31);
+        }
+    }
+
+    void run(Machine& machine, std::uint64_t pixels, std::uint64_t limit) {
+        constexpr std::uint64_t cycles_between_looks = 1 << 16;
+        while (machine.hits() < pixels) {
+            machine.run(machine.cycle() + cycles_between_looks, pixels);
+            stop_if_interrupted();
+            if (machine.quiet() > limit)
+                throw std::runtime_error(fmt::format("model: nothing has moved for {} cycles of a sample\n{}",
+                                                     machine.quiet(), describe_stuck_rays(machine)));
+        }
+    }
+
+    void add_work(std::uint32_t number, Sampled::Measured& part) {
+        const SlotOrder& order = w_.parts.order;
+        const std::uint64_t end = w_.parts.end_tile(number) * order.tile_slots();
+        for (std::uint64_t slot = w_.parts.first_tile(number) * order.tile_slots(); slot < end; ++slot) {
+            const SlotOrder::Pixel p = order.pixel(slot);
+            const bool is_inside = order.is_inside(p);
+            const WorkCounts counts =
+                is_inside ? counts_of(recorder_.work(p.x, p.y), w_.job.config) : outside;
+            for (std::size_t k = 0; k < work_kinds; ++k) part.work[k] += counts[k];
+            part.timing.pixels += is_inside;
+        }
+    }
+
+    const Plan& w_;
+    OnDemandRecorder recorder_;
+    std::vector<Place> places_;
+    std::uint64_t pixels_ = 0;
+};
+
+}   // namespace
+
+std::uint32_t strata_of(const Frame& frame, const Config& config, double share) {
+    const Parts parts = parts_of(frame, config);
+    const auto strata = std::max(least_strata, std::uint32_t(std::lround(share * parts.count / 2)));
+    if (3 * strata + 2 <= parts.count) return strata;
+    const std::uint64_t least =
+        std::uint64_t(3 * least_strata + 2) * parts.lengths.part * parts.order.tile_slots();
+    throw UserError(
+        fmt::format("--sample: {}x{} pixels are too few for a sample; with {} {} and {} contexts a frame "
+                    "needs at least {} "
+                    "pixels, in full tiles",
+                    frame.width, frame.height, config.pipelines,
+                    config.pipelines == 1 ? "pipeline" : "pipelines", config.contexts, least));
+}
+
+std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic,
+                         int threads, const Progress& progress) {
+    const Stopwatch watch;
+    const std::uint32_t wanted = strata_of(job.frame, job.config, ask.share);
+    const Plan w{
+        job,     parts_of(job.frame, job.config), {job.image, job.frame, job.config}, ask, traffic, threads,
+        progress};
+    const Coarse coarse = walk_single_pixels(w);
+    Rng rng = w.rng(0, 0);
+    const std::vector<Stratum> strata = draw(coarse.work, wanted, rng);
+    std::vector<std::uint32_t> numbers{0, w.parts.count - 1};
+    for (const Stratum& s : strata) numbers.insert(numbers.end(), std::begin(s.chosen), std::end(s.chosen));
+    std::sort(numbers.begin(), numbers.end());
+
+    // The number of chains is fixed, so that the result does not depend on the number of threads.
+    const std::size_t chains = std::clamp<std::size_t>(numbers.size() / 6, 1, 16);
+    std::vector<std::vector<std::vector<Sampled::Measured>>> measured(chains);   // [chain][clock][part]
+    std::atomic<std::uint64_t> replayed = 0, done = 0;
+    jobs::for_each(chains, threads, [&](std::size_t c) {
+        const std::size_t first = numbers.size() * c / chains, end = numbers.size() * (c + 1) / chains;
+        Chain chain(w, std::span(numbers).subspan(first, end - first));
+        for (const int k : khz) measured[c].push_back(chain.replay(k));
+        replayed += chain.pixels();
+        if (w.progress) w.progress("sample", ++done, chains);
+    });
+
+    std::vector<Sampled> sampled;
+    for (std::size_t k = 0; k < khz.size(); ++k) {
+        std::vector<Sampled::Measured> parts;
+        for (const auto& chain : measured) parts.insert(parts.end(), chain[k].begin(), chain[k].end());
+        Effort effort{w.parts.count,
+                      std::uint32_t(numbers.size()),
+                      wanted,
+                      job.frame.pixels(),
+                      0,
+                      replayed,
+                      coarse.pixels,
+                      watch.seconds()};
+        for (const Sampled::Measured& part : parts) effort.measured_pixels += part.timing.pixels;
+        sampled.emplace_back(khz[k], effort, strata, std::move(parts), numbers, coarse.works);
+    }
+    return sampled;
+}
+
+}   // namespace rayclock::sample

@@ -1,0 +1,97 @@
+#pragma once
+// Samples of a frame: a few parts of it are recorded and replayed, and the rest is estimated.
+// docs/sampling.md.
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/run/engine/engine.hpp"
+#include "sim/run/sample/estimate.hpp"
+
+namespace rayclock::sample {
+
+/// The size of a sample.
+struct Ask {
+    double share = 0;   ///< of the frame's parts that are measured, from 0 to most_share
+    std::uint64_t seed = 1;
+};
+constexpr double most_share = 0.3;
+
+/// Returns the number of strata of a sample. Throws UserError if the frame is too small.
+std::uint32_t strata_of(const Frame& frame, const Config& config, double share);
+
+/// The work of a sample.
+struct Effort {
+    std::uint32_t parts = 0, measured = 0, strata = 0;
+    std::uint64_t pixels = 0;            ///< of the frame
+    std::uint64_t measured_pixels = 0;   ///< in measured parts
+    std::uint64_t replayed_pixels = 0;   ///< with warm-up and tail
+    std::uint64_t single_pixels = 0;     ///< walked alone, for the auxiliary variable
+    double seconds = 0;                  ///< of the host
+};
+
+/// What a pixel's rays do, whatever the time that they take. Single pixels all over the frame give these
+/// totals.
+enum class Work : std::uint8_t {
+    least_cycles,   ///< the cycles that the pixel takes at least in one pipeline
+    visits,
+    box_tests,
+    triangle_tests,
+    primary,
+    shadow,
+    reflection,
+    refraction,
+    primary_hits,
+};
+constexpr std::size_t work_kinds = 9;
+using WorkCounts = std::array<std::uint64_t, work_kinds>;
+
+/// A figure of a frame or of a part of it: a number that is a sum over its cycles.
+using Figure = std::function<double(const FrameTiming&)>;
+
+/// Returns the kind of work to which the busy cycles of a unit are most in proportion.
+Work work_of(Unit unit);
+
+/// The sampled frame at one clock.
+class Sampled {
+public:
+    struct Measured {
+        FrameTiming timing;
+        WorkCounts work{};
+    };
+    /// `coarse` has the totals of all kinds of work.
+    Sampled(int khz, Effort effort, std::vector<Stratum> strata, std::vector<Measured> parts,
+            std::vector<std::uint32_t> numbers, std::array<Auxiliary, work_kinds> coarse);
+
+    int khz() const { return khz_; }
+    const Effort& effort() const { return effort_; }
+    Estimate work(Work kind) const { return sample::total(works_[std::size_t(kind)]); }
+    /// Estimates a figure by the kind of work to which it is most in proportion.
+    Estimate total(const Figure& figure, Work by = Work::least_cycles) const {
+        return sample::total(strata_, values(figure), works_[std::size_t(by)]);
+    }
+    Estimate ratio(const Figure& above, const Figure& below, Work by = Work::least_cycles) const {
+        return sample::ratio(strata_, values(above), values(below), works_[std::size_t(by)]);
+    }
+    /// Returns all totals as whole numbers, in the form of a frame that was simulated. In the accounts, the
+    /// causes of a unit sum to the cycles. It has no hits, no colours and no digest.
+    FrameResult frame(const Config& config) const;
+
+private:
+    PartValues values(const Figure& figure) const;
+
+    int khz_;
+    Effort effort_;
+    std::vector<Stratum> strata_;
+    std::vector<Measured> parts_;          ///< measured ones, rising
+    std::vector<std::uint32_t> numbers_;   ///< of these parts
+    std::array<Auxiliary, work_kinds> works_;
+};
+
+/// Samples a job's frame at each clock. The result does not depend on the number of threads. Throws UserError
+/// if the frame is too small, and Interrupted after Ctrl-C.
+std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic = {},
+                         int threads = 0, const Progress& progress = {});
+
+}   // namespace rayclock::sample
