@@ -17,6 +17,7 @@
 #include "sim/app/simulate_run.hpp"
 #include "sim/app/stream_commands.hpp"
 #include "sim/judge/cause/finished.hpp"
+#include "sim/run/film/choice.hpp"
 #include "sim/files/output.hpp"
 #include "sim/view/observe/replay.hpp"
 #include "sim/view/report/sampled.hpp"
@@ -197,6 +198,8 @@ int run_simulate_sample(const SimulateOptions& o) {
     o.json.check();
     const Progress progress = stopping(terminal_progress());
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    if (moves(request.scene))
+        throw UserError("--sample: " + printable(o.scene) + " moves, and a film is simulated as a whole");
     const std::vector<int> clocks = clocks_of(o.clock, request.config);
     const Camera camera = *request.scene.camera;
     const Job job = make_job(request.scene, camera, size, request.config, progress, request.settings);

@@ -270,7 +270,8 @@ TEST_CASE("samples that make no sense") {
            simulate({"--sample", "2"}, {"--sample", "percentage"}),
            simulate({"--sample", "2%", "--error", "1%"}, {"--sample, --error and --within", "one of them"}),
            simulate({"--error", "1%", "--within", "1s"}, {"--sample, --error and --within", "one of them"}),
-           simulate({"--error", "0%"}, {"--error", "'0%'"}), simulate({"--within", "3"}, {"--within", "'3'"}),
+           simulate({"--error", "0%"}, {"--error", "'0%'"}),
+           simulate({"--within", "3"}, {"--within", "'3'"}),
            simulate({"--within", "0s"}, {"--within", "'0s'"}),
            simulate({"--sample", "2%", "--size", "64x48"}, {"64x48", "65536 pixels"}),
            simulate({"--sample", "2%", "--engine", "rtl"}, {"--engine"}),
@@ -279,5 +280,6 @@ TEST_CASE("samples that make no sense") {
            simulate({"--sample", "2%", "--report", "page.html"}, {"--report"}),
            simulate({"--sample", "2%", "-o", "folder"}, {"--output"}),
            simulate({"--sample", "2%", "--min-psnr", "30"}, {"--min-psnr"}),
-           simulate({"--sample", "2%", "--rays", "rays.npy"}, {"--rays"})});
+           simulate({"--sample", "2%", "--rays", "rays.npy"}, {"--rays"}),
+           {{"simulate", "crowd", "--sample", "2%"}, {"crowd", "moves"}}});
 }

@@ -75,3 +75,8 @@ mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/silicon/chip/nextpnr.
 mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST chip "how far a run is*"
   OLD [[if (!routes && line.starts_with("Info: overlap: "))]]
   NEW [[if (routes && line.starts_with("Info: overlap: "))]])
+
+# ---- Samples: intervals that are too narrow.
+mutant(sample_intervals_of_half_the_width FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals*"
+  OLD [[return student_975(degrees * both) * std::sqrt]]
+  NEW [[return student_975(degrees * both) / 2 * std::sqrt]])

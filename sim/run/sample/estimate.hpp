@@ -14,8 +14,7 @@ struct Estimate {
     double relative() const { return value == 0 ? 0 : half_width / value; }
 };
 
-/// Returns the 97.5 % quantile of Student's t for any degrees of freedom of at least 1, to 0.05 % from three
-/// degrees on, and to 4 % below.
+/// Returns the 97.5 % quantile of Student's t for any degrees of freedom of at least 1, to six digits.
 double student_975(double degrees);
 
 /// Values of one figure in the measured parts: in the first and the last part, and in pairs by stratum.
