@@ -107,7 +107,7 @@ TEST_CASE("every value that the rays of a frame meet lies in its interval", "[fi
     for (const fit::Signal& s : ranges.signals) {
         const std::string name = s.unit + "." + s.name;
         const Interval seen = observed.seen[name];
-        INFO(name << ": seen " << shown(seen) << ", proven " << shown(s.range) << ", " << s.valid << " bits");
+        INFO(name << ": seen " << shown(seen) << ", proven " << shown(s.range) << ", " << s.there << " bits");
         REQUIRE(names.insert(name).second);
         REQUIRE(!seen.empty());
         CHECK(s.range.holds(seen.lo));
