@@ -268,7 +268,19 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
     for (glm::dvec3& n : normals) n = back * n, longest = std::max(longest, glm::length(n));
     if (!(longest > 0)) return;
     const double most = std::exp2(corner_bits - 1) - 1;
-    for (glm::dvec3& n : normals) n = forth * (glm::round(n * (most / longest)) * (longest / most));
+    const bool is_mirrored =
+        rules_.placed && rules_.placed->is_mirrored(rules_.placed->place_of(at.hit.prim));
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t stored = is_mirrored && corner > 0 ? 3 - corner : corner;
+        glm::dvec3& n = normals[corner];
+        n *= most / longest;
+        for (int k = 0; k < 3; ++k) {
+            // Half a unit is rounded either way: doubles do not tell which.
+            const double memory = at.surface.normal[3 * stored + std::size_t(k)];
+            n[k] = std::abs(n[k] - memory) <= 0.5 + tie_size * std::abs(n[k]) ? memory : std::round(n[k]);
+        }
+        n = forth * (n * (longest / most));
+    }
 }
 
 std::array<double, 2> Guide::weights(const MachineVisit& at) const {
