@@ -175,7 +175,7 @@ TEST_CASE("outputs that cannot be written") {
     refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("file/x.png")}, "file");
     refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("x.jpg")}, ".jpg");
     refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("x")}, "ending");
-    refused({"render", "tetra:1", "--size", "8x8", "-o", ""}, "ending");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", ""}, "--output is required");
     refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file")}, "file");
     refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file/deeper")}, "file");
     if (::geteuid() != 0) {   // permission bits do not restrict root
@@ -251,7 +251,7 @@ TEST_CASE("a mesh without a mirror says so when it is asked for reflections, and
               "transmits light; --material mirror=0.5 lets reflect what has no material of its own\n") == 0);
     CHECK(reflections({"--material", "mirror=0.5"}, "") > 0);
     check_refused(run_program({"simulate", "gears:1", "--size", "8x8", "--material", "glass"}),
-                  {"--material", "everything in gears:1 has one"});
+                  {"--material", "every surface of gears:1 has one"});
 }
 
 TEST_CASE("a memory from a file equals the named memory, and its report can be run again") {

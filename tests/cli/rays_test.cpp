@@ -42,7 +42,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
         CHECK(traced["judge"]["rays"] == made["rays"]);
         const std::string bytes = bytes_of(hits);
         CHECK(bytes.find("('primitive', '<u4')") != std::string::npos);
-        CHECK(bytes.size() == 192 + 38 * made["rays"].get<std::size_t>());
+        CHECK(bytes.size() == 256 + 42 * made["rays"].get<std::size_t>());
         CHECK(report({"simulate", "gears:1", "--rays", rays, "--clock", "66"})["clocks"][0]["cycles"] ==
               traced["clocks"][0]["cycles"]);
     }
@@ -105,7 +105,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
     REQUIRE(merged.code == 0);
     CHECK(json::parse(merged.out)["points"] == swept["points"]);
     run({"--any-hit", "--shard", "2/2", "--json", two});
-    CHECK(run_program({"merge", two, one}).err.find("differ in what was asked for (stream)") !=
+    CHECK(run_program({"merge", two, one}).err.find("differ in the request (stream)") !=
           std::string::npos);
 }
 
@@ -125,11 +125,11 @@ TEST_CASE("explain follows a stream's ray until its answer leaves the chip", "[r
             REQUIRE(told["rays"].size() == 1);
             const json& only = told["rays"][0];
             CHECK(only["kind"] == (kind == "ao" ? "any hit" : "closest hit"));
-            const char* row = bytes.data() + bytes.size() - 38 * (count - ray);
+            const char* row = bytes.data() + bytes.size() - 42 * (count - ray);
             std::uint32_t primitive;
             std::uint64_t cycle;
             std::memcpy(&primitive, row + 2, sizeof primitive);
-            std::memcpy(&cycle, row + 30, sizeof cycle);
+            std::memcpy(&cycle, row + 34, sizeof cycle);
             CHECK(only["first_cycle"].get<std::uint64_t>() + only["cycles"].get<std::uint64_t>() == cycle);
             CHECK(only["hit"].is_null() == (row[0] == 0));
             if (kind == "diffuse" && row[0]) CHECK(only["hit"]["primitive"] == primitive);
@@ -155,7 +155,7 @@ TEST_CASE("render answers a stream with each engine, without timing", "[rays]") 
         report({"rays", "gears:1", "--kind", "camera", "--size", "24x18", "-o", rays})["rays"];
     report({"simulate", "gears:1", "--rays", rays, "--hits", hits});
     const auto without_cycles = [&](std::string bytes) {
-        for (std::size_t i = 0; i < count; ++i) std::fill_n(bytes.end() - long(38 * i) - 8, 8, '\0');
+        for (std::size_t i = 0; i < count; ++i) std::fill_n(bytes.end() - long(42 * i) - 8, 8, '\0');
         return bytes;
     };
     const std::string simulated = without_cycles(bytes_of(hits));
@@ -171,9 +171,9 @@ TEST_CASE("render answers a stream with each engine, without timing", "[rays]") 
     REQUIRE(reference.size() == simulated.size());
     std::size_t other = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t row = simulated.size() - 38 * (i + 1);
+        const std::size_t row = simulated.size() - 42 * (i + 1);
         double t[2];
-        std::memcpy(&t[0], simulated.data() + row + 6, 8), std::memcpy(&t[1], reference.data() + row + 6, 8);
+        std::memcpy(&t[0], simulated.data() + row + 10, 8), std::memcpy(&t[1], reference.data() + row + 10, 8);
         const bool same = simulated.compare(row, 6, reference, row, 6) == 0;
         other += !same;
         if (same && simulated[row]) CHECK(std::abs(t[0] / t[1] - 1) < 1e-3);

@@ -78,17 +78,19 @@ module rc_raygen_stream (
 
   // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
   // without a home: with two levels no recorded ray starts from an instance.
-  localparam int unsigned HomeW = rc_pkg::RayW - RecordW - 3 * R1 - 3 * E;
+  localparam int unsigned HomeW =
+      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * E : 0;
 
+  rc_pkg::record_t         last;
   logic                    queue_ready;
   logic [rc_pkg::RayW-1:0] queue_data, ray_data;
 
+  assign last = end_record;
+
   if (HomeW > 0) begin : gen_homes
-    rc_pkg::record_t record;
-    assign record     = end_record;
-    assign queue_data = {record.ray, record.kind, {HomeW{1'b0}}, record.o, record.d, recip, len};
+    assign queue_data = {last.ray, last.kind, {HomeW{1'b0}}, last.o, last.d, recip, len};
   end else begin : gen_no_homes
-    assign queue_data = {end_record, recip, len};
+    assign queue_data = {last, recip, len};
   end
 
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (

@@ -147,7 +147,22 @@ double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) cons
                           rules_.inputs.lattice.coarsest();
     const double tick = std::exp2(1 - config.dir_bits - config.t_frac_bits) * length,
                  point = std::exp2(-config.origin_frac());
-    return tick + std::max(point / length, radius * std::exp2(1 - root_bits)) + 3 * point;
+    // The tracer moves a ray off the surface that it leaves.
+    const RefUnitSpace& space = rules_.reference.geometry().space();
+    const glm::dvec3 from = this->point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, config.origin_frac()),
+                     to_centre = space(scene.spheres[primitive - scene.triangles.size()].centre) - from;
+    const double graze =
+        graze_error(to_centre, direction(d), radius * step(), off_surface_size * (1 + glm::length(from)));
+    return tick + std::max(point / length, radius * std::exp2(1 - root_bits)) + 3 * point + graze / step();
+}
+
+/// Returns how far the point where a ray meets a flat surface moves, in lattice steps, if the ray moves as
+/// the tracer moves it. A ray along the surface moves it far.
+double Guide::flat_error(const MachineVisit& at, const glm::dvec3& normal) const {
+    const double cosine = std::abs(glm::dot(normal, direction(at.ray.d))),
+                 size = glm::length(
+                     point({at.ray.o[0], at.ray.o[1], at.ray.o[2]}, rules_.inputs.config.origin_frac()));
+    return off_surface_size * (1 + size) / (cosine * step());
 }
 
 bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
@@ -253,7 +268,19 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
     for (glm::dvec3& n : normals) n = back * n, longest = std::max(longest, glm::length(n));
     if (!(longest > 0)) return;
     const double most = std::exp2(corner_bits - 1) - 1;
-    for (glm::dvec3& n : normals) n = forth * (glm::round(n * (most / longest)) * (longest / most));
+    const bool is_mirrored =
+        rules_.placed && rules_.placed->is_mirrored(rules_.placed->place_of(at.hit.prim));
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t stored = is_mirrored && corner > 0 ? 3 - corner : corner;
+        glm::dvec3& n = normals[corner];
+        n *= most / longest;
+        for (int k = 0; k < 3; ++k) {
+            // Half a unit is rounded either way: doubles do not tell which.
+            const double memory = at.surface.normal[3 * stored + std::size_t(k)];
+            n[k] = std::abs(n[k] - memory) <= 0.5 + tie_size * std::abs(n[k]) ? memory : std::round(n[k]);
+        }
+        n = forth * (n * (longest / most));
+    }
 }
 
 std::array<double, 2> Guide::weights(const MachineVisit& at) const {
@@ -280,8 +307,14 @@ void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
     const Config& config = rules_.inputs.config;
     const std::array<double, 2> w = weights(*at);
+    const auto side = [&](const Vec3i& to) {
+        return glm::dvec3(to[0] - at->surface.a[0], to[1] - at->surface.a[1], to[2] - at->surface.a[2]);
+    };
+    const glm::dvec3 b = side(at->surface.b), c = side(at->surface.c), n = glm::cross(b, c);
     const double unit = std::exp2(-config.origin_bits - int(at->surface.fine)),
-                 most = std::exp2(-config.bary_bits) + 2.5 * unit + tie_size;
+                 moved = flat_error(*at, glm::normalize(n)) * std::max(glm::length(b), glm::length(c)) /
+                         glm::length(n),
+                 most = std::exp2(-config.bary_bits) + 2.5 * unit + tie_size + moved;
     if (!is_turned(*at) && (std::abs(w[0] - hit.u) > most || std::abs(w[1] - hit.v) > most))
         fail("rays leave from another point of the triangle than the one that was hit");
     hit.u = w[0], hit.v = w[1];
@@ -362,7 +395,8 @@ void Guide::place(RefSurface& surface) {
         const double unit =
             std::exp2(-config.bary_bits) +
             (kind == PrimKind::plane ? 0.5 : 2.5) * std::exp2(-config.origin_bits - int(at->surface.fine));
-        most = unit * (edge(at->surface.a, at->surface.b) + edge(at->surface.a, at->surface.c)) + grain;
+        most = unit * (edge(at->surface.a, at->surface.b) + edge(at->surface.a, at->surface.c)) + grain +
+               flat_error(*at, surface.flat);
     }
     if (chord(machine, surface.position) > most * step() + double_slack)
         fail("rays leave from another point than the one that was hit");

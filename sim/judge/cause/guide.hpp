@@ -94,6 +94,7 @@ private:
                                        std::uint32_t wanted) const;
     RefPath from_far(const RefPath& path, const MachineVisit& at);
     RefPath from_own(const RefPath& path, double distance) const;
+    double flat_error(const MachineVisit& at, const glm::dvec3& normal) const;
     double sphere_error(const MachineVisit& at, std::uint32_t primitive) const;   ///< steps
     bool is_within_root(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;
     bool is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const;

@@ -12,6 +12,8 @@ namespace rayclock {
 /// The relative size of such a move. It is larger than the 2^-36 by which the tracer moves a ray off its
 /// surface, and larger than all rounding of doubles. It is far smaller than a step of any lattice.
 constexpr double tie_size = 0x1p-34;
+/// The same for the move off a surface, and the rounding of doubles, twice over.
+constexpr double off_surface_size = 0x1p-35;
 
 inline glm::dvec3 across(const glm::dvec3& d) {
     const glm::dvec3 size = glm::abs(d);
@@ -19,6 +21,18 @@ inline glm::dvec3 across(const glm::dvec3& d) {
                             : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
                                                                  : glm::dvec3(0, 0, 1);
     return glm::normalize(glm::cross(d, axis));
+}
+
+/// Returns how far the point where a ray meets a sphere moves along the ray, if the ray moves sideways by up
+/// to `off`. `to_centre`: from the ray's origin to the centre. `direction`: a unit vector. The half chord h
+/// satisfies h^2 = r^2 - a^2, where a is the distance of the ray from the centre, so |a'^2 - a^2| <= (2 r +
+/// off) off. A ray that grazes the sphere has a small h, and its point moves much farther than the ray.
+inline double graze_error(const glm::dvec3& to_centre, const glm::dvec3& direction, double radius,
+                          double off) {
+    const glm::dvec3 aside = to_centre - glm::dot(to_centre, direction) * direction;
+    const double square = std::max(0.0, radius * radius - glm::dot(aside, aside)),
+                 change = (2 * radius + off) * off;
+    return std::sqrt(square + change) - std::sqrt(std::max(0.0, square - change)) + off;
 }
 
 /// Turns and moves the path slightly in sixteen ways, and calls try_path(path) until one call returns true.
