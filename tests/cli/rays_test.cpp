@@ -105,8 +105,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
     REQUIRE(merged.code == 0);
     CHECK(json::parse(merged.out)["points"] == swept["points"]);
     run({"--any-hit", "--shard", "2/2", "--json", two});
-    CHECK(run_program({"merge", two, one}).err.find("differ in the request (stream)") !=
-          std::string::npos);
+    CHECK(run_program({"merge", two, one}).err.find("differ in the request (stream)") != std::string::npos);
 }
 
 TEST_CASE("explain follows a stream's ray until its answer leaves the chip", "[rays]") {
@@ -173,7 +172,8 @@ TEST_CASE("render answers a stream with each engine, without timing", "[rays]") 
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t row = simulated.size() - 42 * (i + 1);
         double t[2];
-        std::memcpy(&t[0], simulated.data() + row + 10, 8), std::memcpy(&t[1], reference.data() + row + 10, 8);
+        std::memcpy(&t[0], simulated.data() + row + 10, 8),
+            std::memcpy(&t[1], reference.data() + row + 10, 8);
         const bool same = simulated.compare(row, 6, reference, row, 6) == 0;
         other += !same;
         if (same && simulated[row]) CHECK(std::abs(t[0] / t[1] - 1) < 1e-3);
