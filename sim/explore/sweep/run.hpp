@@ -22,8 +22,8 @@ struct PictureFigures {
     bool has_error() const { return error.pixels > 0; }
 };
 
-/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Without the key `pixels` there
-/// is no error. Throws a JSON exception.
+/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Without the key `pixels`
+/// has_error() is false. Throws a JSON exception.
 PictureFigures picture_figures_from_json(const nlohmann::ordered_json& json);
 
 /// A point and its figures. A figure is missing if the point is refused, or if the run was interrupted before

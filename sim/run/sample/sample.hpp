@@ -1,6 +1,5 @@
 #pragma once
-// Samples of a frame: a few parts of it are recorded and replayed, and the rest is estimated.
-// docs/sampling.md.
+// Samples of a frame: records and replays some parts, and estimates the rest. docs/sampling.md.
 #include <array>
 #include <functional>
 #include <string>
@@ -47,7 +46,7 @@ enum class Work : std::uint8_t {
 constexpr std::size_t work_kinds = 9;
 using WorkCounts = std::array<std::uint64_t, work_kinds>;
 
-/// A figure of a frame or of a part of it: a number that is a sum over its cycles.
+/// A sum over the cycles of a frame, or over those of one part.
 using Figure = std::function<double(const FrameTiming&)>;
 
 /// Returns the kind of work to which the busy cycles of a unit are most in proportion.

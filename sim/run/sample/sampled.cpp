@@ -8,7 +8,7 @@ namespace rayclock::sample {
 
 namespace {
 
-/// Returns the values of measured parts by stratum. `value(i)` is that of numbers[i].
+/// Returns the values of the measured parts, stratum by stratum. `value(i)` is the value of part numbers[i].
 template <class Value> PartValues by_stratum(const std::vector<Stratum>& strata,
                                              const std::vector<std::uint32_t>& numbers, Value&& value) {
     const auto at = [&](std::uint32_t number) {
