@@ -75,6 +75,36 @@ TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") 
 
 namespace {
 
+/// A picture whose camera rays are exported and read back as a stream, with the hits of both.
+struct ExportedPicture {
+    ExportedPicture(const std::string& name, const Config& wanted)
+        : scene(with_camera(load_scene(name))),
+          config(fitted_config(scene, {}, wanted)),
+          rays("camera rays", make_rays(scene, camera_rays(), config)),
+          stream(make_stream_job(scene, rays, streaming(config), Outside::refuse)) {
+        const Job picture = make_job(scene, *scene.camera, size, config);
+        drawn = record_frame(picture, picture.frame).trace.hits;
+        traced = record_frame(stream.job, stream.job.frame).trace.hits;
+    }
+    static constexpr FrameSize size{48, 36};
+    Scene scene;
+    Config config;
+    ListedRays rays;
+    StreamJob stream;
+    std::vector<Closest> drawn, traced;
+
+private:
+    static Scene with_camera(Scene scene) {
+        scene.camera = fit_camera(scene, 4.0 / 3);
+        return scene;
+    }
+    static RayStreamPlan camera_rays() {
+        RayStreamPlan plan;
+        plan.size = size;
+        return plan;
+    }
+};
+
 /// Requires that a stream on a chip of two levels has the same cycles in model and RTL, and right answers.
 void check_two_levels(const Values& more) {
     Values values{{"levels", 2}, {"stack_depth", 64}};
@@ -103,26 +133,17 @@ TEST_CASE("a stream walks two structures, alike in model and RTL", "[stream][slo
 
 TEST_CASE("with two levels, the stream of a picture's camera rays has the picture's hits and instances",
           "[stream]") {
-    const FrameSize size{48, 36};
-    Scene scene = load_scene("gearbox:2");
-    REQUIRE(scene.placed);
-    const Config drawn =
-        fitted_config(scene, {}, with(quick_config("default"), {{"levels", 2}, {"stack_depth", 64}}));
-    scene.camera = fit_camera(scene, 4.0 / 3);
-    const Job picture = make_job(scene, *scene.camera, size, drawn);
-    const RecordedFrame frame = record_frame(picture, picture.frame);
-
-    RayStreamPlan plan;
-    plan.size = size;
-    const ListedRays rays("camera rays", make_rays(scene, plan, drawn));
-    const StreamJob stream = make_stream_job(scene, rays, streaming(drawn), Outside::refuse);
-    const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;
-    REQUIRE(answers.size() == frame.trace.hits.size());
+    const ExportedPicture picture("gearbox:2",
+                                  with(quick_config("default"), {{"levels", 2}, {"stack_depth", 64}}));
+    REQUIRE(picture.scene.placed);
+    const PlacedScene& placed = *picture.scene.placed;
+    const std::vector<Closest>& answers = picture.traced;
+    REQUIRE(answers.size() == picture.drawn.size());
     std::size_t found = 0;
     std::set<std::uint32_t> met;
-    const std::string bytes = hits_npy(hits_of(stream, answers), {});
+    const std::string bytes = hits_npy(hits_of(picture.stream, answers), {});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        Closest drawn_hit = frame.trace.hits[i], traced = answers[i];
+        Closest drawn_hit = picture.drawn[i], traced = answers[i];
         drawn_hit.place = traced.place = 0;   // a picture without shading does not tell the instance
         REQUIRE(same_answer(drawn_hit, traced));
         std::uint32_t instance;
@@ -134,15 +155,14 @@ TEST_CASE("with two levels, the stream of a picture's camera rays has the pictur
         ++found;
         met.insert(instance);
         if (instance == InstanceNumbers::none) {
-            CHECK(traced.prim < scene.placed->own.triangles.size());
+            CHECK(traced.prim < placed.own.triangles.size());
             continue;
         }
-        std::uint64_t first = scene.placed->own.triangles.size();   // counted anew
+        std::uint64_t first = placed.own.triangles.size();   // counted anew
         for (std::uint32_t k = 0; k < instance; ++k)
-            first += scene.placed->meshes[scene.placed->instances.at(k).mesh].triangles.size();
+            first += placed.meshes[placed.instances.at(k).mesh].triangles.size();
         CHECK(traced.prim >= first);
-        CHECK(traced.prim <
-              first + scene.placed->meshes[scene.placed->instances.at(instance).mesh].triangles.size());
+        CHECK(traced.prim < first + placed.meshes[placed.instances.at(instance).mesh].triangles.size());
     }
     CHECK(found > 300);
     CHECK(met.size() > 1);
@@ -162,23 +182,12 @@ TEST_CASE("hits that are written to the memory take their share of it, alike in 
 }
 
 TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
-    const FrameSize size{48, 36};
-    Scene scene = load_scene("gears:2");
-    const Config drawn = fitted_config(scene, {}, quick_config("default"));
-    scene.camera = fit_camera(scene, 4.0 / 3);
-    const Job picture = make_job(scene, *scene.camera, size, drawn);
-    const RecordedFrame frame = record_frame(picture, picture.frame);
-
-    RayStreamPlan plan;
-    plan.size = size;
-    const ListedRays rays("camera rays", make_rays(scene, plan, drawn));
-    const StreamJob stream = make_stream_job(scene, rays, streaming(drawn), Outside::refuse);
-    const RecordedFrame traced = record_frame(stream.job, stream.job.frame);
-    REQUIRE(traced.trace.hits.size() == frame.trace.hits.size());
+    const ExportedPicture picture("gears:2", quick_config("default"));
+    REQUIRE(picture.traced.size() == picture.drawn.size());
     std::size_t found = 0, differ = 0;
-    for (std::size_t i = 0; i < traced.trace.hits.size(); ++i) {
-        found += frame.trace.hits[i].found;
-        differ += !same_answer(frame.trace.hits[i], traced.trace.hits[i]);
+    for (std::size_t i = 0; i < picture.traced.size(); ++i) {
+        found += picture.drawn[i].found;
+        differ += !same_answer(picture.drawn[i], picture.traced[i]);
     }
     CHECK(differ == 0);
     CHECK(found > 500);
