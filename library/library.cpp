@@ -59,7 +59,7 @@ Report report_of(const nlohmann::ordered_json& json) {
 
 glm::dvec3 vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
-/// The numbers of rays as the rows of a table, which checks them.
+/// Returns the numbers of all rays, row by row, in the columns of RayTable, which checks them.
 std::vector<double> rows_of(std::span<const Ray> rays) {
     std::vector<double> rows;
     rows.reserve(rays.size() * RayTable::most_columns);

@@ -29,8 +29,8 @@ public:
     /// Starts a frame. The machine must be fresh or done. The caches keep their content. The trace must
     /// outlive the frame.
     void start(const Frame& frame, const Trace& trace) { start(frame, trace, {{}}, frame.pixels()); }
-    /// Starts a part of a frame, in which `pixels` pixels of the picture lie. The trace needs no rays of
-    /// other tiles.
+    /// Starts a part of a frame that contains `pixels` pixels of the picture. The trace needs only the rays
+    /// of these tiles.
     void start(const Frame& frame, const Trace& trace, std::vector<Stretch> stretches, std::uint64_t pixels);
 
     /// Resets the chip between frames, and empties its caches. The memory continues its work for
@@ -56,8 +56,8 @@ public:
     void run(std::uint64_t until) { run(until, pixels_); }
     /// Does the same, but stops early as soon as `hits` pixels of the frame are finished.
     void run(std::uint64_t until, std::uint64_t hits);
-    /// Puts the lines that a pixel's rays read into the caches, outside of time. `pipeline` is taken modulo
-    /// their number.
+    /// Puts the lines that a pixel's rays read into the caches, which takes no simulated time. `pipeline` is
+    /// taken modulo the number of pipelines.
     void warm(std::uint32_t pipeline, const std::uint32_t* pixel);
     /// Performs one clock cycle with the pipelines' clock edges in another order of units.
     void step_in_order(const std::array<int, pipeline_units>& order);

@@ -91,7 +91,7 @@ public:
     }
 
     /// Calls `look_up(Cache&, word)` for each word that a pixel's rays read, ray by ray. Samples of a frame
-    /// warm the caches so.
+    /// warm the caches with it.
     template <class LookUp> void replay_reads(const std::uint32_t* at, LookUp&& look_up);
 
     // ---- For idle times.

@@ -93,8 +93,8 @@ public:
         return outcome;
     }
 
-    /// Looks up a word outside of time, for samples of a frame: a line that is absent replaces another at
-    /// once. Returns true if the line was present.
+    /// Looks up a word in no simulated time, for samples of a frame. If its line is absent, it immediately
+    /// replaces another one. Returns true if the line was present.
     bool warm(std::uint32_t addr);
     int words() const { return shape_.words; }   ///< of a line
 

@@ -70,7 +70,8 @@ public:
 
     std::uint64_t scanned() const { return scanned_; }   ///< words of the screen requested
     std::uint64_t written() const { return written_; }   ///< words of pixels written
-    /// Most words that were due and had not arrived: the smallest buffer that a screen needs.
+    /// The largest number of words that were due at the same time and had not arrived. A screen needs a
+    /// buffer of at least this size.
     std::uint32_t backlog() const { return backlog_; }
 
 private:

@@ -105,7 +105,7 @@ void pose(PlacedScene& scene, double time) {
         instance.place = places[attached.node] * attached.place;
         if (!is_bounded(instance.place))
             throw UserError(motion.nodes[attached.node].name + " at " + text_of(time) +
-                            " s blows its mesh up");
+                            " s moves or scales its mesh out of range");
     }
     for (const Deforming& deforming : motion.deforming)
         deform(deforming, time, places, scene.meshes[deforming.mesh]);

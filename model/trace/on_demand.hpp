@@ -31,7 +31,7 @@ struct OnDemandJob {
     std::unique_ptr<Decoder> decoder;   ///< for a chip that shades
 };
 
-/// Records one pixel at a time, with the same words as record_trace(). Used by one thread.
+/// Records one pixel at a time, with the same words as record_trace(). Only one thread may use it.
 class OnDemandRecorder : public PixelRecorder {
 public:
     explicit OnDemandRecorder(const OnDemandJob& shared);

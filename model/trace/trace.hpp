@@ -60,7 +60,7 @@ struct Trace {
     std::vector<std::vector<std::uint32_t>> chunks;
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, dropped_groups = 0;
     double seconds = 0;   ///< host time of the recording
-    /// Records rays on demand, in the machine's thread; `rays` is then empty. Null: they are in `rays`.
+    /// Records rays on demand, in the machine's thread; `rays` is then empty. Null: `rays` holds all rays.
     PixelRecorder* source = nullptr;
 
     /// Set if recording ended early. It moves with the trace as plain data, so do not move a trace during its

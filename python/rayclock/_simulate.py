@@ -182,7 +182,7 @@ def _ray_table(rays: Any, machine: Config) -> np.ndarray:
 
 def trace(scene: Union[str, Scene], rays: Any, any_hit: bool = False, *, config: Union[str, Config] = "default",
           engine: str = "model", outside: str = "clip", threads: int = 0) -> np.ndarray:
-    """Returns the hit of each ray without timing: what `rayclock render --rays --hits` does.
+    """Returns the hit of each ray without timing, like `rayclock render --rays --hits`.
 
     `rays` has n x 6, 7, 8 or 9 numbers, float32 or float64, as for simulate(rays=...). With any_hit every ray
     requests any hit. engine: model and rtl give the machine's exact hits, reference those of the tracer in

@@ -77,7 +77,7 @@ std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& 
     const double most = double(pilot.parts - 2) / 3;   // strata
     ask.share =
         std::min({sample::most_share, 2 * factor * pilot.strata / pilot.parts, 2 * most / pilot.parts});
-    // Other parts than the pilot's, so that its luck does not decide.
+    // A new seed draws parts independent of the first sample, whose random error decided the size.
     ask.seed = Rng(ask.seed).next() >> 33;
     return sample::run(job, clocks, ask, traffic, threads, progress);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// simulate --sample: a frame of which only a sample is simulated.
+// simulate --sample: estimates a frame from a sample of it.
 #include <optional>
 #include <string>
 
@@ -13,17 +13,16 @@ struct SampleChoice {
     std::optional<std::string> share, error, within;
     bool is_given() const { return share || error || within; }
 };
-/// Throws UserError if the choice makes no sense, whatever the frame.
+/// Throws UserError if the choice makes no sense for any frame.
 void check_sample(const SampleChoice& choice);
 
-/// Runs one frame. Repeats the sample with more parts if an error or a time is asked for. `ask` receives the
-/// sample that was taken.
+/// Samples one frame. If the choice is an error or a time, measures a small sample first, and repeats it with
+/// more parts if that is necessary or possible. `ask` receives the share and seed of the last sample.
 std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& clocks,
                                         const SampleChoice& choice, double seconds_gone, sample::Ask& ask,
                                         Traffic traffic, int threads, const Progress& progress);
 
-/// Returns the report: the keys of simulate. Those of figures hold estimates, and `sampling` holds their
-/// intervals.
+/// Returns the report with the keys of simulate. Figures are estimates, and `sampling` has their intervals.
 nlohmann::ordered_json sample_json(const Request& request, const Job& job, FrameSize size,
                                    const Camera& camera, const sample::Ask& ask,
                                    const std::vector<sample::Sampled>& clocks);

@@ -52,8 +52,9 @@ void sample_options(Parser& parser, SampleChoice& choice) {
                   "simulate only this share of the frame, for example 2%, and estimate all figures with 95 % "
                   "intervals; draws no picture");
     parser.option("--error", choice.error,
-                  "the same, with a share for which the interval of the cycles is within this percentage");
-    parser.option("--within", choice.within, "the same, with a share that takes this time, for example 10s");
+                  "the same, with the share that estimates the cycles within +- this percentage, such as 1%");
+    parser.option("--within", choice.within,
+                  "the same, with the share that fits into this time, for example 10s");
 }
 
 void declare_simulate(Parser& parser, SimulateOptions& o) {
@@ -172,7 +173,7 @@ void write_report(const SimulateOptions& o, const SimulateInput& work, const Sim
     if (progress) progress("writing the page", 1, 1);
 }
 
-/// Throws UserError if an option was given that a sample cannot serve.
+/// Throws UserError if an option was given that has no meaning for a sample.
 void check_sample_options(const SimulateOptions& o) {
     check_sample(o.sample);
     const auto refuse = [](bool is_given, const char* option, const char* why) {
@@ -181,7 +182,7 @@ void check_sample_options(const SimulateOptions& o) {
     refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
     refuse(o.engine != "model", "--engine", "the RTL draws whole frames only");
     refuse(o.frames.frames > 1 || o.frames.pan != 0 || !o.frames.time.empty() || o.frames.fps.has_value(),
-           "--frames and its group", "a sample is of one frame, at the scene's first moment");
+           "--frames and its group", "a sample covers one frame, at the scene's first moment");
     refuse(!o.report.empty(), "--report", "a sample draws no picture for the page");
     refuse(!o.output.empty(), "--output", "a sample draws no picture");
     refuse(o.limits.max_other || o.limits.max_depth_error || o.limits.min_psnr,
@@ -209,7 +210,7 @@ int run_simulate_sample(const SimulateOptions& o) {
     if (!o.json.is_alone()) {
         fmt::print("{}\n{}\n{}", heading(request.scene, size, job), sampled_table(job.config, sampled),
                    sampled_lines(sampled[0].effort()));
-        fmt::print("  host: {:.2f} s, {:.2f} s of them for the sample\n", watch.seconds(),
+        fmt::print("  host: {:.2f} s, of which {:.2f} s for the sample\n", watch.seconds(),
                    sampled[0].effort().seconds);
     }
     o.json.write(sample_json(request, job, size, camera, ask, sampled));

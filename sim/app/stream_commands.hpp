@@ -28,7 +28,7 @@ struct PictureOptions {
     const ViewChoice& view;
     const FramesOptions& frames;
     const LimitsChoice& limits;
-    /// An option of one command: is it given, and its name.
+    /// An option of one command: whether it is given, and its name.
     struct Own {
         bool is_given;
         const char* name;
@@ -37,11 +37,11 @@ struct PictureOptions {
 };
 /// Returns the options of a command that draws no picture.
 PictureOptions no_picture_options(std::vector<PictureOptions::Own> own);
-/// Decides for every command what it traces: returns true for a stream of rays, and false for the rays of a
-/// camera. Throws UserError if an option of the other one is given.
+/// Returns true if the command traces a stream of rays, and false if it traces the rays of a camera. Throws
+/// UserError if an option of the other kind is given.
 bool traces_stream(const StreamChoice& choice, const PictureOptions& picture);
 
-/// A stream as the options choose it: the configuration of the chip, and the scene with its rays.
+/// The stream that the options choose: the configuration of the chip, and the scene with its rays.
 struct StreamRequest {
     Config config;
     std::unique_ptr<const StreamInput> input;
@@ -58,7 +58,7 @@ void check_hits(const StreamChoice& choice, const JsonOutput& json);
 /// Returns the line of a command's text about the scene and the rays.
 std::string stream_heading(const StreamJob& stream);
 
-/// A command's input, when it has a stream.
+/// The input of a command with a stream.
 struct StreamCommand {
     std::string scene, clock;
     ConfigChoice config;
@@ -67,7 +67,8 @@ struct StreamCommand {
     bool no_judge = false;
     int threads = 0;
     JsonOutput json;
-    std::optional<std::string> elastic{};   ///< of verify: the units whose timing is not the model's
+    std::optional<std::string> elastic{};   ///< for verify: the units whose timing may differ from the
+                                            ///< model's
 };
 /// Simulates a stream on the model at each clock. Returns the exit code. Throws UserError.
 int simulate_stream(const StreamCommand& command);

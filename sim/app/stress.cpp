@@ -186,7 +186,7 @@ int run_stress(const StressOptions& typed) {
         return stress_stream(o);
     if (!o.scene.empty())
         throw UserError("stress takes the scene " + shown(o.scene) +
-                        " only with --rays FILE: its hard cases have triangles of their own");
+                        " only with --rays FILE: its hard cases have their own triangles");
     const stress::Plan plan = make_plan(o);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);

@@ -6,7 +6,7 @@ cmake_path(SET rc_jumbo_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 # and generated sources stay alone. The sources of a unit share file-local names. A unit includes its sources by
 # their path in the project, so that the compiler cache serves other clones too, which the units of CMake's own
 # UNITY_BUILD prevent. The global property rc_jumbo_PATH lists the sources that are compiled together with
-# PATH. The mutants of tests/meta need this list.
+# PATH. tests/meta builds a mutant of PATH from this list.
 function(rc_jumbo name)
   get_target_property(sources ${name} SOURCES)
   set(units)

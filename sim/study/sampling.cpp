@@ -42,7 +42,7 @@ FrameRows measure_frame(const Study& study, const FrameSpec& spec, std::size_t n
     const double start = thread_seconds();
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame, 1));
-    const double walked = frames[0].trace.seconds;   // in a thread of its own
+    const double walked = frames[0].trace.seconds;   // in a separate thread
     const FrameResult whole = frame_result(frames[0], replay(job.config, study.khz, frames)[0]);
     result.whole_seconds = thread_seconds() - start + walked;
     frames.clear();
@@ -136,18 +136,14 @@ double coverage(const std::vector<FrameRows>& frames) {
 std::string page(const std::vector<FrameRows>& frames, const Study& study, const std::string& command) {
     std::string text = fmt::format(
         "# Samples against whole frames\n\nMade by `{}`. Do not edit. [sampling.md](sampling.md) explains "
-        "the "
-        "design.\n\nEach row has {} samples of a frame, with the seeds 1 to {}. The clock is {:g} MHz, and "
-        "the "
-        "share is {:g} %. The smallest sample is larger than that in small frames. Coverage is the share of "
-        "the "
-        "95 % intervals that hold the figure of the whole frame. Bias is the mean error of the estimates. "
-        "The "
-        "deviation is theirs from their mean. Half-widths are medians. Time is processor time without scene "
-        "compilation.\n\n## Cycles\n\n",
+        "the design.\n\nEach row has {} samples of a frame, with the seeds 1 to {}. The clock is {:g} MHz, "
+        "and the share is {:g} %. In a small frame the smallest sample exceeds this share. Coverage is the "
+        "share of the 95 % intervals that contain the figure of the whole frame. Bias is the mean error of "
+        "the estimates, and deviation is their standard deviation. Half-widths are medians. Time is "
+        "processor time without scene compilation.\n\n## Cycles\n\n",
         command, study.seeds, study.seeds, study.khz / 1e3, 100 * study.share);
     Table cycles({"frame", "cycles", "measured", "replayed", "coverage", "half-width", "bias", "deviation",
-                  "time saved"});
+                  "speed-up"});
     for (const FrameRows& f : frames) {
         const Row& row = f.cycles();
         cycles.add({name_of(f.spec), grouped(std::uint64_t(row.exact)), percent(f.measured, 1),
@@ -156,9 +152,9 @@ std::string page(const std::vector<FrameRows>& frames, const Study& study, const
                     fmt::format("{:.1f} times", f.whole_seconds / f.sample_seconds)});
     }
     text += cycles.markdown() +
-            fmt::format("\nOver all {} samples the intervals hold the cycles in {} of the cases.\n",
+            fmt::format("\nOver all {} samples, {} of the intervals contain the cycles.\n",
                         frames.size() * std::size_t(study.seeds), percent(coverage(frames), 1));
-    text += "\n## All figures\n\nMeans over the frames that have the figure.\n\n";
+    text += "\n## All figures\n\nEach row is the mean over the frames that have the figure.\n\n";
     std::vector<std::string> keys;
     for (const FrameRows& f : frames)
         for (const Row& row : f.rows)

@@ -1,5 +1,5 @@
 #pragma once
-// The study of docs/sampling.md: how often the intervals of samples hold the figures of whole frames, how
+// The study of docs/sampling.md: how often the intervals of samples contain the figures of whole frames, how
 // wide they are, how large the bias is, and how much time samples save.
 #include <string>
 #include <vector>
@@ -18,12 +18,12 @@ struct FrameSpec {
     ConfigChoice config;
     int depth = 0;   ///< 0: camera rays only
 };
-/// Returns the twelve frames: scenes, structures, memories and configurations of different kind.
+/// Returns the twelve frames: different scenes, structures, memories and configurations.
 std::vector<FrameSpec> usual_frames();
 
 struct Study {
     std::vector<FrameSpec> frames;
-    double share = 0.05;   ///< the smallest sample is larger in most of the frames
+    double share = 0.05;   ///< in all twelve frames the smallest sample exceeds it
     int seeds = 300;
     int khz = 66000;
     int threads = 0;
@@ -44,7 +44,7 @@ struct FrameRows {
 };
 std::vector<FrameRows> measure(const Study& study, const Progress& progress);
 
-/// Returns the share of intervals that hold the cycles, over all frames and seeds.
+/// Returns the share of intervals that contain the cycles, over all frames and seeds.
 double coverage(const std::vector<FrameRows>& frames);
 /// Returns the tables as Markdown. `command` is the command that makes them.
 std::string page(const std::vector<FrameRows>& frames, const Study& study, const std::string& command);

@@ -1,6 +1,6 @@
 # cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] [-DUNITS=file] -P read.cmake
 # Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is generated. UNITS lists
-# sources to read in their place, which are or include them all.
+# sources to read instead; each source must be in this list or be included by a source of the list.
 file(GLOB_RECURSE files ${SOURCE}/${FOLDER}/*.cpp)
 list(LENGTH files count)
 if(count LESS 2)

@@ -263,7 +263,7 @@ TEST_CASE("a configuration's name takes precedence over a folder of the same nam
     REQUIRE(o.err.find("mine: is a folder, not a configuration") != std::string::npos);
 }
 
-TEST_CASE("samples that make no sense") {
+TEST_CASE("samples that make no sense are refused") {
     check({simulate({"--sample", "0%"}, {"--sample", "'0%'"}),
            simulate({"--sample", "200%"}, {"--sample", "'200%'"}),
            simulate({"--sample", "60%"}, {"--sample", "'60%'", "30 %"}),

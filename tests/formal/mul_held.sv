@@ -1,5 +1,5 @@
-// What rc_mul_held promises: every product of operands that are held for Every cycles, for every operand, in the last of them.
-// If operands come Late, phase_i counts from there, and the last of the cycles is as much earlier by it.
+// The promise of rc_mul_held: if operands stay stable for Every cycles, all their products are right in the last one.
+// With Late operands phase_i is late as well, so the last cycle is phase Every - 1 - Late.
 module mul_held #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 3,

@@ -64,8 +64,8 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
     CHECK(costs.moved[index(Link::change)] == costs.moved[index(Link::xform_req)]);
     CHECK(costs.moved[index(Link::tri_req)] * std::uint64_t(config.tri_interval) == account(Unit::tri, 0));
     CHECK(costs.moved[index(Link::ray)] * std::uint64_t(config.raygen_interval) == account(Unit::raygen, 0));
-    // raygen is held up where a ray begins. It refuses a pixel as well while it is occupied, or takes shade's
-    // ray.
+    // raygen stalls only if it refuses the link on which rays begin. It also refuses this link while it is
+    // occupied, or while it accepts a ray of shade.
     const Link first = config.is_stream() ? Link::record : Link::slot;
     const std::uint64_t refused = costs.refused[index(first)] + costs.refused[index(Link::spawn)];
     CHECK(account(Unit::raygen, 2) <= refused);
@@ -107,7 +107,7 @@ TEST_CASE("a watched frame takes the cycles of one that is not, and what is seen
     }
 }
 
-TEST_CASE("a ray alone in flight pays for every line that it misses, the one of its record included") {
+TEST_CASE("a ray alone in flight pays for every line that it misses, including the line of its record") {
     const Watching made = watching({"gears:2",
                                     {{"contexts", "1"},
                                      {"node_width", "4"},

@@ -225,7 +225,7 @@ class Streams(Case):
     def test_notes_about_a_stream_are_warnings(self):
         rays = rayclock.make_rays("tetra:3", size=(8, 6))
         rays[:, :3] *= 3
-        rays[0, :3] += 50   # not one common origin, which the lattice would cover
+        rays[0, :3] += 50   # a second origin: the lattice would cover a single one
         for call in (rayclock.simulate, rayclock.trace):
             with self.assertWarnsRegex(rayclock.Note, "rays begin outside the lattice, and their part outside it"):
                 call("tetra:3", rays=rays)

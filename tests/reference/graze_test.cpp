@@ -44,7 +44,7 @@ TEST_CASE("a moved ray meets a sphere within the bound, however closely it graze
         closest = std::min(closest, bound / moves);
     }
     CHECK(grazing > 1000);
-    CHECK(closest < 4);   // the bound is not much larger than what happens
+    CHECK(closest < 4);   // in the closest case the bound is less than four times the move
 }
 
 TEST_CASE("a ray of the spheres that the judge once refused lies within the bound") {

@@ -59,8 +59,8 @@ TEST_CASE("a machine that starts all tiles as stretches takes the cycles of the 
 }
 
 TEST_CASE("a pixel that warms the caches reads what the machine reads") {
-    // In a cold machine with caches for everything, the misses of a replay are those of a warmed one's
-    // pixels.
+    // The caches hold the whole scene. After all pixels have warmed them, a replay of the frame reads nothing
+    // from memory.
     Config config = named_config("default");
     config.node_sets = config.prim_sets = 4096;
     const Job job = job_of("gears:2", {64, 64}, config);

@@ -144,7 +144,7 @@ TEST_CASE("with two levels, the stream of a picture's camera rays has the pictur
     const std::string bytes = hits_npy(hits_of(picture.stream, answers), {});
     for (std::size_t i = 0; i < answers.size(); ++i) {
         Closest drawn_hit = picture.drawn[i], traced = answers[i];
-        drawn_hit.place = traced.place = 0;   // a picture without shading does not tell the instance
+        drawn_hit.place = traced.place = 0;   // without shading a picture's hits have no instance
         REQUIRE(same_answer(drawn_hit, traced));
         std::uint32_t instance;
         std::memcpy(&instance, &bytes[bytes.size() - (answers.size() - i) * 42 + 6], sizeof instance);

@@ -197,7 +197,8 @@ TEST_CASE("finished pictures do not depend on the structure", "[structures]") {
     }
 }
 
-// Relaxed chips; "finished pictures of every engine" are those of fast ones. Levels have the other engines.
+// These chips are relaxed; "finished pictures of every engine" uses fast ones. The tests of two levels run
+// the other engines.
 TEST_CASE("model and RTL agree on trees of boxes and of cells", "[structures]") {
     const Structure structure = GENERATE(Structure::bvh, Structure::kd);
     const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");

@@ -8,7 +8,7 @@
 namespace rayclock {
 
 /// Tiles of a frame that follow each other in the order of dispatch. A whole frame is one stretch. A sample
-/// of a frame is several.
+/// of a frame consists of several.
 struct Stretch {
     Tile first{};
     std::uint32_t tiles = ~0u;   ///< a stretch ends at the frame's last tile at the latest

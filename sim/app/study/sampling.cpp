@@ -46,7 +46,7 @@ int run_sampling(const SamplingOptions& o) {
     const double covered = sampling::coverage(rows);
     if (!o.json.is_alone()) {
         if (o.output.empty()) fmt::print("{}", page);
-        fmt::print("the intervals hold the cycles in {:.1f} % of {} samples\n", 100 * covered,
+        fmt::print("the intervals contain the cycles in {:.1f} % of {} samples\n", 100 * covered,
                    rows.size() * std::size_t(o.seeds));
     }
     o.json.write(sampling::rows_json(rows));

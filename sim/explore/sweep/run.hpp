@@ -13,7 +13,7 @@ namespace rayclock::sweep {
 
 /// The errors of the last frame against the reference, and its needs. Depends only on the format.
 struct PictureFigures {
-    FrameError error;                      ///< of a stream of rays: none, with 0 pixels
+    FrameError error;                      ///< for a stream of rays it has 0 pixels
     std::optional<std::uint64_t> cracks;   ///< of triangles that camera rays meet; scenes without instances
                                            ///< only
     std::uint64_t memory_bytes = 0;        ///< size of the memory image
@@ -22,8 +22,8 @@ struct PictureFigures {
     bool has_error() const { return error.pixels > 0; }
 };
 
-/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Without the key `pixels`
-/// has_error() is false. Throws a JSON exception.
+/// Reads JSON with the keys of `error`, `cracks`, `memory_bytes` and `rays`. Without the key
+/// `pixels` the result has no error. Throws a JSON exception if the format is wrong.
 PictureFigures picture_figures_from_json(const nlohmann::ordered_json& json);
 
 /// A point and its figures. A figure is missing if the point is refused, or if the run was interrupted before

@@ -6,10 +6,10 @@
 
 namespace rayclock {
 
-/// Draws a legal configuration; every other value is a corner of its range. `single` draws one that does not
-/// shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. In one of three
-/// cases it has a shared cache. In half of the cases where two levels are possible it has two, with any two
-/// structures.
+/// Draws a legal configuration. About half of its values are at an end of their range. `single` draws one
+/// that does not shade, with one pipeline. Otherwise it has one pipeline, or in one of four cases two. In one
+/// of three cases it has a shared cache. In half of the cases where two levels are possible it has two, with
+/// any two structures.
 Config random_chip(std::uint64_t seed, bool single);
 
 }   // namespace rayclock

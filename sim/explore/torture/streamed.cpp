@@ -1,4 +1,4 @@
-// Draws random chips for a stream, and runs it on them.
+// Draws random chips, and runs a stream on them.
 #include "sim/explore/torture/streamed.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr int most_draws = 200;
 /// A list tests every triangle for every ray. With more tests Verilator takes minutes.
 constexpr double most_list_tests = 2e4;
 
-/// Makes a chip of a drawn one that reads rays. Throws UserError if the result is not legal.
+/// Changes a drawn configuration into a chip that reads rays. Throws UserError if the result is not legal.
 Config stream_chip(Config drawn, std::size_t rays) {
     drawn.levels = 1, drawn.mesh_structure = MeshStructure{}, drawn.xform_interval = Config{}.xform_interval;
     while (drawn.pixel_bits < max_pixel_bits && std::size_t(1) << 2 * drawn.pixel_bits <= rays)

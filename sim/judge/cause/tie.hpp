@@ -12,7 +12,7 @@ namespace rayclock {
 /// The relative size of such a move. It is larger than the 2^-36 by which the tracer moves a ray off its
 /// surface, and larger than all rounding of doubles. It is far smaller than a step of any lattice.
 constexpr double tie_size = 0x1p-34;
-/// The same for the move off a surface, and the rounding of doubles, twice over.
+/// Twice the relative size of the tracer's move off a surface, which also covers the rounding of doubles.
 constexpr double off_surface_size = 0x1p-35;
 
 inline glm::dvec3 across(const glm::dvec3& d) {

@@ -79,7 +79,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
         return demand(ShadeEvent(s.event) == ShadeEvent::transform,
-                      "after an instance's surface comes its turn");
+                      "no transform pass follows an instance's surface");
     }
     demand_lights(s);
 }

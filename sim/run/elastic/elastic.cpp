@@ -53,8 +53,8 @@ public:
     }
 
 private:
-    /// Calls work() unless the RTL is broken. A failed assertion is a difference, after which it runs no
-    /// more.
+    /// Calls work() unless the RTL is broken. A failed assertion is reported as a difference. After it, the
+    /// RTL does not run again.
     template <class Work> void guarded(Work&& work) {
         if (broken_) return;
         try {
@@ -176,8 +176,8 @@ private:
         }
     }
 
-    /// Checks the chip's signals about its frame, after RtlMachine::settle(). Reports one difference in a
-    /// frame.
+    /// Checks the chip's signals `running` and `done`, after RtlMachine::settle(). Reports at most one
+    /// difference in each frame.
     void check_face(std::uint64_t now, bool runs) {
         if (face_told_ || (rtl_.says_running() == runs && rtl_.says_done() == !runs)) return;
         face_told_ = true;
@@ -263,7 +263,7 @@ private:
     LineJudge lines_;
     std::uint64_t begins_ = 0;
     bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
-    bool face_told_ = false;               // a wrong signal of this frame
+    bool face_told_ = false;               // a wrong signal was reported in this frame
     bool has_begun_ = false;               // the first frame
     ElasticResult result_;
 };

@@ -159,7 +159,7 @@ private:
             module_.clock();
         }
     }
-    /// Takes what follows the last answer.
+    /// Accepts and checks transfers after the last answer.
     void drain() {
         for (std::uint64_t i = 0; i < after_the_end && !findings_.first && !interrupted(); ++i) {
             *req_.valid = 0;

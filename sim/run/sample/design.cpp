@@ -40,7 +40,7 @@ std::uint64_t SlotOrder::pixels_before(std::uint32_t number) const {
 
 Lengths lengths_of(const Config& config) {
     const auto pipelines = std::uint64_t(config.pipelines), slots = std::uint64_t(1) << 2 * config.tile_bits;
-    // In a machine with several pipelines these take tiles at different speeds, which takes longer to settle.
+    // Several pipelines take tiles at different speeds, so such a machine needs longer to settle.
     const std::uint64_t in_flight = std::max<std::uint64_t>(64, std::uint64_t(config.contexts)),
                         settle = pipelines == 1 ? 1 : 2;
     const auto tiles = [&](std::uint64_t pixels, std::uint64_t least) {

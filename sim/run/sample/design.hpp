@@ -35,7 +35,7 @@ private:
     int tile_bits_;
 };
 
-/// Lengths in tiles. A part is measured. Warm-up tiles before it and the tail after it are simulated only.
+/// Lengths in tiles. A part is measured. The warm-up before it and the tail after it are only simulated.
 struct Lengths {
     std::uint32_t warm_up = 0, part = 0, tail = 0;
 };
@@ -63,8 +63,9 @@ struct Stratum {
 };
 constexpr std::uint32_t least_strata = 10;
 
-/// Sorts the parts between the first and the last by their work and divides them into strata of equal work,
-/// as far as each stratum has at least three parts. Chooses two parts of each at random.
+/// Sorts the parts between the first and the last by their work, and divides them into strata with at least
+/// three parts each. Apart from that, the total work of all strata is as equal as possible. Chooses two parts
+/// of each stratum at random.
 std::vector<Stratum> draw(const std::vector<std::uint64_t>& work, std::uint32_t strata, Rng& rng);
 
 /// Returns a number below n, each with the same probability.

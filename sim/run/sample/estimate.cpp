@@ -34,7 +34,7 @@ double student_975(double n) {
 
 namespace {
 
-/// Returns the total over all strata that the measured parts alone give.
+/// Returns the total over all strata, estimated from the measured parts alone.
 double expanded(const std::vector<Stratum>& strata, const PartValues& y) {
     double sum = 0;
     for (std::size_t s = 0; s < strata.size(); ++s)

@@ -45,7 +45,7 @@ struct Coarse {
     std::uint64_t pixels = 0;
 };
 
-/// What the parts of a sample share.
+/// The data that all parts of a sample share.
 struct Plan {
     const Job& job;
     Parts parts;
@@ -61,7 +61,7 @@ struct Plan {
     }
 };
 
-constexpr std::uint64_t coarse_goal = 16384;   // single pixels of a frame
+constexpr std::uint64_t coarse_goal = 16384;   // the largest number of single pixels, except in huge frames
 
 Coarse walk_single_pixels(const Plan& w) {
     const SlotOrder& order = w.parts.order;
@@ -182,8 +182,8 @@ private:
         pixels_ += before(end);
     }
 
-    /// Puts lines into the caches that the row of tiles before a place would have left there. It walks every
-    /// fourth pixel above the place and every 16th elsewhere, in the mean.
+    /// Puts lines into the caches that the row of tiles before a place would have left there. On average it
+    /// walks every fourth pixel above the place and every 16th pixel elsewhere.
     void warm(Machine& machine, std::size_t i) {
         const SlotOrder& order = w_.parts.order;
         const Place& place = places_[i];
@@ -245,8 +245,7 @@ std::uint32_t strata_of(const Frame& frame, const Config& config, double share) 
         std::uint64_t(3 * least_strata + 2) * parts.lengths.part * parts.order.tile_slots();
     throw UserError(
         fmt::format("--sample: {}x{} pixels are too few for a sample; with {} {} and {} contexts a frame "
-                    "needs at least {} "
-                    "pixels, in full tiles",
+                    "needs at least {} pixels, in full tiles",
                     frame.width, frame.height, config.pipelines,
                     config.pipelines == 1 ? "pipeline" : "pipelines", config.contexts, least));
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Samples of a frame: records and replays some parts, and estimates the rest. docs/sampling.md.
+// Samples of a frame. Only some parts of the frame are recorded and replayed. They give estimates of all
+// figures: docs/sampling.md.
 #include <array>
 #include <functional>
 #include <string>
@@ -12,7 +13,7 @@ namespace rayclock::sample {
 
 /// The size of a sample.
 struct Ask {
-    double share = 0;   ///< of the frame's parts that are measured, from 0 to most_share
+    double share = 0;   ///< share of the frame's parts to measure, up to most_share; 0: the smallest sample
     std::uint64_t seed = 1;
 };
 constexpr double most_share = 0.3;
@@ -30,10 +31,10 @@ struct Effort {
     double seconds = 0;                  ///< of the host
 };
 
-/// What a pixel's rays do, whatever the time that they take. Single pixels all over the frame give these
-/// totals.
+/// Kinds of work of a pixel's rays, independent of timing. Single pixels, spread over the frame, give
+/// estimates of their totals.
 enum class Work : std::uint8_t {
-    least_cycles,   ///< the cycles that the pixel takes at least in one pipeline
+    least_cycles,   ///< the fewest cycles in which one pipeline can draw the pixel
     visits,
     box_tests,
     triangle_tests,
@@ -46,10 +47,10 @@ enum class Work : std::uint8_t {
 constexpr std::size_t work_kinds = 9;
 using WorkCounts = std::array<std::uint64_t, work_kinds>;
 
-/// A sum over the cycles of a frame, or over those of one part.
+/// A figure of a frame or of a part. The figures of all parts sum to the figure of the frame.
 using Figure = std::function<double(const FrameTiming&)>;
 
-/// Returns the kind of work to which the busy cycles of a unit are most in proportion.
+/// Returns the kind of work to which a unit's busy cycles are most nearly proportional.
 Work work_of(Unit unit);
 
 /// The sampled frame at one clock.
@@ -66,7 +67,7 @@ public:
     int khz() const { return khz_; }
     const Effort& effort() const { return effort_; }
     Estimate work(Work kind) const { return sample::total(works_[std::size_t(kind)]); }
-    /// Estimates a figure by the kind of work to which it is most in proportion.
+    /// Estimates a figure. `by` should be the kind of work to which the figure is most nearly proportional.
     Estimate total(const Figure& figure, Work by = Work::least_cycles) const {
         return sample::total(strata_, values(figure), works_[std::size_t(by)]);
     }
@@ -83,8 +84,8 @@ private:
     int khz_;
     Effort effort_;
     std::vector<Stratum> strata_;
-    std::vector<Measured> parts_;          ///< measured ones, rising
-    std::vector<std::uint32_t> numbers_;   ///< of these parts
+    std::vector<Measured> parts_;          ///< the measured parts, in ascending order
+    std::vector<std::uint32_t> numbers_;   ///< the numbers of these parts
     std::array<Auxiliary, work_kinds> works_;
 };
 

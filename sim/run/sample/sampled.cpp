@@ -8,7 +8,7 @@ namespace rayclock::sample {
 
 namespace {
 
-/// Returns the values of the measured parts, stratum by stratum. `value(i)` is the value of part numbers[i].
+/// Returns the values of the measured parts, paired by stratum. `value(i)` is the value of part numbers[i].
 template <class Value> PartValues by_stratum(const std::vector<Stratum>& strata,
                                              const std::vector<std::uint32_t>& numbers, Value&& value) {
     const auto at = [&](std::uint32_t number) {
@@ -77,7 +77,7 @@ FrameResult Sampled::frame(const Config& config) const {
                                     is_work ? work_of(Unit(u)) : Work::least_cycles));
             sum += causes[c];
         }
-        // The largest cause takes the rest, since each is estimated alone.
+        // Each cause is estimated alone, so their sum may be off. The largest cause absorbs the difference.
         *std::max_element(causes.begin(), causes.end()) +=
             frame.cycles * std::uint64_t(u < pipeline_units ? config.pipelines : 1) - sum;
     }

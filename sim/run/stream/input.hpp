@@ -11,7 +11,7 @@ namespace rayclock {
 /// Parses "clip" or "refuse". Throws UserError.
 Outside parse_outside(const std::string& text);
 
-/// A scene and its rays. Jobs for several configurations can be made of one input; each refers to it.
+/// A scene and its rays. One input serves jobs of several configurations, which refer to it.
 class StreamInput {
 public:
     /// Throws UserError if the scene cannot be used with a stream: it is folded, or has spheres or planes.
@@ -36,7 +36,7 @@ private:
     Outside outside_;
 };
 
-/// Returns a sentence for each change that the host made to the rays of a stream: rays that are clipped.
+/// Returns a sentence for each kind of change that the host made to the rays of a stream, such as clipping.
 std::vector<std::string> stream_notes(const StreamJob& stream);
 
 /// The machine or tracer that answers a stream.
@@ -47,7 +47,7 @@ StreamEngine parse_stream_engine(const std::string& text);
 /// The answers to a stream, in the order of the rays.
 struct StreamAnswers {
     std::vector<StreamHit> hits;
-    std::vector<std::string> notes;   ///< stream_notes(); none of the reference, which changes no ray
+    std::vector<std::string> notes;   ///< stream_notes(); empty for the reference, which changes no ray
 };
 /// Returns every ray's answer without timing, in the order of the rays. The reference traces the rays and the
 /// scene as given, in double precision; its t, u and v have the precision of float32. Model and RTL give

@@ -168,7 +168,7 @@ std::function<const char*(const Ray&, const Closest&)> judge_of(const StreamJob&
         const auto world = std::make_shared<const PlacedWorld>(*asked, image);
         if (!world->faults().empty())
             return [](const Ray&, const Closest&) {
-                return "an instance has another map in memory than its place";
+                return "an instance's map in memory does not match its place";
             };
         return [asked, world, &config](const Ray& ray, const Closest& answer) {
             return judge_answer(*world, config, ray, answer);

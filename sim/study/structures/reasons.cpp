@@ -220,7 +220,7 @@ spheres into several leaves.)"},
     {"mount:8",
      R"(Why: the scene is one sheet of small triangles of equal size, without overlap. Boxes fit it as well
 as planes do, with fewer tests: a ray that passes closely over the sheet crosses many cells of kd, each with
-a reference. In the finished picture tri is the bound of kd. Presence the compiler clips one of the four glass
+a reference. In the finished picture tri is the bound of kd. When the compiler clips one of the four glass
 spheres to a cell, it bounds the part by the sphere's box, so the heuristic sees no gain in cutting near it.
 Globes around small, even triangles overlap only at their edges.)"},
     {"rings:3",

@@ -74,7 +74,7 @@ private:
     double hertz_;
 };
 
-/// Writes a number with as many digits as its interval has meaning.
+/// Writes a number with the digits that are useful for its unit.
 std::string number(double value, const std::string& unit) {
     if (unit == "share") return fmt::format("{:.2f} %", 100 * value);
     if (unit == "fps") return fmt::format("{:.2f}", value);
@@ -134,8 +134,7 @@ std::string sampled_lines(const sample::Effort& e) {
     const auto percent = [&](std::uint64_t n) { return 100 * double(n) / double(e.pixels); };
     return fmt::format(
         "  sampled: {} of {} parts were measured, {:.1f} % of the pixels; {:.1f} % were replayed with "
-        "warm-up; "
-        "{} single pixels were walked\n"
+        "warm-up; {} single pixels were walked\n"
         "  left out: the picture, its comparison with the reference, the judge and the digest\n",
         e.measured, grouped(e.parts), percent(e.measured_pixels), percent(e.replayed_pixels),
         grouped(e.single_pixels));

@@ -10,7 +10,7 @@
 
 namespace rayclock {
 
-/// A figure that a sample estimates, and the same figure of a frame that was simulated as a whole.
+/// A figure, as a sample estimates it and as the simulation of a whole frame gives it.
 struct SampledFigure {
     std::string key;    ///< as in the report, for example "dram_bytes" or "units.box.busy"
     std::string unit;   ///< "cycles", "bytes", "share" ...
