@@ -56,10 +56,4 @@ const OnDemandRecorder::Kept& OnDemandRecorder::kept(std::uint32_t x, std::uint3
     return pixel;
 }
 
-void OnDemandRecorder::forget() {
-    kept_.clear();
-    chunks_.clear();
-    room_ = 0;
-}
-
 }   // namespace rayclock

@@ -49,7 +49,6 @@ public:
         return scratch_.words.data();
     }
     /// Forgets all pixels.
-    void forget();
 
 private:
     struct Kept {

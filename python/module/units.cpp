@@ -88,28 +88,33 @@ template <class P> constexpr Side side_of{&row_fields<P>, &bits_of<P>, &pack_row
 /// A unit whose answer depends on nothing but its request.
 struct UnitRow {
     Unit unit;
-    const char* needs;   ///< what a machine with the unit has
     Side request, response;
     void (*answer)(const char*, char*, std::size_t, const Config&, int, const Progress&);
     double (*seconds_of_loop)(const char*, std::size_t, const Config&);
 };
 template <class Request, class Response, Response answer(const Request&, const Config&)>
-constexpr UnitRow row(Unit unit, const char* needs) {
-    return {unit,
-            needs,
-            side_of<Request>,
-            side_of<Response>,
-            &answer_rows<Request, Response, answer>,
+constexpr UnitRow row(Unit unit) {
+    return {unit, side_of<Request>, side_of<Response>, &answer_rows<Request, Response, answer>,
             &seconds_of_loop<Request, Response, answer>};
 }
 
-constexpr UnitRow units[] = {row<TriReq, TriRsp, tri>(Unit::tri, ""),
-                             row<XformReq, Change, xform>(Unit::xform, "levels=2"),
-#define RAYCLOCK_ROW(with, structure, unit, Engine) \
-    row<Engine::Request, BoxRsp, Engine::answer>(Unit::unit, "structure=" #structure),
+constexpr UnitRow units[] = {row<TriReq, TriRsp, tri>(Unit::tri), row<XformReq, Change, xform>(Unit::xform),
+#define RAYCLOCK_ROW(with, structure, unit, Engine) row<Engine::Request, BoxRsp, Engine::answer>(Unit::unit),
                              RAYCLOCK_ENGINES(RAYCLOCK_ROW, )
 #undef RAYCLOCK_ROW
 };
+
+/// Returns the setting of a machine that has the unit: "structure=kd or octree".
+std::string needs_of(Unit unit) {
+    if (unit == Unit::xform) return "levels=2";
+    std::string names;
+    for (std::size_t s = 0; s < names_of<Structure>().size(); ++s) {
+        Config config;
+        config.structure = Structure(s);
+        if (is_there(unit, config)) names += (names.empty() ? "" : " or ") + name_of(config.structure);
+    }
+    return "structure=" + names;
+}
 
 /// Returns the unit with this name in a machine whose values are legal together. Throws UserError.
 const UnitRow& unit_of(const std::string& name, const Config& config) {
@@ -117,7 +122,8 @@ const UnitRow& unit_of(const std::string& name, const Config& config) {
         if (name != unit_name(unit.unit)) continue;
         check_config(config, config.name);
         if (!is_there(unit.unit, config))
-            throw UserError(fmt::format("'{}' has no unit {}: it needs {}", config.name, name, unit.needs));
+            throw UserError(
+                fmt::format("'{}' has no unit {}: it needs {}", config.name, name, needs_of(unit.unit)));
         return unit;
     }
     throw UserError("no unit is called " + name);

@@ -22,6 +22,10 @@ bool is_routed(const std::optional<chip::RoutedClock>& routed, int khz) {
 
 }   // namespace
 
+void check_clocks(const std::string& typed) {
+    if (typed.find("fmax") == std::string::npos) parse_clocks(typed);
+}
+
 std::vector<int> clocks_of(const std::string& typed, const Config& config) {
     std::vector<std::string> items = split(typed, ',');
     for (std::string& item : items) {

@@ -13,6 +13,9 @@ namespace rayclock {
 /// configuration. Throws UserError if it was not routed.
 std::vector<int> clocks_of(const std::string& typed, const Config& config);
 
+/// Refuses what clocks_of() would refuse for every configuration, before a scene is loaded. Throws UserError.
+void check_clocks(const std::string& typed);
+
 /// Does the same for a command that takes one clock. Throws UserError if several are given.
 int one_clock_of(const std::string& typed, const Config& config);
 

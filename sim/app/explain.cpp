@@ -4,6 +4,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/app/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/explain_run.hpp"
@@ -80,7 +81,7 @@ void write_explanation(const ExplainOptions& o, const std::string& head, const E
 
 int run_explain_ray(const ExplainOptions& o) {
     if (!o.ray) throw UserError("--rays needs --ray N, the number of the ray to follow");
-    if (o.clock != "fmax") parse_clocks(o.clock);   // refused before the scene is loaded
+    check_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     check_report(o);

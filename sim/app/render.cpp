@@ -152,10 +152,11 @@ int render_stream(const RenderOptions& o) {
     if (engine == StreamEngine::rtl) check_rtl(request.config);
     const StreamInput& input = *request.input;
     const Stopwatch watch;
-    const std::vector<StreamHit> answers =
-        trace_stream(input, engine, request.config, o.threads, progress).hits;
+    const StreamAnswers traced = trace_stream(input, engine, request.config, o.threads, progress);
+    const std::vector<StreamHit>& answers = traced.hits;
     const double seconds = watch.seconds();
     stop_if_interrupted();
+    print_ineffective(traced.notes);
     write_bytes(*o.stream.hits, hits_npy(answers, {}));
     const auto hits =
         std::count_if(answers.begin(), answers.end(), [](const StreamHit& hit) { return hit.hit; });

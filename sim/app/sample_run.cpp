@@ -47,6 +47,13 @@ sample::Estimate cycles_of(const sample::Sampled& sampled) {
     return sampled.total([](const FrameTiming& t) { return double(t.cycles); });
 }
 
+/// Returns the widest relative interval of the cycles.
+double widest_of(const std::vector<sample::Sampled>& clocks) {
+    double widest = 0;
+    for (const sample::Sampled& s : clocks) widest = std::max(widest, cycles_of(s).relative());
+    return widest;
+}
+
 }   // namespace
 
 void check_sample(const SampleChoice& choice) {
@@ -67,19 +74,25 @@ std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& 
     const sample::Effort& pilot = sampled[0].effort();
     double factor = 1;
     if (choice.error) {
-        double widest = 0;
-        for (const sample::Sampled& s : sampled) widest = std::max(widest, cycles_of(s).relative());
-        factor = 1.2 * std::pow(100 * widest / parse_percent("--error", *choice.error, false), 2);
+        factor = 1.2 * std::pow(100 * widest_of(sampled) / parse_percent("--error", *choice.error, false), 2);
     } else {
         factor = 0.8 * (parse_seconds(*choice.within) - seconds_gone - watch.seconds()) / pilot.seconds;
     }
+    ask.share = std::min(sample::most_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
     if (factor <= 1) return sampled;
-    const double most = double(pilot.parts - 2) / 3;   // strata
-    ask.share =
-        std::min({sample::most_share, 2 * factor * pilot.strata / pilot.parts, 2 * most / pilot.parts});
-    // A new seed draws parts independent of the first sample, whose random error decided the size.
-    ask.seed = Rng(ask.seed).next() >> 33;
+    // A sample of another size draws its parts independently of the first one, whose random error decided the
+    // size.
     return sample::run(job, clocks, ask, traffic, threads, progress);
+}
+
+std::string shortfall(const SampleChoice& choice, const std::vector<sample::Sampled>& clocks,
+                      double seconds) {
+    if (choice.error && 100 * widest_of(clocks) > parse_percent("--error", *choice.error, false))
+        return fmt::format("--error {}: the interval of the cycles is +-{:.2f} %", *choice.error,
+                           100 * widest_of(clocks));
+    if (choice.within && seconds > parse_seconds(*choice.within))
+        return fmt::format("--within {}: the sample took {:.2f} s", *choice.within, seconds);
+    return {};
 }
 
 nlohmann::ordered_json sample_json(const Request& request, const Job& job, FrameSize size,
@@ -96,6 +109,8 @@ nlohmann::ordered_json sample_json(const Request& request, const Job& job, Frame
         cycles += double(run.last().cycles);
         if (clocks.size() == 1) first = run.last();
     }
+    nlohmann::ordered_json memory = memory_json(config, sampled[0].khz(), first);
+    if (config.scan_out) memory["dram"]["scan_out"]["backlog"] = nullptr;   // a maximum over the whole frame
     const double seconds = sampled[0].effort().seconds;
     return {{"scene", scene_json(request.scene)},
             {"config", config_json_object(config)},
@@ -113,7 +128,7 @@ nlohmann::ordered_json sample_json(const Request& request, const Job& job, Frame
             {"work_by_kind", nullptr},
             {"clocks", clocks},
             {"units", units_json(config, first)},
-            {"memory", memory_json(config, sampled[0].khz(), first)},
+            {"memory", memory},
             {"error", nullptr},
             {"limits", nullptr},
             {"judge", nullptr},

@@ -181,8 +181,8 @@ void check_sample_options(const SimulateOptions& o) {
     };
     refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
     refuse(o.engine != "model", "--engine", "the RTL draws whole frames only");
-    refuse(o.frames.frames > 1 || o.frames.pan != 0 || !o.frames.time.empty() || o.frames.fps.has_value(),
-           "--frames and its group", "a sample covers one frame, at the scene's first moment");
+    refuse(o.frames.is_given(), "--frames and its group",
+           "a sample covers one frame, at the scene's first moment");
     refuse(!o.report.empty(), "--report", "a sample draws no picture for the page");
     refuse(!o.output.empty(), "--output", "a sample draws no picture");
     refuse(o.limits.max_other || o.limits.max_depth_error || o.limits.min_psnr,
@@ -194,7 +194,7 @@ int run_simulate_sample(const SimulateOptions& o) {
     const Stopwatch watch;
     check_sample_options(o);
     const FrameSize size = parse_size(o.size);
-    if (o.clock.find("fmax") == std::string::npos) parse_clocks(o.clock);
+    check_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
@@ -213,7 +213,12 @@ int run_simulate_sample(const SimulateOptions& o) {
         fmt::print("  host: {:.2f} s, of which {:.2f} s for the sample\n", watch.seconds(),
                    sampled[0].effort().seconds);
     }
-    o.json.write(sample_json(request, job, size, camera, ask, sampled));
+    const std::string missed = shortfall(o.sample, sampled, watch.seconds());
+    if (!missed.empty()) print_ineffective({missed});
+    nlohmann::ordered_json json = sample_json(request, job, size, camera, ask, sampled);
+    json["sampling"]["shortfall"] = nullptr;
+    if (!missed.empty()) json["sampling"]["shortfall"] = missed;
+    o.json.write(json);
     return 0;
 }
 
@@ -232,8 +237,7 @@ int run_simulate(const SimulateOptions& o) {
             {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
     const Stopwatch watch;
     const FrameSize size = parse_size(o.size);
-    if (o.clock.find("fmax") == std::string::npos)
-        parse_clocks(o.clock);   // refused before the scene is loaded
+    check_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);

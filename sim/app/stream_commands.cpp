@@ -138,8 +138,7 @@ int simulate_stream(const StreamCommand& c) {
     const Traffic traffic = traffic_of(c.traffic);
     check_outputs(c);
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    if (c.clock.find("fmax") == std::string::npos)
-        parse_clocks(c.clock);   // refused before the scene is loaded
+    check_clocks(c.clock);
     const StreamRequest request = stream_request(c.scene, c.config, c.stream, stop);
     const Config& config = request.config;
     const std::vector<int> clocks = clocks_of(c.clock, config);

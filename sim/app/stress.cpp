@@ -2,10 +2,12 @@
 // random chips, in lockstep and judged.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
@@ -34,7 +36,8 @@ constexpr const char* default_bits = "12:20:2";
 struct StressOptions {
     std::string scene, bits = default_bits, rays = "1e6", output, state;
     StreamChoice stream;
-    int chips = 4;
+    static constexpr int default_chips = 4;
+    std::optional<int> chips;
     std::vector<std::string> tests, families;
     std::uint64_t seed = default_seed;
     int threads = 0;
@@ -51,8 +54,7 @@ void declare_stress(Parser& parser, StressOptions& o) {
                 ".npy or .rays, that meet SCENE on random chips, model and RTL in lockstep")
         .with_default();
     treatment_options(parser, o.stream);
-    parser.option("--chips", o.chips, "with a file of rays: number of random chips")
-        .with_default()
+    parser.option("--chips", o.chips, "with a file of rays: number of random chips; 4 by default")
         .within(1, 1000);
     parser.option("--test", o.tests, "primitive test, or all; may be repeated").by_commas();
     parser.option("--family", o.families, "family of hard cases; may be repeated; all by default")
@@ -141,7 +143,8 @@ int stress_stream(const StressOptions& o) {
     const Stopwatch watch;
     const Progress progress = terminal_progress(), stop = stopping(progress);
     const std::unique_ptr<const StreamInput> input = stream_input(o.scene, o.stream, stop);
-    const std::vector<StreamChip> chips = random_stream_chips(*input, o.seed, o.chips, stop);
+    const std::vector<StreamChip> chips =
+        random_stream_chips(*input, o.seed, o.chips.value_or(StressOptions::default_chips), stop);
     jobs::for_each(chips.size(), o.threads, [&](std::size_t i) { build_rtl(chips[i].config); });
     if (!o.json.is_alone())
         fmt::print("{}: {}; {}: {} rays\n", input->scene().name, primitives_text(input->scene()),
@@ -150,7 +153,13 @@ int stress_stream(const StressOptions& o) {
     std::size_t failed = 0;
     jobs::in_order(
         o.threads, [&](std::size_t i) { return i < chips.size() && !interrupted(); },
-        [&](std::size_t i) { return std::pair(i, run_stream_chip(*input, chips[i], stopping({}))); },
+        [&](std::size_t i) {
+            try {
+                return std::pair(i, run_stream_chip(*input, chips[i], stopping({})));
+            } catch (const Interrupted&) {   // the chips that are done still count
+                return std::pair(i, StreamChipRun{});
+            }
+        },
         [&](const auto& made) {
             const auto& [i, run] = made;
             if (!run.judged) return;   // interrupted
@@ -187,6 +196,7 @@ int run_stress(const StressOptions& typed) {
     if (!o.scene.empty())
         throw UserError("stress takes the scene " + shown(o.scene) +
                         " only with --rays FILE: its hard cases have their own triangles");
+    if (o.chips) throw UserError("--chips needs --rays FILE, a stream of rays on random chips");
     const stress::Plan plan = make_plan(o);
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);

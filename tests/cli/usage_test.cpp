@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
 
@@ -263,6 +264,38 @@ TEST_CASE("a configuration's name takes precedence over a folder of the same nam
     REQUIRE(o.err.find("mine: is a folder, not a configuration") != std::string::npos);
 }
 
+TEST_CASE("a sample has the keys of a simulation, says what is exact, and can be repeated") {
+    const auto report = [](std::vector<std::string> words) {
+        words.insert(words.begin(),
+                     {"simulate", "gears:2", "--size", "333x257", "--clock", "66", "--json", "-"});
+        const Outcome outcome = run_program(words);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return nlohmann::json::parse(outcome.out);
+    };
+    const nlohmann::json whole = report({}), sample = report({"--sample", "30%", "--seed", "5"}),
+                         fast = report({"--within", "0.001s", "--seed", "5"});
+    for (const auto& [key, value] : whole.items()) {
+        INFO(key);
+        CHECK(sample.contains(key));
+    }
+    CHECK(sample["rays"]["primary"] == 333 * 257);
+    CHECK(sample["digest"].is_null());
+    CHECK(sample["sampling"]["shortfall"].is_null());
+    CHECK(fast["sampling"]["shortfall"].get<std::string>().find("--within 0.001s: the sample took") == 0);
+    const double share = 100 * fast["sampling"]["share"].get<double>();
+    nlohmann::json again = report({"--sample", std::to_string(share) + "%", "--seed",
+                                   std::to_string(fast["sampling"]["seed"].get<int>())});
+    CHECK(again["sampling"]["clocks"] == fast["sampling"]["clocks"]);
+    // Every tile is dispatched once, also those at the border: 21 x 17.
+    const nlohmann::json& tiles = sample["sampling"]["clocks"][0]["figures"]["units.dispatch.busy_with.work"];
+    CHECK(tiles["estimate"] == 21 * 17);
+    for (const auto& [key, figure] : sample["sampling"]["clocks"][0]["figures"].items()) {
+        INFO(key);
+        CHECK(figure["half_width"].get<double>() >= 0);
+    }
+}
+
 TEST_CASE("samples that make no sense are refused") {
     check({simulate({"--sample", "0%"}, {"--sample", "'0%'"}),
            simulate({"--sample", "200%"}, {"--sample", "'200%'"}),
@@ -277,6 +310,9 @@ TEST_CASE("samples that make no sense are refused") {
            simulate({"--sample", "2%", "--engine", "rtl"}, {"--engine"}),
            simulate({"--sample", "2%", "--frames", "3"}, {"--frames"}),
            simulate({"--sample", "2%", "--pan", "2"}, {"--frames"}),
+           simulate({"--sample", "2%", "--uploads", "double"}, {"--frames"}),
+           simulate({"--sample", "2%", "--frames", "0"}, {"--frames"}),
+           {{"stress", "--chips", "9", "--rays", "1000"}, {"--chips"}},
            simulate({"--sample", "2%", "--report", "page.html"}, {"--report"}),
            simulate({"--sample", "2%", "-o", "folder"}, {"--output"}),
            simulate({"--sample", "2%", "--min-psnr", "30"}, {"--min-psnr"}),

@@ -123,7 +123,7 @@ class Units(Case):
         self.refused("row 0: o = 131072 does not fit in the chip's 18 bits", unit.tri, o=[0, 0, 1 << 17])
         self.refused("row 0: ray = 64 does not fit in the chip's 6 bits", unit.tri, ray=64)
         self.refused("does not fit in int32", unit.tri, o=[0, 0, 1 << 31])
-        self.refused("needs structure=kd", unit.treelet, unit.requests("tri"))
+        self.refused("needs structure=kd or octree", unit.treelet, unit.requests("tri"))
         self.refused("requests are a structured array", unit.tri, [1, 2])
         self.refused("the fields must be ray", unit.tri, np.zeros(3, [("o", "i4", 3)]))
         self.refused("requests are n x 21 numbers, not 3 x 4", unit.tri, np.zeros((3, 4), int))

@@ -24,7 +24,6 @@ constexpr double most_list_tests = 2e4;
 
 /// Changes a drawn configuration into a chip that reads rays. Throws UserError if the result is not legal.
 Config stream_chip(Config drawn, std::size_t rays) {
-    drawn.levels = 1, drawn.mesh_structure = MeshStructure{}, drawn.xform_interval = Config{}.xform_interval;
     while (drawn.pixel_bits < max_pixel_bits && std::size_t(1) << 2 * drawn.pixel_bits <= rays)
         ++drawn.pixel_bits;
     const Config config = settled(streaming(drawn));

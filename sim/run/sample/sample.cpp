@@ -2,8 +2,8 @@
 #include "sim/run/sample/sample.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -34,9 +34,15 @@ WorkCounts counts_of(const PixelWork& work, const Config& config) {
             work.rays.shadow,
             work.rays.reflection,
             work.rays.refraction,
-            work.rays.primary_hits};
+            work.rays.primary_hits,
+            1};
 }
-constexpr WorkCounts outside{1};   // sched takes a cycle for a slot outside the picture
+/// The work of a slot outside the picture: sched takes a cycle for it.
+constexpr WorkCounts outside = [] {
+    WorkCounts counts{};
+    counts[std::size_t(Work::least_cycles)] = counts[std::size_t(Work::slots)] = 1;
+    return counts;
+}();
 
 /// The first phase: x of two single pixels in each block of slots.
 struct Coarse {
@@ -50,14 +56,16 @@ struct Plan {
     const Job& job;
     Parts parts;
     OnDemandJob shared;
-    Ask ask;
+    std::uint64_t seed;
+    std::uint32_t strata;   ///< samples of different size have independent random numbers
     Traffic traffic;
     int threads;
     Progress progress;
 
     Rng rng(std::uint64_t purpose, std::uint64_t number) const {
-        Rng seeds(ask.seed);
-        return Rng(seeds.next() ^ Rng(seeds.next() + (purpose << 32) + number).next());
+        Rng seeds(seed);
+        const std::uint64_t first = seeds.next() ^ Rng(strata).next();
+        return Rng(first ^ Rng(seeds.next() + (purpose << 32) + number).next());
     }
 };
 
@@ -169,17 +177,13 @@ private:
         const auto pixels = [&](std::uint32_t to) {
             return u.order.pixels_before(to) - u.order.pixels_before(first);
         };
-        const auto before = [&](std::uint32_t tile) {
-            return tile == u.order.tiles() ? w_.job.frame.pixels() - u.order.pixels_before(first)
-                                           : pixels(tile);
-        };
         places_.push_back({number,
                            first,
                            end,
                            {u.order.tile(first), end - first},
-                           pixels_ + before(part),
-                           pixels_ + before(u.end_tile(number))});
-        pixels_ += before(end);
+                           pixels_ + pixels(part),
+                           pixels_ + pixels(u.end_tile(number))});
+        pixels_ += pixels(end);
     }
 
     /// Puts lines into the caches that the row of tiles before a place would have left there. On average it
@@ -254,9 +258,14 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
                          int threads, const Progress& progress) {
     const Stopwatch watch;
     const std::uint32_t wanted = strata_of(job.frame, job.config, ask.share);
-    const Plan w{
-        job,     parts_of(job.frame, job.config), {job.image, job.frame, job.config}, ask, traffic, threads,
-        progress};
+    const Plan w{job,
+                 parts_of(job.frame, job.config),
+                 {job.image, job.frame, job.config},
+                 ask.seed,
+                 wanted,
+                 traffic,
+                 threads,
+                 progress};
     const Coarse coarse = walk_single_pixels(w);
     Rng rng = w.rng(0, 0);
     const std::vector<Stratum> strata = draw(coarse.work, wanted, rng);
@@ -267,11 +276,13 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
     // The number of chains is fixed, so that the result does not depend on the number of threads.
     const std::size_t chains = std::clamp<std::size_t>(numbers.size() / 6, 1, 16);
     std::vector<std::vector<std::vector<Sampled::Measured>>> measured(chains);   // [chain][clock][part]
-    std::atomic<std::uint64_t> replayed = 0, done = 0;
+    std::mutex mutex;
+    std::uint64_t replayed = 0, done = 0;
     jobs::for_each(chains, threads, [&](std::size_t c) {
         const std::size_t first = numbers.size() * c / chains, end = numbers.size() * (c + 1) / chains;
         Chain chain(w, std::span(numbers).subspan(first, end - first));
         for (const int k : khz) measured[c].push_back(chain.replay(k));
+        const std::lock_guard lock(mutex);
         replayed += chain.pixels();
         if (w.progress) w.progress("sample", ++done, chains);
     });

@@ -43,8 +43,9 @@ enum class Work : std::uint8_t {
     reflection,
     refraction,
     primary_hits,
+    slots,   ///< places of tiles, also outside the picture; their total is exact
 };
-constexpr std::size_t work_kinds = 9;
+constexpr std::size_t work_kinds = 10;
 using WorkCounts = std::array<std::uint64_t, work_kinds>;
 
 /// A figure of a frame or of a part. The figures of all parts sum to the figure of the frame.
@@ -74,6 +75,8 @@ public:
     Estimate ratio(const Figure& above, const Figure& below, Work by = Work::least_cycles) const {
         return sample::ratio(strata_, values(above), values(below), works_[std::size_t(by)]);
     }
+    /// Estimates the cycles of a unit that have the cause with this code.
+    Estimate account(const Config& config, Unit unit, std::size_t code) const;
     /// Returns all totals as whole numbers, in the form of a frame that was simulated. In the accounts, the
     /// causes of a unit sum to the cycles. It has no hits, no colours and no digest.
     FrameResult frame(const Config& config) const;

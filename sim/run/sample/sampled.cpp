@@ -40,12 +40,20 @@ PartValues Sampled::values(const Figure& figure) const {
 }
 
 Work work_of(Unit unit) {
-    if (unit == Unit::sched || unit == Unit::dispatch) return Work::primary;
+    if (unit == Unit::sched) return Work::primary;
     if (place_of(unit_infos[index(unit)].name) == UnitPlace::engine || unit == Unit::node_cache ||
         unit == Unit::trav)
         return Work::visits;
     return unit == Unit::prim_cache || unit == Unit::tri || unit == Unit::list ? Work::triangle_tests
                                                                                : Work::least_cycles;
+}
+
+Estimate Sampled::account(const Config& config, Unit unit, std::size_t code) const {
+    const bool is_work = unit_infos[index(unit)].causes[code].kind == CauseKind::busy;
+    if (unit == Unit::dispatch && is_work)   // one cycle for each tile
+        return {std::ldexp(work(Work::slots).value, -2 * config.tile_bits), 0};
+    return total([=](const FrameTiming& t) { return double(t.accounts.units[index(unit)][code]); },
+                 is_work ? work_of(unit) : Work::least_cycles);
 }
 
 FrameResult Sampled::frame(const Config& config) const {
@@ -59,7 +67,7 @@ FrameResult Sampled::frame(const Config& config) const {
     frame.finished_picture = config.has_shade();
     frame.rays = {whole(work(Work::primary)), whole(work(Work::shadow)), whole(work(Work::reflection)),
                   whole(work(Work::refraction)), whole(work(Work::primary_hits))};
-    if (!config.has_shade()) frame.rays.primary = effort_.pixels;
+    if (!config.supersampling) frame.rays.primary = effort_.pixels;
     frame.visits = whole(work(Work::visits));
     frame.box_tests = whole(work(Work::box_tests));
     frame.triangle_tests = whole(work(Work::triangle_tests));
@@ -72,9 +80,7 @@ FrameResult Sampled::frame(const Config& config) const {
         CauseCounts& causes = frame.accounts.units[u];
         std::uint64_t sum = 0;
         for (std::size_t c = 0; c < cause_count; ++c) {
-            const bool is_work = unit_infos[u].causes[c].kind == CauseKind::busy;
-            causes[c] = whole(total([=](const FrameTiming& t) { return double(t.accounts.units[u][c]); },
-                                    is_work ? work_of(Unit(u)) : Work::least_cycles));
+            causes[c] = whole(account(config, Unit(u), c));
             sum += causes[c];
         }
         // Each cause is estimated alone, so their sum may be off. The largest cause absorbs the difference.

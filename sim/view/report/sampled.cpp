@@ -17,7 +17,7 @@ using sample::Work;
 
 class Figures {
 public:
-    explicit Figures(int khz) : hertz_(khz * 1e3) {}
+    Figures(const Config& config, int khz) : config_(config), hertz_(khz * 1e3) {}
 
     void add(const char* key, const char* unit, const Figure& figure, Work by = Work::least_cycles) {
         all.push_back({key, unit, [=](const Sampled& s) { return s.total(figure, by); },
@@ -59,11 +59,10 @@ public:
             const char* group = cause.kind == CauseKind::busy      ? "busy_with"
                                 : cause.kind == CauseKind::starved ? "starved_by"
                                                                    : "stalled";
-            const Figure figure = [=](const FrameTiming& t) {
-                return double(t.accounts.units[index(unit)][c]);
-            };
-            add(fmt::format("units.{}.{}.{}", info.name, group, cause.name).c_str(), "cycles", figure,
-                cause.kind == CauseKind::busy ? sample::work_of(unit) : Work::least_cycles);
+            all.push_back(
+                {fmt::format("units.{}.{}.{}", info.name, group, cause.name), "cycles",
+                 [unit, c, config = config_](const Sampled& s) { return s.account(config, unit, c); },
+                 [=](const FrameResult& f) { return double(f.accounts.units[index(unit)][c]); }});
         }
     }
     static double cycles_of(const FrameTiming& t) { return double(t.cycles); }
@@ -71,6 +70,7 @@ public:
     std::vector<SampledFigure> all;
 
 private:
+    const Config& config_;
     double hertz_;
 };
 
@@ -84,9 +84,11 @@ std::string number(double value, const std::string& unit) {
 }   // namespace
 
 std::vector<SampledFigure> sampled_figures(const Config& config, int khz) {
-    Figures figures(khz);
+    Figures figures(config, khz);
     figures.add("cycles", "cycles", Figures::cycles_of);
     figures.add_rate("fps", "fps");
+    if (config.supersampling)
+        figures.add_work("rays.primary", "rays", Work::primary, [](const auto& f) { return f.rays.primary; });
     if (config.has_shade()) {
         figures.add_work("rays.shadow", "rays", Work::shadow, [](const auto& f) { return f.rays.shadow; });
         figures.add_work("rays.reflection", "rays", Work::reflection,
@@ -153,7 +155,10 @@ nlohmann::ordered_json sampling_json(const Config& config, const sample::Ask& as
         by_clock.push_back({{"mhz", s.khz() / 1e3}, {"figures", figures}});
     }
     std::vector<std::string> exact{"scene", "config", "frame", "camera", "compile"};
-    if (!config.has_shade()) exact.push_back("rays");
+    if (!config.has_shade())
+        exact.push_back("rays");
+    else if (!config.supersampling)
+        exact.push_back("rays.primary");
     return {{"confidence", 0.95},
             {"share", ask.share},
             {"seed", ask.seed},

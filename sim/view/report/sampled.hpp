@@ -12,7 +12,7 @@ namespace rayclock {
 
 /// A figure, as a sample estimates it and as the simulation of a whole frame gives it.
 struct SampledFigure {
-    std::string key;    ///< as in the report, for example "dram_bytes" or "units.box.busy"
+    std::string key;    ///< as in the report, for example "dram_bytes" or "units.box.busy_with.work"
     std::string unit;   ///< "cycles", "bytes", "share" ...
     std::function<sample::Estimate(const sample::Sampled&)> estimate;
     std::function<double(const FrameResult&)> exact;
