@@ -45,8 +45,8 @@ const std::vector<Group>& groups() {
         {"Build", {rtl_command, template_command, export_command, chip_command}},
         {"Check", {verify_command, stress_command, bench_command, doctor_command}},
         {"Pages",
-         {area_command, counts_command, figures_command, gigahertz_command, sampling_command, streams_command,
-          structures_command, tradeoff_command, yardstick_command},
+         {area_command, counts_command, figures_command, gigahertz_command, sampling_command, scale_command,
+          streams_command, structures_command, tradeoff_command, yardstick_command},
          true}};
     return all;
 }

@@ -1,6 +1,7 @@
 // The page of figures and the ray counts, with small pictures.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -164,4 +165,51 @@ TEST_CASE("the page of gigahertz has every memory at every clock, says where the
     CHECK(drawing.find("hbm2 x 4") != std::string::npos);
     CHECK(drawing.find("nan") == std::string::npos);
     check_refused(run_program({"study", "gigahertz"}), {"--output"});
+}
+
+TEST_CASE("the page of scale has every frame with its cost, and its exponents are those of the times") {
+    const Folder folder;
+    const Outcome outcome = run_program(
+        {"study", "scale", "-o", folder.name("."), "--scenes", "teapot:1,teapot:4", "--placed",
+         "gearbox:1,gearbox:2", "--size", "32x24", "--sizes", "16x12,64x48", "--json", folder.name("s.json")});
+    INFO(outcome.err << outcome.out);
+    REQUIRE(outcome.code == 0);
+    const json figures = json::parse(bytes_of(folder.name("s.json")));
+    for (const char* series : {"triangles", "placed", "pixels"}) {
+        INFO(series);
+        const json &rows = figures[series]["rows"], &first = rows[0], &last = rows[1];
+        REQUIRE(rows.size() == 2);
+        const auto size = [&](const json& row) {
+            return std::string(series) == "pixels" ? row["width"].get<double>() * row["height"].get<double>()
+                                                   : row["triangles"].get<double>();
+        };
+        CHECK(size(last) > 2 * size(first));
+        for (const char* work : {"load", "compile", "record", "replay", "reference", "judge"}) {
+            INFO(work);
+            // Two points determine the power law.
+            const double a = first["seconds"][work], b = last["seconds"][work];
+            REQUIRE(a > 0);
+            CHECK(figures[series]["exponents"][work].get<double>() * std::log(size(last) / size(first)) ==
+                  Approx(std::log(b / a)));
+        }
+        for (const json& row : rows) {
+            CHECK(row["rays_judged"] == row["width"].get<int>() * row["height"].get<int>());
+            CHECK(row["rays_wrong"] == 0);
+            CHECK(row["peak_bytes"].get<double>() > row["image_bytes"].get<double>());
+        }
+    }
+    CHECK(figures["largest"]["scene"] == "teapot:4");
+    CHECK(figures["largest"]["width"] == 64);
+    const std::string page = bytes_of(folder.name("scale.md")), drawing = bytes_of(folder.name("scale.svg"));
+    for (const char* part : {"\n| `teapot:4` | ", "\n| `gearbox:2` | ", "\n| **exponent** | ",
+                             "--scenes teapot:1,teapot:4 --placed gearbox:1,gearbox:2 --size 32x24 --sizes "
+                             "16x12,64x48"}) {
+        INFO(part);
+        CHECK(page.find(part) != std::string::npos);
+    }
+    CHECK(drawing.find("reference") != std::string::npos);
+    CHECK(drawing.find("nan") == std::string::npos);
+    check_refused(run_program({"study", "scale"}), {"--output"});
+    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--set", "shading=1"}), {"shading=1"});
+    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0x5"});
 }

@@ -27,6 +27,7 @@ Command figures_command();
 Command counts_command();
 Command structures_command();
 Command sampling_command();
+Command scale_command();
 Command streams_command();
 Command gigahertz_command();
 Command area_command();

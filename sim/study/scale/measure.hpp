@@ -1,0 +1,50 @@
+#pragma once
+// The host's cost of drawing and judging a frame, against the size of the scene and of the picture.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/run/request/request.hpp"
+
+namespace rayclock::scale {
+
+/// The kinds of work on a frame, in the order in which they run.
+enum class Work { load, compile, record, replay, reference, judge };
+constexpr std::array<const char*, 6> work_names{"load",   "compile",   "record",
+                                                "replay", "reference", "judge"};
+constexpr std::size_t works = work_names.size();
+
+/// The input of the page. Each size of a series is about ten times the one before.
+struct Study {
+    ConfigChoice config;
+    std::vector<std::string> scenes;   ///< of growing number of triangles, each drawn at `size`
+    std::vector<std::string> placed;   ///< the same for scenes whose instances are written out
+    FrameSize size;
+    std::vector<FrameSize> sizes;   ///< growing pictures of the first scene; the last one also of the last
+    int threads = 0;
+};
+
+/// The cost of one frame.
+struct Row {
+    std::string scene;
+    FrameSize size;
+    std::uint64_t triangles = 0, image_bytes = 0, cycles = 0, judged = 0, wrong = 0;
+    std::array<double, works> seconds{};   ///< [Work], wall time
+    std::uint64_t peak_bytes = 0;          ///< most memory of the process until the frame is judged
+    std::uint64_t pixels() const { return std::uint64_t(size.width) * std::uint64_t(size.height); }
+};
+
+/// All results of the study.
+struct Figures {
+    std::vector<Row> scenes, placed, pictures;
+    Row largest;
+};
+
+/// Runs the study. Throws Interrupted after Ctrl-C.
+Figures measure(const Study& study, const Progress& progress);
+
+/// Returns the exponent p of the power law seconds = c x^p that fits best: least squares of the logarithms.
+/// Returns NaN with fewer than two positive times. `x` gives the size of a row.
+double exponent(const std::vector<Row>& rows, Work work, std::uint64_t (*x)(const Row&));
+
+}   // namespace rayclock::scale
