@@ -169,9 +169,9 @@ TEST_CASE("the page of gigahertz has every memory at every clock, says where the
 
 TEST_CASE("the page of scale has every frame with its cost, and its exponents are those of the times") {
     const Folder folder;
-    const Outcome outcome = run_program(
-        {"study", "scale", "-o", folder.name("."), "--scenes", "teapot:1,teapot:4", "--placed",
-         "gearbox:1,gearbox:2", "--size", "32x24", "--sizes", "16x12,64x48", "--json", folder.name("s.json")});
+    const Outcome outcome = run_program({"study", "scale", "-o", folder.name("."), "--scenes",
+                                         "teapot:1,teapot:4", "--placed", "gearbox:1,gearbox:2", "--size",
+                                         "32x24", "--sizes", "16x12,64x48", "--json", folder.name("s.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const json figures = json::parse(bytes_of(folder.name("s.json")));
@@ -210,6 +210,7 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
     CHECK(drawing.find("reference") != std::string::npos);
     CHECK(drawing.find("nan") == std::string::npos);
     check_refused(run_program({"study", "scale"}), {"--output"});
-    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--set", "shading=1"}), {"shading=1"});
+    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--set", "shading=1"}),
+                  {"shading=1"});
     check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0x5"});
 }

@@ -18,8 +18,8 @@ namespace rayclock::scale {
 
 namespace {
 
-/// Lets peak_bytes() begin again at the memory that the process uses now (proc(5), clear_refs). Without effect
-/// on kernels that lack the file; the peak then includes earlier frames.
+/// Lets peak_bytes() begin again at the memory that the process uses now (proc(5), clear_refs). Without
+/// effect on kernels that lack the file; the peak then includes earlier frames.
 void reset_peak() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";
@@ -46,9 +46,8 @@ Row measure_row(const std::string& scene, FrameSize size, const Study& study, co
     Row row;
     row.scene = scene, row.size = size;
     reset_peak();
-    const Request request = timed(row, Work::load, [&] {
-        return request_of(scene, study.config, {}, 1, size, progress);
-    });
+    const Request request =
+        timed(row, Work::load, [&] { return request_of(scene, study.config, {}, 1, size, progress); });
     const Camera camera = *request.scene.camera;
     const Job job = timed(row, Work::compile, [&] {
         return make_job(request.scene, camera, size, request.config, progress, request.settings);
@@ -56,9 +55,8 @@ Row measure_row(const std::string& scene, FrameSize size, const Study& study, co
     std::vector<RecordedFrame> frames;
     frames.push_back(
         timed(row, Work::record, [&] { return record_frame(job, job.frame, study.threads, progress); }));
-    const FrameTiming timing = timed(row, Work::replay, [&] {
-        return replay(job.config, job.khz, frames, {}, progress)[0];
-    });
+    const FrameTiming timing =
+        timed(row, Work::replay, [&] { return replay(job.config, job.khz, frames, {}, progress)[0]; });
     const ReferencePicture reference = timed(row, Work::reference, [&] {
         return reference_picture(request, camera, size, study.threads, progress);
     });

@@ -10,8 +10,7 @@ namespace rayclock::scale {
 
 /// The kinds of work on a frame, in the order in which they run.
 enum class Work { load, compile, record, replay, reference, judge };
-constexpr std::array<const char*, 6> work_names{"load",   "compile",   "record",
-                                                "replay", "reference", "judge"};
+constexpr std::array<const char*, 6> work_names{"load", "compile", "record", "replay", "reference", "judge"};
 constexpr std::size_t works = work_names.size();
 
 /// The input of the page. Each size of a series is about ten times the one before.

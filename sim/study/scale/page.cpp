@@ -60,15 +60,9 @@ using Json = nlohmann::ordered_json;
 Json row_json(const Row& row) {
     Json seconds = Json::object();
     for (std::size_t w = 0; w < works; ++w) seconds[work_names[w]] = row.seconds[w];
-    return {{"scene", row.scene},
-            {"width", row.size.width},
-            {"height", row.size.height},
-            {"triangles", row.triangles},
-            {"seconds", seconds},
-            {"image_bytes", row.image_bytes},
-            {"peak_bytes", row.peak_bytes},
-            {"cycles", row.cycles},
-            {"rays_judged", row.judged},
+    return {{"scene", row.scene},           {"width", row.size.width}, {"height", row.size.height},
+            {"triangles", row.triangles},   {"seconds", seconds},      {"image_bytes", row.image_bytes},
+            {"peak_bytes", row.peak_bytes}, {"cycles", row.cycles},    {"rays_judged", row.judged},
             {"rays_wrong", row.wrong}};
 }
 
