@@ -6,13 +6,13 @@
 // square. Model: inverse_of() in model/engine/spheres/globe.cpp.
 `default_nettype none
 module rc_inverse #(
-  localparam int unsigned G = rc_pkg::TowardBits
+  localparam int unsigned TowardBits = rc_pkg::TowardBits
 ) (
-  input  logic           clk_i,
-  input  logic           last_moves_i,   // the last stage accepts its input
-  input  logic [2*G-1:0] square_i,
-  output logic [1:0]     n_o,
-  output logic [16:0]    inverse_o
+  input  logic                    clk_i,
+  input  logic                    last_moves_i,   // the last stage accepts its input
+  input  logic [2*TowardBits-1:0] square_i,
+  output logic [1:0]              n_o,
+  output logic [16:0]             inverse_o
 );
   localparam int unsigned Entries = 128;
   localparam int unsigned StepW   = 10;

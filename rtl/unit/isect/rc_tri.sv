@@ -29,13 +29,13 @@ module rc_tri (
   localparam bit          IsSheared = rc_pkg::PrimitiveTest == rc_pkg::TestSheared;
   localparam int unsigned N        = rc_pkg::CoordBits;
   localparam int unsigned M        = rc_pkg::DirBits;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned V        = rc_pkg::UvBits;
-  localparam int unsigned D        = rc_pkg::EdgeBits;   // width of det, u, v
-  localparam int unsigned U        = rc_pkg::NumBits;
-  localparam int unsigned E        = IsSheared ? 2 * N + M + 2 : D;   // width of den
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned P        = rc_pkg::PrimBits;
+  localparam int unsigned TBits    = rc_pkg::TBits;
+  localparam int unsigned UvBits   = rc_pkg::UvBits;
+  localparam int unsigned EdgeBits = rc_pkg::EdgeBits;   // width of det, u, v
+  localparam int unsigned NumBits  = rc_pkg::NumBits;
+  localparam int unsigned DenW     = IsSheared ? 2 * N + M + 2 : EdgeBits;   // width of den
+  localparam int unsigned RayBits  = rc_pkg::RayBits;
+  localparam int unsigned PrimBits = rc_pkg::PrimBits;
   localparam int unsigned Latency  = rc_pkg::TriLatency;
   localparam int unsigned Cut      = rc_pkg::Cut;
   localparam int unsigned Mul      = rc_pkg::MulStages;
@@ -54,8 +54,9 @@ module rc_tri (
   localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
   localparam int unsigned Extra = Latency - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
-  localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
-  localparam int unsigned HitW   = TailW + T + 2 * V;
+  // Closer, back, num, det, prim.
+  localparam int unsigned TailW  = 1 + BackW + NumBits + EdgeBits + PrimBits;
+  localparam int unsigned HitW   = TailW + TBits + 2 * UvBits;
 
   if (Latency < Core) begin : gen_refuse
     $error("rc_tri: TriLatency must be at least Core");
@@ -92,24 +93,25 @@ module rc_tri (
 
   assign in = in_flat;
 
-  logic [I-1:0] end_ray;
+  logic [RayBits-1:0] end_ray;
 
-  rc_interval_delay #(.Width(I), .Stages(Latency - In), .Every(Interval)) u_ray (
+  rc_interval_delay #(.Width(RayBits), .Stages(Latency - In), .Every(Interval)) u_ray (
     .clk_i, .rst_ni, .valid_i(moves[Latency-1:In]), .there_i(valid[Latency-1:In]), .data_i(in.ray),
     .data_o(end_ray));
 
   // ---- Stages up to Front: the ray and the primitive, and whether they meet. num / den is t; num
   // / det is compared with other hits of the ray.
-  logic [3*N-1:0]             in_a, in_b, in_c;
-  logic                       f0_hit;
-  logic [D-1:0]               f0_det, f0_u, f0_v;
-  logic [U-1:0]               f0_num;
-  logic                       f0_back, f0_u_neg, f0_v_neg;
-  logic                       in_any;      // any hit will do: a ray from or to a light
-  logic                       in_leaves;   // from a surface: a bounce, or away to a light
-  logic                       in_plane, in_sphere;
-  logic                       in_far;   // the ray begins beyond the lattice, and tests planes only
-  logic                       in_skips;    // the ray does not test such a primitive
+  logic [3*N-1:0]                  in_a, in_b, in_c;
+  logic                            f0_hit;
+  logic [EdgeBits-1:0]             f0_det, f0_u, f0_v;
+  logic [NumBits-1:0]              f0_num;
+  logic                            f0_back, f0_u_neg, f0_v_neg;
+  logic                            in_any;      // any hit will do: a ray from or to a light
+  logic                            in_leaves;   // from a surface: a bounce, or away to a light
+  logic                            in_plane, in_sphere;
+  // The ray begins beyond the lattice, and tests planes only.
+  logic                            in_far;
+  logic                            in_skips;    // the ray does not test such a primitive
 
   assign in_a    = in.a;
   assign in_b    = in.b;
@@ -162,13 +164,13 @@ module rc_tri (
 
   // t's divisor. In the sheared test it includes the direction's size as a factor; that product is
   // ready with those of the comparison.
-  logic [E-1:0] pre_den;
-  logic [D-1:0] pre_det;
+  logic [DenW-1:0]     pre_den;
+  logic [EdgeBits-1:0] pre_det;
 
   if (IsSheared) begin : gen_sheared
-    logic [M-1:0]   f0_size;
-    logic [D+M-1:0] f0_den;
-    logic [E-1:0]   f1_den, wide_den_q;
+    logic [M-1:0]          f0_size;
+    logic [EdgeBits+M-1:0] f0_den;
+    logic [DenW-1:0]       f1_den, wide_den_q;
 
     rc_shear u_shear (
       .clk_i, .valid_i(goes[Front-1:In]),
@@ -177,14 +179,14 @@ module rc_tri (
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
 
-    rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
+    rc_mul #(.AW(EdgeBits), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
 
-    rc_path_register #(.Width(E), .Stages(Pair - 1)) u_den_late (
-      .clk_i, .data_i(f0_den[E-1:0]), .data_o(f1_den));
+    rc_path_register #(.Width(DenW), .Stages(Pair - 1)) u_den_late (
+      .clk_i, .data_i(f0_den[DenW-1:0]), .data_o(f1_den));
 
     always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
-    rc_shift_register #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
+    rc_shift_register #(.Width(DenW), .Stages(Pre - Wide)) u_pre_den (
       .clk_i, .valid_i(goes[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
 
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
@@ -205,14 +207,14 @@ module rc_tri (
   // In parallel, the number and the hit to beat wait. A ray from a light must be blocked before its
   // end, t = 2^-B, and equality does not count. A ray away to a light has no end. A primitive that
   // the ray does not test always comes too late: the hit to beat is then at the ray's origin.
-  localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
+  localparam logic [EdgeBits-1:0] ShadowDet = EdgeBits'(1) << rc_pkg::OriginBits;
 
-  logic         in_found, in_first, wide_found, wide_first;
-  logic [U-1:0] in_best_num, f0_best_num;
-  logic [D-1:0] in_best_det, f0_best_det;
+  logic                in_found, in_first, wide_found, wide_first;
+  logic [NumBits-1:0]  in_best_num, f0_best_num;
+  logic [EdgeBits-1:0] in_best_det, f0_best_det;
 
   assign in_found    = in_skips || (in_any ? !in_leaves : in.found);
-  assign in_best_num = in_skips ? '0 : in_any ? U'(1) : in.best_num;
+  assign in_best_num = in_skips ? '0 : in_any ? NumBits'(1) : in.best_num;
   assign in_best_det = in_any ? ShadowDet : in.best_det;
   assign in_first    = in.prim <= in.best_prim && !in_any && !in_skips;
 
@@ -220,27 +222,30 @@ module rc_tri (
     .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
 
-  rc_interval_delay #(.Width(U + D), .Stages(Front - In), .Every(Interval)) u_best_hit (
+  rc_interval_delay #(.Width(NumBits + EdgeBits), .Stages(Front - In), .Every(Interval))
+  u_best_hit (
     .clk_i, .rst_ni, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
     .data_i({in_best_num, in_best_det}), .data_o({f0_best_num, f0_best_det}));
 
   // ---- The comparison: num / det against best_num / best_det, cross-multiplied; all four are
   // positive. A hit is closer, or equally close with a lower number.
-  logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
-  logic           f1_hit, wide_before, last_before, last_hit, pre_closer_q;
+  logic [NumBits+EdgeBits-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
+  logic                        f1_hit, wide_before, last_before, last_hit, pre_closer_q;
 
   if (Share == 1) begin : gen_at_once
-    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
+    rc_mul #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
-    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
+    rc_mul #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_theirs (
       .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
   end else if (rc_pkg::PairParts == 1) begin : gen_parts
-    rc_mul_parts #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Products(2), .Share(Share))
+    rc_mul_parts #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2), .Products(2),
+                   .Share(Share))
     u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end else begin : gen_shared
-    rc_mul_shared #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Share(Share)) u_products (
+    rc_mul_shared #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2), .Share(Share))
+    u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end
@@ -276,30 +281,31 @@ module rc_tri (
 
   // The hit waits for the comparison.
   localparam int unsigned Compare = Pre - Front;
-  logic [U-1:0] pre_num;
-  logic [D-1:0] pre_u, pre_v;
-  logic [P-1:0] pre_prim;
-  logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
+  logic [NumBits-1:0]  pre_num;
+  logic [EdgeBits-1:0] pre_u, pre_v;
+  logic [PrimBits-1:0] pre_prim;
+  logic                pre_any, pre_back, pre_u_neg, pre_v_neg;
 
-  rc_interval_delay #(.Width(U + 3 * D + 3), .Stages(Compare), .Every(Interval)) u_hit_aside (
+  rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
+  u_hit_aside (
     .clk_i, .rst_ni, .valid_i(goes[Pre-1:Front]), .there_i(flat[Pre-1:Front]),
     .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
     .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
 
-  rc_interval_delay #(.Width(P + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
+  rc_interval_delay #(.Width(PrimBits + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
     .clk_i, .rst_ni, .valid_i(goes[Pre-1:In]), .there_i(flat[Pre-1:In]),
     .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // ---- Divisions. Numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
-  logic         pre_divide, pre_block;
-  logic [T-1:0] t;
-  logic [V-1:0] u, v;
+  logic              pre_divide, pre_block;
+  logic [TBits-1:0]  t;
+  logic [UvBits-1:0] u, v;
 
   assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
   assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
 
-  rc_hitdiv #(.E(E)) u_hitdiv (
+  rc_hitdiv #(.DenW(DenW)) u_hitdiv (
     .clk_i, .valid_i(Cut != 0 || pre_divide), .there_i(pre_divide),
     .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
@@ -333,23 +339,24 @@ module rc_tri (
   logic [HitW-2:0] hit;
 
   if (rc_pkg::Spheres == 1) begin : gen_sphere
-    localparam int unsigned BallBestW = 2 + U + D;
+    localparam int unsigned BallBestW = 2 + NumBits + EdgeBits;
     localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
                                       - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);
 
     localparam int unsigned FlatLate  = Core - Flat;   // stages of waiting for the other
     localparam int unsigned BallLate  = Core - Ball;
-    localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
+    // Det of a sphere.
+    localparam logic [EdgeBits-1:0] Unit = EdgeBits'(1) << (M - 1 + rc_pkg::TFracBits);
 
     logic                 flat_closer, flat_block;
     logic [HitW-2:0]      flat_hit;
     logic [BallBestW-1:0] next_best, ball_best;
-    logic [P-1:0]         ball_prim;
+    logic [PrimBits-1:0]  ball_prim;
     logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
     logic                 late_closer, late_blocked, late_far;
-    logic [U-1:0]         ball_best_num;
-    logic [D-1:0]         ball_best_det;
-    logic [T-1:0]         ball_t, late_t;
+    logic [NumBits-1:0]   ball_best_num;
+    logic [EdgeBits-1:0]  ball_best_det;
+    logic [TBits-1:0]     ball_t, late_t;
     logic                 in_ball, in_ball_first, in_own, best_next;
 
     if (FlatLate == 0) begin : gen_flat_last
@@ -393,7 +400,7 @@ module rc_tri (
     rc_path_register #(.Width(BallBestW), .Stages(1)) u_best_last (
       .clk_i, .data_i(next_best), .data_o(ball_best));
 
-    rc_delay_ram #(.Width(P), .Stages(Core - In)) u_ball_prim (
+    rc_delay_ram #(.Width(PrimBits), .Stages(Core - In)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
 
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
@@ -407,14 +414,15 @@ module rc_tri (
       .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
 
-    rc_path_register #(.Width(T + 3), .Stages(BallLate)) u_ball_late (
+    rc_path_register #(.Width(TBits + 3), .Stages(BallLate)) u_ball_late (
       .clk_i, .data_i({ball_closer, ball_blocked, ball_far, ball_t}),
       .data_o({late_closer, late_blocked, late_far, late_t}));
 
     assign closer  = flat_closer || late_closer;
     assign blocked = flat_block || late_blocked;
     assign hit     = flat_closer ? flat_hit
-                   : {late_far, {(U-T){1'b0}}, late_t, Unit, ball_prim, late_t, {(2*V){1'b0}}};
+                   : {late_far, {(NumBits-TBits){1'b0}}, late_t, Unit, ball_prim, late_t,
+                      {(2*UvBits){1'b0}}};
   end else begin : gen_no_sphere
     assign closer  = closer_q[Divide-1];
     assign blocked = block_q[Divide-1];

@@ -61,15 +61,15 @@ module rc_list (
   input  logic              closest_ready_i,
   output rc_pkg::closest_t  closest_o
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned A        = rc_pkg::AddrBits;
-  localparam int unsigned O        = rc_pkg::OffsetBits;
-  localparam int unsigned C        = rc_pkg::CountBits;
-  localparam int unsigned G        = rc_pkg::GroupBits;
-  localparam int unsigned S        = rc_pkg::SlotBits;
-  localparam int unsigned W        = rc_pkg::NodeWidth;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned RayBits    = rc_pkg::RayBits;
+  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
+  localparam int unsigned CountBits  = rc_pkg::CountBits;
+  localparam int unsigned GroupBits  = rc_pkg::GroupBits;
+  localparam int unsigned SlotBits   = rc_pkg::SlotBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned Contexts   = rc_pkg::Contexts;
 
   // ---- The two events of a cycle: leaves from trav (in), an answer from tri (came). In a fast
   // chip the answer is in a register first.
@@ -96,8 +96,8 @@ module rc_list (
   localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
 
   logic                it_fires, it_closer;
-  logic [I-1:0]        it_ray;
-  logic [T-1:0]        it_came_t;
+  logic [RayBits-1:0]  it_ray;
+  logic [TBits-1:0]    it_came_t;
   rc_pkg::best_t       came_best;
   logic [BestW-1:0]    it_best;
   rc_pkg::kept_hit_t   came_hit;
@@ -117,12 +117,12 @@ module rc_list (
 
   rc_pulse_register u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
   rc_pulse_register u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
-  rc_path_register #(.Width(I + T + BestW + KeptHitW)) u_it_kept (
+  rc_path_register #(.Width(RayBits + TBits + BestW + KeptHitW)) u_it_kept (
     .clk_i, .data_i({came.ray, came.t, came_best, came_hit}),
     .data_o({it_ray, it_came_t, it_best, it_hit}));
 
   // ---- Best hits. found: the memories hold a hit of the ray.
-  logic [I-1:0]        start_ray;
+  logic [RayBits-1:0]  start_ray;
   logic [Contexts-1:0] found;
   logic                ends_at_any, it_blocked;
 
@@ -148,9 +148,9 @@ module rc_list (
   end
 
   // ---- Distances to beat.
-  logic [T-1:0]   old_t;   // distance to beat for came's ray; in a fast chip one cycle later
-  logic [2*T-1:0] nears;   // nearest points of the leaves that may follow
-  logic [1:0]     it_within, old_within;
+  logic [TBits-1:0]   old_t;   // distance to beat for came's ray; in a fast chip one cycle later
+  logic [2*TBits-1:0] nears;   // nearest points of the leaves that may follow
+  logic [1:0]         it_within, old_within;
 
   rc_ray_t_max #(.Nears(2)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
@@ -175,14 +175,14 @@ module rc_list (
 
   // ---- Cursors: leaf and triangle in flight per ray. They are 0, 0 until tri has answered once.
   logic [Contexts-1:0] moved;
-  logic [S-1:0]   cursor_leaf, next_leaf;
-  logic [C-1:0]   cursor_triangle, next_triangle;
-  logic [S+C-1:0] cursor, it_cursor;
-  logic           was_moved;
-  logic           end_fires;
-  logic [I-1:0]   end_ray;
+  logic [SlotBits-1:0]           cursor_leaf, next_leaf;
+  logic [CountBits-1:0]          cursor_triangle, next_triangle;
+  logic [SlotBits+CountBits-1:0] cursor, it_cursor;
+  logic                          was_moved;
+  logic                          end_fires;
+  logic [RayBits-1:0]            end_ray;
 
-  rc_ram #(.Width(S + C), .Depth(Contexts)) u_cursor (
+  rc_ram #(.Width(SlotBits + CountBits), .Depth(Contexts)) u_cursor (
     .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
     .write_data_i({next_leaf, next_triangle}),
     .read_addr_i(came.ray), .read_data_o(cursor));
@@ -196,15 +196,16 @@ module rc_list (
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. A fast
   // chip reads the ray's state in two cycles, compares in one, and sends in one.
-  logic           end_blocked;
-  logic [T-1:0]   it_t, end_t;
-  logic [A-1:0]   end_base;
-  logic [G-1:0]   group_leaves;
-  logic [W*T-1:0] group_near;
-  logic [W*O-1:0] group_offset;
-  logic [W*C-1:0] group_count;
+  logic                            end_blocked;
+  logic [TBits-1:0]                it_t, end_t;
+  logic [AddrBits-1:0]             end_base;
+  logic [GroupBits-1:0]            group_leaves;
+  logic [NodeWidth*TBits-1:0]      group_near;
+  logic [NodeWidth*OffsetBits-1:0] group_offset;
+  logic [NodeWidth*CountBits-1:0]  group_count;
 
-  rc_path_register #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
+  rc_path_register #(.Width(SlotBits + CountBits)) u_it (
+    .clk_i, .data_i(cursor), .data_o(it_cursor));
 
   assign it_t = it_closer ? it_came_t : old_t;
   assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
@@ -220,40 +221,46 @@ module rc_list (
   assign group_offset = group.offset;
   assign group_count  = group.count;
 
-  logic [S-1:0] at_next, it_leaf, it_next, end_leaf;
-  logic [C-1:0] leaf_count, end_triangle;
-  logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
-  logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
+  logic [SlotBits-1:0]   at_next, it_leaf, it_next, end_leaf;
+  logic [CountBits-1:0]  leaf_count, end_triangle;
+  logic                  more_triangles, more_leaves, end_more_triangles, end_more_leaves;
+  logic [OffsetBits-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
 
   // Whether another leaf follows: computed for both cursors, because the selection is known late.
-  logic [T-1:0] it_near;
-  logic         more_after_it, more_after_first;
+  logic [TBits-1:0] it_near;
+  logic             more_after_it, more_after_first;
 
-  assign it_leaf     = it_cursor[C +: S];
-  assign it_next     = it_leaf + S'(1);
-  assign nears       = {it_near, group_near[T +: T]};
-  assign it_within   = it_closer ? {it_near <= it_came_t, nears[T-1:0] <= it_came_t} : old_within;
+  assign it_leaf     = it_cursor[CountBits +: SlotBits];
+  assign it_next     = it_leaf + SlotBits'(1);
+  assign nears       = {it_near, group_near[TBits +: TBits]};
+  assign it_within   = it_closer ? {it_near <= it_came_t, nears[TBits-1:0] <= it_came_t}
+                     : old_within;
 
   always_comb begin
     leaf_count  = '0;
     this_offset = '0;
     next_offset = '0;
     it_near     = '0;
-    for (int i = 0; i < W; i++) begin
-      if (cursor_leaf == S'(i)) leaf_count  = leaf_count | group_count[i*C +: C];
-      if (cursor_leaf == S'(i)) this_offset = this_offset | group_offset[i*O +: O];
-      if (at_next == S'(i))     next_offset = next_offset | group_offset[i*O +: O];
-      if (it_next == S'(i))     it_near     = it_near | group_near[i*T +: T];
+    for (int i = 0; i < NodeWidth; i++) begin
+      if (cursor_leaf == SlotBits'(i)) begin
+        leaf_count  = leaf_count | group_count[i*CountBits +: CountBits];
+        this_offset = this_offset | group_offset[i*OffsetBits +: OffsetBits];
+      end
+      if (at_next == SlotBits'(i))
+        next_offset = next_offset | group_offset[i*OffsetBits +: OffsetBits];
+      if (it_next == SlotBits'(i))     it_near     = it_near | group_near[i*TBits +: TBits];
     end
   end
 
-  assign at_next          = cursor_leaf + S'(1);
-  assign more_triangles   = cursor_triangle + C'(1) < leaf_count;
-  assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_within[1];
-  assign more_after_first = group_leaves > G'(1) && it_within[0];
+  assign at_next          = cursor_leaf + SlotBits'(1);
+  assign more_triangles   = cursor_triangle + CountBits'(1) < leaf_count;
+  assign more_after_it    = {{(GroupBits-SlotBits){1'b0}}, it_leaf} + GroupBits'(1) < group_leaves
+                          && it_within[1];
+  assign more_after_first = group_leaves > GroupBits'(1) && it_within[0];
   assign more_leaves      = was_moved ? more_after_it : more_after_first;
 
-  rc_path_register #(.Width(I + 3 + T + A + S + C + 2 * O)) u_end (
+  rc_path_register #(.Width(RayBits + 3 + TBits + AddrBits + SlotBits + CountBits + 2 * OffsetBits))
+  u_end (
     .clk_i,
     .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group.base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
@@ -262,28 +269,29 @@ module rc_list (
 
   rc_pulse_register u_end_fires (.clk_i, .rst_ni, .fires_i(it_fires), .fires_o(end_fires));
 
-  assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + S'(1);
-  assign next_triangle = end_more_triangles ? end_triangle + C'(1) : '0;
+  assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + SlotBits'(1);
+  assign next_triangle = end_more_triangles ? end_triangle + CountBits'(1) : '0;
   assign end_offset    = end_more_triangles ? end_this_offset : end_next_offset;
   assign tri_prim      = (end_more_triangles || end_more_leaves) && !end_blocked;
 
   // ---- Triangles to fetch.
-  logic         next_valid, next_ready, first_valid, first_ready;
-  logic [I+A:0] next_data, first_data;
-  logic [A:0]   next_addr, first_addr;
+  logic                      next_valid, next_ready, first_valid, first_ready;
+  logic [RayBits+AddrBits:0] next_data, first_data;
+  logic [AddrBits:0]         next_addr, first_addr;
 
-  assign next_addr  = {end_base, 1'b0} + {{(A+1-O){1'b0}}, end_offset}
-      + {{(A+1-C){1'b0}}, next_triangle};
-  assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in.offset[O-1:0]};
+  assign next_addr  = {end_base, 1'b0} + {{(AddrBits+1-OffsetBits){1'b0}}, end_offset}
+      + {{(AddrBits+1-CountBits){1'b0}}, next_triangle};
+  assign first_addr = {in.base, 1'b0}
+                    + {{(AddrBits+1-OffsetBits){1'b0}}, in.offset[OffsetBits-1:0]};
 
-  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_next (
+  rc_queue #(.Width(RayBits + AddrBits + 1), .Depth(Contexts)) u_next (
     .clk_i, .rst_ni, .push_i(end_fires && tri_prim), .data_i({end_ray, next_addr}),
     .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
-  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_first (
+  rc_queue #(.Width(RayBits + AddrBits + 1), .Depth(Contexts)) u_first (
     .clk_i, .rst_ni, .push_i(in_fires), .data_i({in.ray, first_addr}),
     .valid_o(first_valid), .pop_i(first_valid && first_ready), .data_o(first_data));
 
-  rc_priority_merge #(.Width(I + A + 1)) u_prim (
+  rc_priority_merge #(.Width(RayBits + AddrBits + 1)) u_prim (
     .clk_i, .rst_ni,
     .first_valid_i(next_valid), .first_ready_o(next_ready), .first_i(next_data),
     .second_valid_i(first_valid), .second_ready_o(first_ready), .second_i(first_data),
@@ -305,7 +313,7 @@ module rc_list (
   // ---- To tri: the ray, the primitive and the hit to beat.
   localparam int unsigned TriRayW = rc_pkg::TriRayW;
   logic               keep, keeps, tri_found;
-  logic [I-1:0]       keep_ray, keeps_ray;
+  logic [RayBits-1:0] keep_ray, keeps_ray;
   rc_pkg::tri_ray_t   ray_for_tri;   // the record omits members that this chip does not use
   logic [TriRayW-1:0] keeps_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
@@ -360,7 +368,7 @@ module rc_list (
 
   // A fast chip stores the ray one cycle later. Its first primitive comes much later.
   rc_pulse_register u_keeps (.clk_i, .rst_ni, .fires_i(keep), .fires_o(keeps));
-  rc_path_register #(.Width(I + TriRayW)) u_keeps_ray (
+  rc_path_register #(.Width(RayBits + TriRayW)) u_keeps_ray (
     .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
 
   rc_ram_prefetch #(.Width(TriRayW), .Depth(Contexts)) u_ray (
@@ -379,8 +387,8 @@ module rc_list (
   if (rc_pkg::Cut == 0) begin : gen_found_now
     assign tri_found = found[prim_rsp_i.ray];
   end else begin : gen_found_before
-    logic         asked_q, was_found;
-    logic [I-1:0] asked_ray_q;
+    logic               asked_q, was_found;
+    logic [RayBits-1:0] asked_ray_q;
 
     always_ff @(posedge clk_i) begin
       asked_q     <= prim_req_valid_o && prim_req_ready_i;
@@ -434,13 +442,13 @@ module rc_list (
   // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
   // placed far from the other state of a hit.
   logic                kept, is_found;
-  logic [I-1:0]        kept_ray;
+  logic [RayBits-1:0]  kept_ray;
   logic [KeptHitW-1:0] kept_hit, end_hit;
   rc_pkg::kept_hit_t   closest_hit;
 
   rc_pulse_register #(.Stages(rc_pkg::FarCut)) u_is_kept (
     .clk_i, .rst_ni, .fires_i(it_closer), .fires_o(kept));
-  rc_path_register #(.Width(I + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
+  rc_path_register #(.Width(RayBits + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
     .clk_i, .data_i({it_ray, it_hit}), .data_o({kept_ray, kept_hit}));
 
   rc_ram_prefetch #(.Width(KeptHitW), .Depth(Contexts)) u_hit (
@@ -461,13 +469,13 @@ module rc_list (
   end
 
   if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in
-    logic [A-1:0] here, it_here, end_place;
+    logic [AddrBits-1:0] here, it_here, end_place;
 
-    rc_path_register #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
-    rc_ram #(.Width(A), .Depth(Contexts)) u_here (
+    rc_path_register #(.Width(AddrBits)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
+    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
       .read_addr_i(came.ray), .read_data_o(here));
-    rc_ram_prefetch #(.Width(A), .Depth(Contexts)) u_place (
+    rc_ram_prefetch #(.Width(AddrBits), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
       .read_data_o(end_place));

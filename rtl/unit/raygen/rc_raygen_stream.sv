@@ -17,12 +17,12 @@ module rc_raygen_stream (
   output rc_pkg::ray_t    ray_o,
   output logic            occupied_o      // begins no ray: the last one is in division
 );
-  localparam int unsigned D       = rc_pkg::RayDirBits;
-  localparam int unsigned R1      = rc_pkg::RecipBits + 1;
-  localparam int unsigned E       = rc_pkg::ExpBits;
-  localparam int unsigned Latency = rc_pkg::RaygenLatency;
-  localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned RecordW = rc_pkg::RecordW;
+  localparam int unsigned RayDirBits = rc_pkg::RayDirBits;
+  localparam int unsigned R1         = rc_pkg::RecipBits + 1;
+  localparam int unsigned ExpBits    = rc_pkg::ExpBits;
+  localparam int unsigned Latency    = rc_pkg::RaygenLatency;
+  localparam int unsigned Every      = rc_pkg::RaygenInterval;
+  localparam int unsigned RecordW    = rc_pkg::RecordW;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a ray.
   logic               admit;
@@ -54,10 +54,10 @@ module rc_raygen_stream (
   always_ff @(posedge clk_i) if (moves[0]) s1_q <= record_i;
 
   // s1: reciprocals of the direction.
-  logic [3*D-1:0]  s1_d;
-  logic [3*R1-1:0] recip;
-  logic [3*E-1:0]  len;
-  logic            s1_short;
+  logic [3*RayDirBits-1:0] s1_d;
+  logic [3*R1-1:0]         recip;
+  logic [3*ExpBits-1:0]    len;
+  logic                    s1_short;
 
   assign s1_d     = s1_q.d;
   assign s1_short = s1_q.kind != rc_pkg::RayShadow;
@@ -65,8 +65,8 @@ module rc_raygen_stream (
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_recip #(.Every(Every)) u_recip (
       .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[1] : moves[1]), .short_i(s1_short),
-      .d_i($signed(s1_d[k*D +: D])),
-      .recip_o(recip[k*R1 +: R1]), .len_o(len[k*E +: E]));
+      .d_i($signed(s1_d[k*RayDirBits +: RayDirBits])),
+      .recip_o(recip[k*R1 +: R1]), .len_o(len[k*ExpBits +: ExpBits]));
   end
 
   // The record is delayed to match them.
@@ -79,7 +79,7 @@ module rc_raygen_stream (
   // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
   // without a home: with two levels no recorded ray starts from an instance.
   localparam int unsigned HomeW =
-      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * E : 0;
+      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * ExpBits : 0;
 
   rc_pkg::record_t         last;
   logic                    queue_ready;
