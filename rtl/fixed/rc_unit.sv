@@ -38,7 +38,7 @@ module rc_unit #(
 
   always_ff @(posedge clk_i) if (ends[0]) s1_size_q <= s0_size;
   rc_shift_register #(.Width(3), .Stages(Stages)) u_neg (
-    .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
+    .clk_i, .enable_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: bit length of the longest component.
   logic [VectorW-1:0]   s1_any, s1_any_late;
@@ -138,9 +138,9 @@ module rc_unit #(
   logic        s7_low;
 
   rc_shift_register #(.Width(51), .Stages(3)) u_a (
-    .clk_i, .valid_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
+    .clk_i, .enable_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
   rc_shift_register #(.Width(1), .Stages(2)) u_low (
-    .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
+    .clk_i, .enable_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
 
   localparam logic [37:0] SizeHalf = 38'd1 << 18;   // half the last bit that s8_size_q keeps
 

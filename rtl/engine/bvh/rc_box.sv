@@ -53,20 +53,20 @@ module rc_box (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(occupied_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
 
-  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
 
   // The same for beats, up to Met. A node's first beat is where the node is; its last is Beats - 1
   // behind.
-  logic [Met:0] beats, beat_moves;
+  logic [Met:0] beats, beat_enable;
 
   for (genvar i = 0; i <= Met; i++) begin : gen_beats
     assign beats[i] = |valid[i+Beats-1:i];
   end
 
-  assign beat_moves = beats | {(Met+1){rc_pkg::Cut != 0}};
+  assign beat_enable = beats | {(Met+1){rc_pkg::Cut != 0}};
 
   // The node in the front stage, with its planes from this beat on. With one beat this is the
   // request. Fields that do not go to the slabs are used with the first beat only.
@@ -127,7 +127,7 @@ module rc_box (
   // The children's planes wait until the distance to the node's corner is ready. Memory holds them
   // child by child; each slab uses those of its axis.
   rc_shift_register #(.Width(6 * Lanes * BoxBits), .Stages(rc_pkg::SlabPlanes)) u_planes (
-    .clk_i, .valid_i(beat_moves[In+rc_pkg::SlabPlanes-1:In]),
+    .clk_i, .enable_i(beat_enable[In+rc_pkg::SlabPlanes-1:In]),
     .data_i({in_lo[3*Lanes*BoxBits-1:0], in_hi[3*Lanes*BoxBits-1:0]}),
     .data_o({plane_lo, plane_hi}));
 
@@ -144,7 +144,7 @@ module rc_box (
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
-      .clk_i, .valid_i(beat_moves[Meet:In]),
+      .clk_i, .enable_i(beat_enable[Meet:In]),
       .s0_o_i($signed(in_o[k*OriginWidth +: OriginWidth])), .s0_org_i($signed(in_org[k*N +: N])),
       .s0_neg_i(in_neg[k]),
       .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*ExpBits +: ExpBits]),
@@ -205,7 +205,7 @@ module rc_box (
     assign all_near = {near_t, near_q};
 
     always_ff @(posedge clk_i) begin
-      if (beat_moves[Met]) begin
+      if (beat_enable[Met]) begin
         met_q  <= all_met[NodeWidth-1:Lanes];
         near_q <= all_near[NodeWidth*TBits-1:Lanes*TBits];
       end
@@ -216,7 +216,7 @@ module rc_box (
   logic [rc_pkg::BoxRspW-1:0] rsp;
 
   rc_node_answer #(.Latency(Latency)) u_answer (
-    .clk_i, .rst_ni, .moves_i(moves[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
     .kind_i(in.kind), .met_i(all_met), .near_i(all_near), .end_valid_i(valid_q[Latency-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
@@ -228,7 +228,7 @@ module rc_box (
 `endif
 
   logic unused;
-  assign unused = ^{near, far, valid[Latency], moves[Latency], beats, beat_moves, held, in_lo,
+  assign unused = ^{near, far, valid[Latency], enable[Latency], beats, beat_enable, held, in_lo,
                     in_hi};
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // One axis of the slab test, for the children of one beat. For each slab it gives the times at
 // which the ray enters, rounded down, and leaves, rounded up.
 //
-// Part of rc_box, which has the valid bits. The ray and the node come with valid_i[0], the planes
-// rc_pkg::SlabPlanes later. The intervals come rc_pkg::SlabStages after valid_i[0].
+// Part of rc_box, which has the valid bits. The ray and the node come with enable_i[0], the planes
+// rc_pkg::SlabPlanes later. The intervals come rc_pkg::SlabStages after enable_i[0].
 //
 // An origin with fraction bits lies between two lattice points. Near planes are measured from the
 // point that lies further along the ray, far planes from the other one. This costs at most one
@@ -21,8 +21,8 @@ module rc_slab #(
   localparam int unsigned Stages      = rc_pkg::SlabStages
 ) (
   input  logic                          clk_i,
-  // valid_i[i]: stage i holds a node, or the chip is fast
-  input  logic [Stages:0]               valid_i,
+  // enable_i[i]: stage i holds a node, or the chip is fast
+  input  logic [Stages:0]               enable_i,
   // Ray, and the node's corner and exponent
   input  logic signed [OriginWidth-1:0] s0_o_i,
   input  logic signed [N-1:0]           s0_org_i,
@@ -79,7 +79,7 @@ module rc_slab #(
   logic signed [ShiftW-1:0]    s1_shift_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) begin
+    if (enable_i[0]) begin
       s1_distance_q <= s0_neg_i
           ? DistanceW'(s0_point) - DistanceW'(s0_org_i)
           : DistanceW'(s0_org_i) - DistanceW'(s0_point)
@@ -128,7 +128,7 @@ module rc_slab #(
   logic signed [ProductW-1:0] placed_near_q, placed_far_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Placed-1]) begin
+    if (enable_i[Placed-1]) begin
       placed_near_q <= node_near >>> node_exp;
       placed_far_q  <= node_far >>> node_exp;
     end
@@ -145,7 +145,7 @@ module rc_slab #(
   assign s1_move = s1_shift_q > $signed(ShiftW'(TBits)) ? '0 : $signed(ShiftW'(TBits)) - s1_shift_q;
 
   rc_shift_register #(.Width(RightW + 1), .Stages(Placed - 1)) u_move (
-    .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[RightW-1:0], s1_zero_q}),
+    .clk_i, .enable_i(enable_i[Placed-1:1]), .data_i({s1_move[RightW-1:0], s1_zero_q}),
     .data_o({placed_move, placed_zero}));
 
   assign placed_right = placed_move > RightW'(TBits) ? placed_move - RightW'(TBits) : '0;
@@ -167,7 +167,7 @@ module rc_slab #(
   logic               plane_neg, plane_zero;
 
   rc_shift_register #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
-    .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
+    .clk_i, .enable_i(enable_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
     .data_o({plane_r, plane_neg, plane_zero}));
 
   assign plane_near = {plane_neg, {R1{plane_neg}} ^ plane_r} + {{R1{1'b0}}, plane_neg};
@@ -180,7 +180,7 @@ module rc_slab #(
   logic              zero_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Sum-1]) begin
+    if (enable_i[Sum-1]) begin
       over_q <= {SumW{1'b1}} << ready_move;
       move_q <= ready_move;
       zero_q <= ready_zero;
@@ -195,8 +195,8 @@ module rc_slab #(
 `ifdef SYNTHESIS
   assign {holds, is_there} = 2'b11;
 `else
-  assign holds    = Cut != 0 || valid_i[Sum-1];
-  assign is_there = valid_i[Sum];
+  assign holds    = Cut != 0 || enable_i[Sum-1];
+  assign is_there = enable_i[Sum];
 `endif
 
   // ---- Children: planes in the order in which the ray meets them, and their products.
@@ -221,7 +221,7 @@ module rc_slab #(
     assign far       = ready_far + far_path;
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[Sum-1]) begin
+      if (enable_i[Sum-1]) begin
         near_q   <= ready_near + near_path;
         up_q     <= ready_up + far_path;
         behind_q <= far[SumW-1];
@@ -274,6 +274,6 @@ module rc_slab #(
   end
 
   logic unused;
-  assign unused = ^{valid_i, s1_between_q, s1_move[ShiftW-1:RightW], fine_move[RightW-1:3]};
+  assign unused = ^{enable_i, s1_between_q, s1_move[ShiftW-1:RightW], fine_move[RightW-1:3]};
 endmodule
 `default_nettype wire

@@ -67,7 +67,7 @@ module rc_cell_answer #(
     assign {box_enter, box_leave, box_met} = {enter, leave, there};
   end else begin : gen_early
     rc_shift_register #(.Width(2 * TBits + 1), .Stages(Wait)) u_wait (
-      .clk_i, .valid_i(valid_i[Box+Wait-1:Box]), .data_i({enter, leave, there}),
+      .clk_i, .enable_i(valid_i[Box+Wait-1:Box]), .data_i({enter, leave, there}),
       .data_o({box_enter, box_leave, box_met}));
   end
 
@@ -81,7 +81,7 @@ module rc_cell_answer #(
 
   // Their order, and the result queue.
   rc_node_answer #(.Latency(Latency), .Exits(1'b1)) u_answer (
-    .clk_i, .rst_ni, .moves_i(valid_i[Latency-1:0]), .ray_i, .base_i, .kind_i,
+    .clk_i, .rst_ni, .enable_i(valid_i[Latency-1:0]), .ray_i, .base_i, .kind_i,
     .met_i(met), .near_i(near), .end_valid_i(valid_i[Latency]), .rsp_valid_o, .rsp_ready_i, .rsp_o);
 endmodule
 `default_nettype wire

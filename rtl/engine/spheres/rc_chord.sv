@@ -16,7 +16,7 @@ module rc_chord #(
   localparam int unsigned WayW       = N + 7                 // width of the way to the node
 ) (
   input  logic           clk_i,
-  input  logic [Stages-1:0] moves_i,
+  input  logic [Stages-1:0] enable_i,
   // Globe
   input  logic [3*GlobeBits-1:0]  s0_centre_i,
   input  logic [GlobeBits-1:0]    s0_radius_i,
@@ -55,7 +55,7 @@ module rc_chord #(
   logic [GlobeBits-1:0]   radius_q, radius;
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[0]) {centre_q, radius_q} <= {s0_centre_i, s0_radius_i};
+    if (enable_i[0]) {centre_q, radius_q} <= {s0_centre_i, s0_radius_i};
   end
 
   // The distance, axis by axis, and its square.
@@ -77,7 +77,7 @@ module rc_chord #(
       .clk_i, .a_i($signed({1'b0, centre_q[Axis2*GlobeBits +: GlobeBits]})),
       .b_i($signed(toward_i[Axis1*TowardBits +: TowardBits])), .p_o(ba));
 
-    always_ff @(posedge clk_i) if (moves_i[Mul+1]) moment_q <= ab - ba;
+    always_ff @(posedge clk_i) if (enable_i[Mul+1]) moment_q <= ab - ba;
     rc_path_register #(.Width(ProductW), .Stages(2 * Cut)) u_late (
       .clk_i, .data_i(moment_q), .data_o(moment_late));
 
@@ -87,7 +87,7 @@ module rc_chord #(
     assign size = ($unsigned(all_q) ^ {SumW{all_q[SumW-1]}}) >> Drop;
 
     always_ff @(posedge clk_i) begin
-      if (moves_i[Far-1]) begin
+      if (enable_i[Far-1]) begin
         far_q     <= size[FarW-1:0];
         over_q[k] <= |size[SumW-1:FarW];
       end
@@ -107,11 +107,11 @@ module rc_chord #(
     .clk_i, .data_i(squares[4*FarW +: 2*FarW]), .data_o(third_q));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[Both-1]) sum_q <= {1'b0, two_q} + {2'b0, third_q};
+    if (enable_i[Both-1]) sum_q <= {1'b0, two_q} + {2'b0, third_q};
   end
 
   rc_shift_register #(.Width(3), .Stages(Both - Far)) u_over (
-    .clk_i, .valid_i(moves_i[Both-1:Far]), .data_i(over_q), .data_o(over));
+    .clk_i, .enable_i(enable_i[Both-1:Far]), .data_i(over_q), .data_o(over));
 
   // The radius, its square, and that square times the direction's. Rounding costs 3 in any node.
   logic [ReachW-1:0]              reach_q;
@@ -123,20 +123,20 @@ module rc_chord #(
   rc_path_register #(.Width(GlobeBits), .Stages(4 * Cut)) u_radius (
     .clk_i, .data_i(radius_q), .data_o(radius));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + ReachW'(slack_i);
+    if (enable_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + ReachW'(slack_i);
   end
 
   rc_mul #(.AW(ReachW), .BW(ReachW), .Signed(1'b0)) u_reach (
     .clk_i, .a_i(reach_q), .b_i(reach_q), .p_o(reach_square));
   always_ff @(posedge clk_i) begin
     // less than 2^15.02 squared
-    if (moves_i[Reach+Mul]) reach_square_q <= reach_square[2*ReachW-2:0];
+    if (enable_i[Reach+Mul]) reach_square_q <= reach_square[2*ReachW-2:0];
   end
 
   rc_mul #(.AW(2 * ReachW - 1), .BW(TowardBits), .Signed(1'b0)) u_most (
     .clk_i, .a_i(reach_square_q), .b_i(square_i), .p_o(most));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Both-1]) most_q <= SquareW'(most[2*ReachW+TowardBits-2:14]);
+    if (enable_i[Both-1]) most_q <= SquareW'(most[2*ReachW+TowardBits-2:14]);
   end
 
   // Half the chord, rounded up: a square root from a table.
@@ -180,7 +180,7 @@ module rc_chord #(
     .clk_i, .data_i(there), .data_o(there_late));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[Half-1]) {there_q, half_q} <= {there_late, half};
+    if (enable_i[Half-1]) {there_q, half_q} <= {there_late, half};
   end
 
   // The way to the centre along the ray: the way to the node plus the way from there. A globe is
@@ -205,16 +205,16 @@ module rc_chord #(
   rc_path_register #(.Width(ProductW + 2)) u_on_third (
     .clk_i, .data_i((ProductW + 2)'($signed(parts[2*ProductW +: ProductW]))), .data_o(on_third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[Mul+1+Cut]) on_q <= on_two_q + on_third_q;
+  always_ff @(posedge clk_i) if (enable_i[Mul+1+Cut]) on_q <= on_two_q + on_third_q;
 
   assign on_eighths = (WayW + 1)'(on_q >>> Drop);
   rc_shift_register #(.Width(WayW + 1), .Stages(1 + 2 * Cut)) u_on (
-    .clk_i, .valid_i(moves_i[Mul+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
+    .clk_i, .enable_i(enable_i[Mul+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
 
-  always_ff @(posedge clk_i) if (moves_i[Along]) way_q <= (WayW + 1)'($signed(way_i)) + on;
+  always_ff @(posedge clk_i) if (enable_i[Along]) way_q <= (WayW + 1)'($signed(way_i)) + on;
 
   rc_shift_register #(.Width(WayW + 1), .Stages(Half - Along - 1)) u_way (
-    .clk_i, .valid_i(moves_i[Half-1:Along+1]), .data_i(way_q), .data_o(way));
+    .clk_i, .enable_i(enable_i[Half-1:Along+1]), .data_i(way_q), .data_o(way));
 
   // The way minus half the chord: where the ray enters the globe.
   logic signed [WayW+1:0] less, more, less_q, more_q;
@@ -232,7 +232,7 @@ module rc_chord #(
   assign times_way   = less_q[WayW+1] ? '0 : less_q[WayW-1:0];
 
   rc_shift_register #(.Width(1), .Stages(Mul + 1)) u_met (
-    .clk_i, .valid_i(moves_i[Less +: Mul+1]), .data_i(times_there), .data_o(met_late));
+    .clk_i, .enable_i(enable_i[Less +: Mul+1]), .data_i(times_there), .data_o(met_late));
 
   // The time of that point. An overflow at the top saturates.
   localparam int unsigned TimesW = WayW + 17;
@@ -245,7 +245,7 @@ module rc_chord #(
   rc_mul #(.AW(WayW), .BW(17), .Signed(1'b0)) u_times (
     .clk_i, .a_i(times_way), .b_i(inverse_i), .p_o(times));
 
-  always_ff @(posedge clk_i) if (moves_i[Times-1]) times_q <= times;
+  always_ff @(posedge clk_i) if (enable_i[Times-1]) times_q <= times;
 
   assign over_mask = {TimesW{1'b1}} << right_i;
   assign moved     = {times_q, {TBits{1'b0}}} >> {right_i[5:3], 3'd0};
@@ -260,7 +260,7 @@ module rc_chord #(
   assign near_o = TBits'(rest_q >> fine) | {TBits{many_q}};
 
   logic unused;
-  assign unused = ^{moves_i, reach_square[2*ReachW-1], most[13:0], slack_i, wide[7:0], less_q[WayW],
-                    moved[TimesW+TBits-1:TBits+7]};
+  assign unused = ^{enable_i, reach_square[2*ReachW-1], most[13:0], slack_i, wide[7:0],
+                    less_q[WayW], moved[TimesW+TBits-1:TBits+7]};
 endmodule
 `default_nettype wire

@@ -35,9 +35,9 @@ module rc_globe (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
-  assign moves = valid | {(Latency+1){Cut != 0}};
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
+  assign enable = valid | {(Latency+1){Cut != 0}};
 
   // The node, unpacked.
   rc_pkg::globe_req_t           in;
@@ -60,7 +60,8 @@ module rc_globe (
   logic [5:0]                    right;
 
   rc_sight u_sight (
-    .clk_i, .moves_i(moves[In +: GlobeStages]), .s0_o_i(in.o), .s0_org_i(in.org), .s0_exp_i(in.exp),
+    .clk_i, .enable_i(enable[In +: GlobeStages]), .s0_o_i(in.o), .s0_org_i(in.org),
+    .s0_exp_i(in.exp),
     .s0_toward_i(in.toward), .s0_len_i(in.len), .toward_o(toward), .moment_o(moment), .way_o(way),
     .slack_o(slack), .square_o(square), .inverse_o(inverse), .right_o(right));
 
@@ -75,7 +76,7 @@ module rc_globe (
 
   for (genvar i = 0; i < NodeWidth; i++) begin : gen_child
     rc_chord u_chord (
-      .clk_i, .moves_i(moves[In +: GlobeStages]),
+      .clk_i, .enable_i(enable[In +: GlobeStages]),
       .s0_centre_i(in_centre[3*i*GlobeBits +: 3*GlobeBits]),
       .s0_radius_i(in_radius[i*GlobeBits +: GlobeBits]), .toward_i(toward), .moment_i(moment),
       .way_i(way), .slack_i(slack), .square_i(square), .inverse_i(inverse), .right_i(right),
@@ -86,13 +87,13 @@ module rc_globe (
   logic [rc_pkg::GlobeRspW-1:0] rsp;
 
   rc_node_answer #(.Latency(Latency)) u_answer (
-    .clk_i, .rst_ni, .moves_i(moves[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
     .kind_i(in.kind), .met_i(met), .near_i(near), .end_valid_i(valid_q[Latency-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
 
   logic unused;
-  assign unused = ^{valid[Latency], moves[Latency]};
+  assign unused = ^{valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

@@ -25,7 +25,7 @@ module rc_sight #(
   localparam int unsigned WayW        = N + 7                      // a way along the ray, signed
 ) (
   input  logic            clk_i,
-  input  logic [Stages-1:0] moves_i,   // moves_i[i]: the register after stage i accepts its input
+  input  logic [Stages-1:0] enable_i,   // enable_i[i]: the register after stage i accepts its input
   // Ray, and the node's corner and exponent
   input  logic [3*OriginWidth-1:0] s0_o_i,
   input  logic [3*N-1:0]           s0_org_i,
@@ -57,7 +57,7 @@ module rc_sight #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[0]) begin
+    if (enable_i[0]) begin
       way_q    <= s0_way;
       toward_o <= s0_toward_i;
       exp_q    <= s0_exp_i;
@@ -69,7 +69,7 @@ module rc_sight #(
   logic [2:0]         fine;
 
   rc_shift_register #(.Width(ExpBits), .Stages(1 + Mul)) u_exp (
-    .clk_i, .valid_i(moves_i[Mul+1:1]), .data_i(exp_q), .data_o(moment_exp));
+    .clk_i, .enable_i(enable_i[Mul+1:1]), .data_i(exp_q), .data_o(moment_exp));
   rc_path_register #(.Width(3)) u_fine (.clk_i, .data_i(moment_exp[2:0]), .data_o(fine));
 
   for (genvar k = 0; k < 3; k++) begin : gen_moment
@@ -85,7 +85,7 @@ module rc_sight #(
       .clk_i, .a_i($signed(way_q[Axis2*AxisW +: AxisW])),
       .b_i($signed(toward_o[Axis1*TowardBits +: TowardBits])), .p_o(ba));
 
-    always_ff @(posedge clk_i) if (moves_i[Mul+1]) moment_q <= MomentW'(ab) - MomentW'(ba);
+    always_ff @(posedge clk_i) if (enable_i[Mul+1]) moment_q <= MomentW'(ab) - MomentW'(ba);
 
     assign coarse = moment_q >>> {moment_exp[ExpBits-1:3], 3'd0};
     rc_path_register #(.Width(MomentW)) u_coarse (.clk_i, .data_i(coarse), .data_o(coarse_q));
@@ -120,7 +120,7 @@ module rc_sight #(
   rc_path_register #(.Width(AlongW)) u_along_two (.clk_i, .data_i(two), .data_o(two_q));
   rc_path_register #(.Width(AlongW)) u_along_third (.clk_i, .data_i(third), .data_o(third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[Mul+1+Cut]) along_q <= two_q + third_q;
+  always_ff @(posedge clk_i) if (enable_i[Mul+1+Cut]) along_q <= two_q + third_q;
   rc_path_register #(.Width(ExpBits)) u_along_exp (.clk_i, .data_i(moment_exp), .data_o(along_exp));
 
   assign along_coarse = along_q >>> {along_exp[ExpBits-1:3], 3'd0};
@@ -131,7 +131,7 @@ module rc_sight #(
   assign along_placed = along_fine >>> along_rest;
   rc_path_register #(.Width(AlongW)) u_along (.clk_i, .data_i(along_placed), .data_o(along));
 
-  always_ff @(posedge clk_i) if (moves_i[Mul+2+3*Cut]) way_o <= WayW'(along >>> Drop);
+  always_ff @(posedge clk_i) if (enable_i[Mul+2+3*Cut]) way_o <= WayW'(along >>> Drop);
 
   // slack. The distance to the node is the sum over the axes. A direction is off by less than 2^-16
   // of that distance. An origin between lattice points was moved by less than 14 eighths of a step.
@@ -185,18 +185,18 @@ module rc_sight #(
   rc_path_register #(.Width(2 * TowardBits)) u_square_third (
     .clk_i, .data_i(squares[4*TowardBits +: 2*TowardBits]), .data_o(square_third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[Mul+Cut]) square_q <= square_two_q + square_third_q;
+  always_ff @(posedge clk_i) if (enable_i[Mul+Cut]) square_q <= square_two_q + square_third_q;
 
   assign up = square_q[2*TowardBits-1:TowardBits] + TowardBits'(1);
   rc_shift_register #(.Width(TowardBits), .Stages(2 + 3 * Cut)) u_up (
-    .clk_i, .valid_i(moves_i[Mul+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
+    .clk_i, .enable_i(enable_i[Mul+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
 
   rc_inverse u_inverse (
-    .clk_i, .last_moves_i(moves_i[1+2*Mul+3*Cut]), .square_i(square_q), .n_o(n),
+    .clk_i, .last_enable_i(enable_i[1+2*Mul+3*Cut]), .square_i(square_q), .n_o(n),
     .inverse_o(inverse));
 
   rc_shift_register #(.Width(17), .Stages(3 + 6 * Cut)) u_late_inverse (
-    .clk_i, .valid_i(moves_i[2+2*Mul+3*Cut +: 3+6*Cut]), .data_i(inverse), .data_o(inverse_o));
+    .clk_i, .enable_i(enable_i[2+2*Mul+3*Cut +: 3+6*Cut]), .data_i(inverse), .data_o(inverse_o));
 
   // right. Left shifts by TBits or more saturate.
   localparam int unsigned ShiftW = 8;   // shift, signed
@@ -209,23 +209,23 @@ module rc_sight #(
   logic [5:0]               right_q;
 
   rc_shift_register #(.Width(2 * ExpBits), .Stages(1 + Mul + Cut)) u_len (
-    .clk_i, .valid_i(moves_i[Mul+Cut:0]), .data_i({s0_len_i, s0_exp_i}),
+    .clk_i, .enable_i(enable_i[Mul+Cut:0]), .data_i({s0_len_i, s0_exp_i}),
     .data_o({len_q, shift_exp}));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[1+Mul+Cut])
+    if (enable_i[1+Mul+Cut])
       shift_q <= ShiftBase - $signed({{(ShiftW-ExpBits){1'b0}}, len_q})
           + $signed({{(ShiftW-ExpBits){1'b0}}, shift_exp})
           - $signed({{(ShiftW-2){1'b0}}, n});
-    if (moves_i[2+Mul+Cut]) right_q <= move[5:0];
+    if (enable_i[2+Mul+Cut]) right_q <= move[5:0];
   end
 
   assign move = shift_q > $signed(ShiftW'(TBits)) ? '0 : $signed(ShiftW'(TBits)) - shift_q;
 
   rc_shift_register #(.Width(6), .Stages(3 + 2 * Mul + 8 * Cut)) u_right (
-    .clk_i, .valid_i(moves_i[3+Mul+Cut +: 3+2*Mul+8*Cut]), .data_i(right_q), .data_o(right_o));
+    .clk_i, .enable_i(enable_i[3+Mul+Cut +: 3+2*Mul+8*Cut]), .data_i(right_q), .data_o(right_o));
 
   logic unused;
-  assign unused = ^{moves_i, square_q[TowardBits-1:0], s0_o_i, move[ShiftW-1:6], along};
+  assign unused = ^{enable_i, square_q[TowardBits-1:0], s0_o_i, move[ShiftW-1:6], along};
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // Edge functions of a ray and a triangle, with signs such that det > 0, and whether the ray's line
 // crosses the triangle at t > 0.
 //
-// Part of rc_tri, which has the valid bits. Operands come with valid_i[0], answers
+// Part of rc_tri, which has the valid bits. Operands come with enable_i[0], answers
 // rc_pkg::EdgesStages later. det, num, u and v are sure to be non-negative only if hit is set. If
 // operands come only every few cycles, products share multipliers (rc_mul_shared). Model:
 // tri_test() in model/unit/isect/tri.cpp.
@@ -21,8 +21,8 @@ module rc_edges #(
   localparam int unsigned Stages      = rc_pkg::EdgesStages
 ) (
   input  logic                       clk_i,
-  input  logic [Stages-1:0]          valid_i,       // stage i holds a triangle, or the chip is fast
-  input  logic [Stages-1:0]          there_i,       // stage i holds a triangle
+  input  logic [Stages-1:0]          enable_i,      // stage i holds a triangle, or the chip is fast
+  input  logic [Stages-1:0]          valid_i,       // stage i holds a triangle
   // Ray and triangle
   input  logic                       s0_leaves_i,   // from a surface: o has a fraction
   input  logic                       s0_far_i,      // from beyond the lattice: o in units of 2^-Far
@@ -73,7 +73,7 @@ module rc_edges #(
     assign s0_s = OriginDiffW'(s0_o) - (OriginDiffW'(s0_a) <<< (s0_far_i ? Far : OriginBits));
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[0]) begin
+      if (enable_i[0]) begin
         d_q  <= s0_d_i[k*RayDirBits +: RayDirBits];
         e1_q <= DiffW'(s0_b) - DiffW'(s0_a);
         e2_q <= DiffW'(s0_c) - DiffW'(s0_a);
@@ -82,26 +82,26 @@ module rc_edges #(
     end
 
     rc_shift_register #(.Width(DiffW), .Stages(Cross - Edge)) u_e1 (
-      .clk_i, .valid_i(valid_i[Cross-1:Edge]), .data_i(e1_q), .data_o(dot_e1));
+      .clk_i, .enable_i(enable_i[Cross-1:Edge]), .data_i(e1_q), .data_o(dot_e1));
     rc_shift_register #(.Width(OriginDiffW), .Stages(Cross - Edge)) u_s (
-      .clk_i, .valid_i(valid_i[Cross-1:Edge]), .data_i(s_q), .data_o(dot_s));
+      .clk_i, .enable_i(enable_i[Cross-1:Edge]), .data_i(s_q), .data_o(dot_s));
   end
 
   // Flags that wait.
   logic dot_leaves, dot_far, end_plane;
 
   rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_leaves (
-    .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_leaves_i), .data_o(dot_leaves));
+    .clk_i, .enable_i(enable_i[Dot-2:0]), .data_i(s0_leaves_i), .data_o(dot_leaves));
 
   if (rc_pkg::Horizon == 1) begin : gen_far
     rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_far (
-      .clk_i, .valid_i(valid_i[Dot-2:0]), .data_i(s0_far_i), .data_o(dot_far));
+      .clk_i, .enable_i(enable_i[Dot-2:0]), .data_i(s0_far_i), .data_o(dot_far));
   end else begin : gen_near
     assign dot_far = 1'b0;
   end
 
   rc_shift_register #(.Width(1), .Stages(Stages - 1)) u_plane (
-    .clk_i, .valid_i(valid_i[Stages-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
+    .clk_i, .enable_i(enable_i[Stages-2:0]), .data_i(s0_plane_i), .data_o(end_plane));
 
   // Cross products: P1 = d x e1, P2 = d x e2, n = e1 x e2.
   for (genvar k = 0; k < 3; k++) begin : gen_cross
@@ -130,12 +130,12 @@ module rc_edges #(
       localparam int unsigned WiderW = RayDirBits > DiffW ? RayDirBits : DiffW;
       logic [3*(WiderW+DiffW)-1:0] yz, zy;
       rc_mul_shared #(.AW(WiderW), .BW(DiffW), .Products(3), .Share(CrossShare)) u_yz (
-        .clk_i, .valid_i(there_i[Edge]),
+        .clk_i, .valid_i(valid_i[Edge]),
         .a_i({WiderW'(gen_edge[Axis1].e1_q), WiderW'(gen_edge[Axis1].d_q),
               WiderW'(gen_edge[Axis1].d_q)}),
         .b_i({gen_edge[Axis2].e2_q, gen_edge[Axis2].e2_q, gen_edge[Axis2].e1_q}), .p_o(yz));
       rc_mul_shared #(.AW(WiderW), .BW(DiffW), .Products(3), .Share(CrossShare)) u_zy (
-        .clk_i, .valid_i(there_i[Edge]),
+        .clk_i, .valid_i(valid_i[Edge]),
         .a_i({WiderW'(gen_edge[Axis2].e1_q), WiderW'(gen_edge[Axis2].d_q),
               WiderW'(gen_edge[Axis2].d_q)}),
         .b_i({gen_edge[Axis1].e2_q, gen_edge[Axis1].e2_q, gen_edge[Axis1].e1_q}), .p_o(zy));
@@ -152,7 +152,7 @@ module rc_edges #(
     end
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[Cross-1]) begin
+      if (enable_i[Cross-1]) begin
         p1_q <= RayCrossW'(p1_yz) - RayCrossW'(p1_zy);
         p2_q <= RayCrossW'(p2_yz) - RayCrossW'(p2_zy);
         n_q  <= EdgeCrossW'(n_yz) - EdgeCrossW'(n_zy);
@@ -167,7 +167,7 @@ module rc_edges #(
   logic       tie_u, tie_v, tie_w, end_tie_u, end_tie_v, end_tie_w;
   logic holds;   // relaxed: invalid operands cost a simulation no work
 
-  assign holds = Cut != 0 || valid_i[Cross];
+  assign holds = Cut != 0 || enable_i[Cross];
 
   for (genvar k = 0; k < 3; k++) begin : gen_tie
     if (k < 2) begin : gen_there
@@ -194,7 +194,7 @@ module rc_edges #(
   assign tie_w = first_sign(tie_w_there, tie_w_sign);
 
   rc_shift_register #(.Width(3), .Stages(Dot - Cross - Cut)) u_ties (
-    .clk_i, .valid_i(valid_i[Dot-1:Cross+Cut]), .data_i({tie_u, tie_v, tie_w}),
+    .clk_i, .enable_i(enable_i[Dot-1:Cross+Cut]), .data_i({tie_u, tie_v, tie_w}),
     .data_o({end_tie_u, end_tie_v, end_tie_w}));
 
   // Edge functions: det = P2.e1, u = P2.s, v = -P1.s, num = n.s. A term may exceed the sum's proven
@@ -220,7 +220,7 @@ module rc_edges #(
       logic [4*(WiderW+OriginDiffW)-1:0] wide;
 
       rc_mul_shared #(.AW(WiderW), .BW(OriginDiffW), .Products(4), .Share(DotShare)) u_products (
-        .clk_i, .valid_i(there_i[Cross]),
+        .clk_i, .valid_i(valid_i[Cross]),
         .a_i({WiderW'(gen_cross[k].n_q), WiderW'(gen_cross[k].p2_q), WiderW'(gen_cross[k].p1_q),
               WiderW'(gen_cross[k].p2_q)}),
         .b_i({gen_edge[k].dot_s, OriginDiffW'(gen_edge[k].dot_e1), gen_edge[k].dot_s,
@@ -251,7 +251,7 @@ module rc_edges #(
   assign det_sum = gen_dot[0].det + gen_dot[1].det + gen_dot[2].det;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Dot-1]) begin
+    if (enable_i[Dot-1]) begin
       det_q <= dot_far ? det_sum <<< Far : dot_leaves ? det_sum <<< OriginBits : det_sum;
       u_q   <= gen_dot[0].u + gen_dot[1].u + gen_dot[2].u;
       v_q   <= -(gen_dot[0].v + gen_dot[1].v + gen_dot[2].v);
@@ -281,7 +281,7 @@ module rc_edges #(
   assign end_v_turn = rc_pkg::Planes == 1 ? end_v[EdgeBits-1] : end_flip;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Stages-1]) begin
+    if (enable_i[Stages-1]) begin
       hit_o <= !end_edge_on
             && (end_plane || (end_u_neg == end_flip && end_v_neg == end_flip
                               && end_w_neg == end_flip))
@@ -297,6 +297,6 @@ module rc_edges #(
   end
 
   logic unused;
-  assign unused = ^{w[EdgeBits-2:0], there_i};
+  assign unused = ^{w[EdgeBits-2:0], valid_i};
 endmodule
 `default_nettype wire

@@ -5,7 +5,7 @@
 // as magnitude and sign. The answer is then in two's complement and saturates at both ends.
 //
 // Latency rc_pkg::HitdivStages, throughput 1 every rc_pkg::TriInterval cycles: that many steps
-// share a stage of a divider. A stage works only if valid_i came with its operands.
+// share a stage of a divider. A stage works only if enable_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
   parameter  int unsigned DenW     = 8,         // bits of den, at least those of det
@@ -18,8 +18,8 @@ module rc_hitdiv #(
   localparam int unsigned Stages   = rc_pkg::HitdivStages
 ) (
   input  logic                clk_i,
-  input  logic                valid_i,
-  input  logic                there_i,   // the valid bit alone; valid_i may be set without a hit
+  input  logic                enable_i,
+  input  logic                valid_i,   // the valid bit alone; enable_i may be set without a hit
   // Operands
   input  logic [NumBits-1:0]  num_i,
   input  logic [DenW-1:0]     den_i,
@@ -63,20 +63,20 @@ module rc_hitdiv #(
     assign num_below = '0;
   end
 
-  // valid[i]: stage i holds a hit.
-  logic [Stages-1:0] valid_q;
-  logic [Stages:0]   valid;
+  // enable[i]: the register after stage i accepts its input.
+  logic [Stages-1:0] enable_q;
+  logic [Stages:0]   enable;
 
-  assign valid = {valid_q, valid_i};
+  assign enable = {enable_q, enable_i};
 
-  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
+  always_ff @(posedge clk_i) enable_q <= enable[Stages-1:0];
 
   // Begin of the dividers. If they make several steps per stage, the valid bit alone is needed.
-  logic there, begins;
+  logic valid, begins;
 
-  rc_path_register #(.Width(1)) u_there (.clk_i, .data_i(there_i), .data_o(there));
+  rc_path_register #(.Width(1)) u_valid (.clk_i, .data_i(valid_i), .data_o(valid));
 
-  assign begins = Every > 1 ? there : valid[Cut];
+  assign begins = Every > 1 ? valid : enable[Cut];
 
   // t.
   logic [DenW-1:0] t_rem, t_den;
@@ -152,7 +152,7 @@ module rc_hitdiv #(
   logic [2*UvW-1:0] short_uv, end_uv;
 
   rc_shift_register #(.Width(3), .Stages(Stages)) u_flags (
-    .clk_i, .valid_i(valid[Stages-1:0]), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
+    .clk_i, .enable_i(enable[Stages-1:0]), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
 
   if (WholeW > 0) begin : gen_signed
     logic              u_many, u_neg, v_many, v_neg, u_rest, v_rest, u_left, v_left;
@@ -160,7 +160,7 @@ module rc_hitdiv #(
     logic [UvBits-1:0] u_size, v_size, u_end, v_end;
 
     rc_shift_register #(.Width(4), .Stages(2 * Cut + Short)) u_how (
-      .clk_i, .valid_i(valid[2*Cut+Short-1:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
+      .clk_i, .enable_i(enable[2*Cut+Short-1:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
       .data_o({u_many, u_neg, v_many, v_neg}));
 
     assign u_rest = u_inexact || (ShortW > WholeW + BaryBits && u_quo[0]);
@@ -193,7 +193,7 @@ module rc_hitdiv #(
     assign end_uv = short_uv;
   end else begin : gen_wait
     rc_shift_register #(.Width(2 * UvW), .Stages(Rest)) u_uv (
-      .clk_i, .valid_i(valid[Stages-1:Stages-Rest]), .data_i(short_uv), .data_o(end_uv));
+      .clk_i, .enable_i(enable[Stages-1:Stages-Rest]), .data_i(short_uv), .data_o(end_uv));
   end
 
   // t, rounded up.
@@ -223,6 +223,6 @@ module rc_hitdiv #(
   end
 
   logic unused;
-  assign unused = ^{u_quo, v_quo, num_above[WideW-1:DenW], valid[Stages]};
+  assign unused = ^{u_quo, v_quo, num_above[WideW-1:DenW], enable[Stages]};
 endmodule
 `default_nettype wire

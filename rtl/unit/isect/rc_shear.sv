@@ -2,7 +2,7 @@
 // each, then exact 2-D edge functions.
 //
 // Part of rc_tri, in place of rc_edges. Here num / det is the hit's distance along z; size = |d_z|.
-// Latency 6, throughput 1 per cycle; stage k works if valid_i[k] is set. Model, formulas and the
+// Latency 6, throughput 1 per cycle; stage k works if enable_i[k] is set. Model, formulas and the
 // proof of the widths: model/unit/isect/sheared.hpp (Woop et al. 2013).
 `default_nettype none
 module rc_shear #(
@@ -12,7 +12,7 @@ module rc_shear #(
   localparam int unsigned NumBits  = 3 * N + 3    // rc_pkg::NumBits
 ) (
   input  logic                       clk_i,
-  input  logic [5:0]                 valid_i,   // of stages 0..5
+  input  logic [5:0]                 enable_i,   // of stages 0..5
   // Ray and triangle
   input  logic [3*M+2:0]             s0_shear_i,
   input  logic [3*N-1:0]             s0_o_i,
@@ -53,14 +53,14 @@ module rc_shear #(
   logic [M-1:0] s1_slope_x_q, s1_slope_y_q;
 
   always_ff @(posedge clk_i)
-    if (valid_i[0]) {s1_slope_y_q, s1_slope_x_q} <= {s0_slope_y, s0_slope_x};
+    if (enable_i[0]) {s1_slope_y_q, s1_slope_x_q} <= {s0_slope_y, s0_slope_x};
 
   // Fields that wait for the decision.
   logic         s5_neg;
   logic [M-1:0] s5_size;
 
   rc_shift_register #(.Width(M + 1), .Stages(5)) u_wait (
-    .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_neg, s0_size}), .data_o({s5_neg, s5_size}));
+    .clk_i, .enable_i(enable_i[4:0]), .data_i({s0_neg, s0_size}), .data_o({s5_neg, s5_size}));
 
   logic [3*N*3-1:0]     s0_corners;
   logic [3*DiffW-1:0]   s4_z;
@@ -83,22 +83,22 @@ module rc_shear #(
                    - s2_py_q;
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[0]) begin
+      if (enable_i[0]) begin
         s1_x_q <= DiffW'($signed(s0_p[N-1:0])) - DiffW'($signed(s0_o[N-1:0]));
         s1_y_q <= DiffW'($signed(s0_p[2*N-1:N])) - DiffW'($signed(s0_o[2*N-1:N]));
         s1_z_q <= DiffW'($signed(s0_p[3*N-1:2*N])) - DiffW'($signed(s0_o[3*N-1:2*N]));
       end
-      if (valid_i[1]) begin
+      if (enable_i[1]) begin
         s2_px_q <= SlopeProductW'($signed(s1_slope_x_q)) * SlopeProductW'(s1_z_q);
         s2_py_q <= SlopeProductW'($signed(s1_slope_y_q)) * SlopeProductW'(s1_z_q);
         {s2_x_q, s2_y_q, s2_z_q} <= {s1_x_q, s1_y_q, s1_z_q};
       end
-      if (valid_i[2]) begin
+      if (enable_i[2]) begin
         s3_x_q <= PlanarW'(s2_x_q) + PlanarW'($signed(s2_up_x[SlopeProductW-1:SlopeFrac]));
         s3_y_q <= PlanarW'(s2_y_q) + PlanarW'($signed(s2_up_y[SlopeProductW-1:SlopeFrac]));
         s3_z_q <= s2_z_q;
       end
-      if (valid_i[3]) s4_z_q <= s3_z_q;
+      if (enable_i[3]) s4_z_q <= s3_z_q;
     end
 
     assign s3_x[k*PlanarW +: PlanarW] = s3_x_q;
@@ -126,7 +126,7 @@ module rc_shear #(
     assign s3_qy = $signed(s3_y[To*PlanarW +: PlanarW]);
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[3]) begin
+      if (enable_i[3]) begin
         s4_edge_q <= PlanarEdgeW'(s3_px) * PlanarEdgeW'(s3_qy)
                    - PlanarEdgeW'(s3_py) * PlanarEdgeW'(s3_qx);
         s4_tie_q  <= s3_py != s3_qy ? s3_py < s3_qy : s3_qx < s3_px;
@@ -149,7 +149,7 @@ module rc_shear #(
   assign s4_u = $signed(s4_edge[3*PlanarEdgeW-1:2*PlanarEdgeW]);
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[4]) begin
+    if (enable_i[4]) begin
       s5_det_q <= s4_u + s4_v + s4_w;
       s5_num_q <= NumBits'(s4_w) * NumBits'($signed(s4_z[DiffW-1:0]))
                 + NumBits'(s4_u) * NumBits'($signed(s4_z[2*DiffW-1:DiffW]))
@@ -167,7 +167,7 @@ module rc_shear #(
   assign s5_turn = s5_flip != s5_neg;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[5]) begin
+    if (enable_i[5]) begin
       s6_hit_o  <= s5_det_q != '0 && s5_size != '0 && s5_neg_q == {3{s5_flip}}
                 && s5_num_q != '0 && s5_num_q[NumBits-1] == s5_turn;
       s6_size_o <= s5_size;

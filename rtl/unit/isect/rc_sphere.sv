@@ -92,25 +92,25 @@ module rc_sphere #(
     $error("rc_sphere: its stages are not those of model/core/stages.cpp");
   end
 
-  // there[k]: a sphere came k cycles ago. met, from s4 on: a ray that needs the distance meets it.
-  logic [End-1:0]    there_q;
-  logic [End:0]      there, moves;
-  logic [End-1:AtS4] met_q, met_moves, far_q, blocked_q;
+  // valid[k]: a sphere came k cycles ago. met, from s4 on: a ray that needs the distance meets it.
+  logic [End-1:0]    valid_q;
+  logic [End:0]      valid, enable;
+  logic [End-1:AtS4] met_q, met_enable, far_q, blocked_q;
   logic              s3_met, s3_blocks, s3_far;
 
-  assign there = {there_q, s0_valid_i};
+  assign valid = {valid_q, s0_valid_i};
 
   // In a fast chip the stages always accept, as in rc_tri.
-  assign moves     = there | {(End+1){Cut != 0}};
-  assign met_moves = met_q | {(End-AtS4){Cut != 0}};
+  assign enable     = valid | {(End+1){Cut != 0}};
+  assign met_enable = met_q | {(End-AtS4){Cut != 0}};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      there_q   <= '0;
+      valid_q   <= '0;
       met_q     <= '0;
       blocked_q <= '0;
     end else begin
-      there_q   <= there[End-1:0];
+      valid_q   <= valid[End-1:0];
       met_q     <= {met_q[End-2:AtS4], s3_met};
       blocked_q <= {blocked_q[End-2:AtS4], s3_blocks};
     end
@@ -143,7 +143,7 @@ module rc_sphere #(
     assign s0_s = VectorW'(s0_o) - (VectorW'(s0_c) <<< OriginBits);
 
     always_ff @(posedge clk_i) begin
-      if (moves[0]) begin
+      if (enable[0]) begin
         s1_d_q <= s0_d_i[k*RayDirBits +: RayDirBits];
         s1_s_q <= s0_shadow ? s0_s >>> OriginBits : s0_s;
       end
@@ -160,7 +160,7 @@ module rc_sphere #(
       logic [3*2*WiderW-1:0] products;
 
       rc_mul_shared #(.AW(WiderW), .BW(WiderW), .Products(3), .Share(Three)) u_products (
-        .clk_i, .valid_i(there[1]), .a_i({WiderW'(s1_d_q), WiderW'(s1_d_q), WiderW'(s1_s_q)}),
+        .clk_i, .valid_i(valid[1]), .a_i({WiderW'(s1_d_q), WiderW'(s1_d_q), WiderW'(s1_s_q)}),
         .b_i({WiderW'(s1_s_q), WiderW'(s1_d_q), WiderW'(s1_s_q)}), .p_o(products));
 
       assign power  = products[0 +: 2*VectorW];
@@ -176,7 +176,7 @@ module rc_sphere #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves[0]) begin
+    if (enable[0]) begin
       s1_rr_q <= s0_shadow ? {{(2*OriginBits){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*OriginBits){1'b0}}};
       {s1_any_q, s1_shadow_q}  <= {s0_any_i, s0_shadow};
       {s1_own_q, s1_glass_q}   <= {s0_own_i, s0_glass_i};
@@ -188,12 +188,12 @@ module rc_sphere #(
     assign s2_rr = s1_rr_q;
   end else begin : gen_rr_waits   // up to the cycle before s2
     rc_interval_delay #(.Width(2 * OriginWidth), .Stages(Mul + Three - 1), .Every(Every)) u_rr (
-      .clk_i, .rst_ni, .valid_i(moves[AtS2-2:1]), .there_i(there[AtS2-2:1]), .data_i(s1_rr_q),
+      .clk_i, .rst_ni, .enable_i(enable[AtS2-2:1]), .valid_i(valid[AtS2-2:1]), .data_i(s1_rr_q),
       .data_o(s2_rr));
   end
 
   rc_shift_register #(.Width(5), .Stages(AtS2 - 1)) u_flags (
-    .clk_i, .valid_i(moves[AtS2-1:1]),
+    .clk_i, .enable_i(enable[AtS2-1:1]),
     .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q}),
     .data_o({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}));
 
@@ -203,7 +203,7 @@ module rc_sphere #(
   logic signed [PowerW-1:0]  s2_power_q;
 
   always_ff @(posedge clk_i) begin
-    if (moves[AtS2-1]) begin
+    if (enable[AtS2-1]) begin
       s2_along_q  <= AlongW'(gen_axis[0].along) + AlongW'(gen_axis[1].along)
                      + AlongW'(gen_axis[2].along);
       s2_square_q <= SquareW'(gen_axis[0].square) + SquareW'(gen_axis[1].square)
@@ -246,10 +246,10 @@ module rc_sphere #(
     if (Parts) begin : gen_parts
       rc_mul_parts #(.AW(WiderW), .BW(WiderShortW), .Sums(2), .Products(2), .Share(Share))
       u_products (
-        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+        .clk_i, .valid_i(valid[AtS2]), .a_i(a), .b_i(b), .p_o(products));
     end else begin : gen_whole
       rc_mul_shared #(.AW(WiderW), .BW(WiderShortW), .Sums(2), .Share(Share)) u_products (
-        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+        .clk_i, .valid_i(valid[AtS2]), .a_i(a), .b_i(b), .p_o(products));
     end
 
     assign s2_ac = products[0 +: Long+Short];
@@ -260,7 +260,7 @@ module rc_sphere #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves[AtS3-1]) begin
+    if (enable[AtS3-1]) begin
       s3_bb_q <= DiscW'(s2_bb);
       s3_ac_q <= DiscW'(s2_ac);
     end
@@ -291,14 +291,14 @@ module rc_sphere #(
     .data_o({sum_end, sum_foot, sum_on, sum_still, sum_out, sum_nearing}));
 
   rc_shift_register #(.Width(7), .Stages(AtS3 - AtS2)) u_tests (
-    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2+Cut]),
+    .clk_i, .enable_i(enable[AtS3+Cut-1:AtS2+Cut]),
     .data_i({sum_still, sum_nearing, sum_out && !sum_on, sum_on,
              !sum_foot[Foot-1] && sum_foot != '0, sum_end[PowerW-1],
              !sum_end[PowerW-1] && sum_end != '0}),
     .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
 
   rc_shift_register #(.Width(5), .Stages(AtS3 + Cut - AtS2)) u_kind (
-    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]),
+    .clk_i, .enable_i(enable[AtS3+Cut-1:AtS2]),
     .data_i({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}),
     .data_o({s3_any, s3_shadow, s3_own, s3_inside, s3_glass}));
 
@@ -309,7 +309,7 @@ module rc_sphere #(
   assign s3_meets = s3_nearing && !s3_disc[DiscW-1];
   assign s3_goes  = (!s3_own || s3_inside)
                  && (s3_outside ? s3_meets : s3_glass && (s3_on ? s3_nearing : !s3_still));
-  assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
+  assign s3_met   = valid[AtS4-1] && s3_goes && !s3_any;
   assign s3_far   = s3_own || !s3_outside;
 
   always_comb begin
@@ -320,7 +320,7 @@ module rc_sphere #(
     else                 s3_blocked = s3_end_out && (!s3_on || s3_nearing);
   end
 
-  assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
+  assign s3_blocks = valid[AtS4-1] && s3_any && s3_blocked;
 
   if (Plain > DiscW) begin : gen_short_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= Plain'(s3_disc);
@@ -337,7 +337,7 @@ module rc_sphere #(
     .lost_o(s4_right_lost[0]));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtS5-1]) begin
+    if (met_enable[AtS5-1]) begin
       s5_cut_q        <= s4_cut;
       s5_right_lost_q <= s4_right_lost;
     end
@@ -361,7 +361,7 @@ module rc_sphere #(
   assign s2_near_square = s2_square_q[NearSquareW-1:0];
 
   rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
-    .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
+    .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_enable[AtS5]), .square_i(s5_cut_q),
     .root_o(r_root), .inexact_o(r_inexact));
 
   rc_stage_delay #(.Width(RightW + 1), .Stages(RightLate), .Every(Every)) u_right (
@@ -369,7 +369,7 @@ module rc_sphere #(
     .data_o(late_right_lost));
 
   rc_stage_delay #(.Width(WayW + NearSquareW), .Stages(RayLate), .Every(Every)) u_ray (
-    .clk_i, .rst_ni, .enter_i(there[AtS2]), .leave_i(there[AtR-1]),
+    .clk_i, .rst_ni, .enter_i(valid[AtS2]), .leave_i(valid[AtR-1]),
     .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
 
   rc_path_register #(.Width(RightW + 1 + WayW + NearSquareW), .Stages(1)) u_late (
@@ -400,7 +400,7 @@ module rc_sphere #(
     .sum_o(w_way));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtW-1]) begin
+    if (met_enable[AtW-1]) begin
       w_way_q    <= w_way;
       w_square_q <= w_square;
     end
@@ -431,11 +431,11 @@ module rc_sphere #(
   rc_divide #(
     .Width(NearSquareW), .Stages(DivSteps), .Bits(Bits), .Every(Every),
     .Lows(Right < QuoW ? Right : QuoW)) u_t (
-    .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_moves[AtW+Cut]), .rem_i(d_rem),
+    .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_enable[AtW+Cut]), .rem_i(d_rem),
     .low_i(d_low), .den_i(d_den), .quo_o(d_quo), .inexact_o(d_inexact));
 
   rc_shift_register #(.Width(1), .Stages(AtT - AtW)) u_beyond (
-    .clk_i, .valid_i(met_moves[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
+    .clk_i, .enable_i(met_enable[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
 
   if (QuoW > TBits) begin : gen_spare_bit
     assign d_up = d_inexact || d_quo[0];
@@ -458,11 +458,11 @@ module rc_sphere #(
   logic [NumBits-1:0]        t_num;
   logic [ProductW-1:0] p_mine_q, p_theirs_q;
 
-  assign best_next_o = there[AtT-1];
+  assign best_next_o = valid[AtT-1];
 
   if (Parts) begin : gen_mine_in_parts
     rc_mul_parts #(.AW(TBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
-      .clk_i, .valid_i(there[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
+      .clk_i, .valid_i(valid[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
   end else begin : gen_mine
     rc_mul #(.AW(TBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
@@ -472,7 +472,7 @@ module rc_sphere #(
     .clk_i, .data_i({best_found_i, best_first_i, best_num_i}), .data_o({t_found, t_first, t_num}));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtP-1]) begin
+    if (met_enable[AtP-1]) begin
       p_found_q  <= t_found;
       p_first_q  <= t_first;
       p_mine_q   <= {{(ProductW-TBits-EdgeBits){1'b0}}, t_mine};
@@ -486,7 +486,7 @@ module rc_sphere #(
   always_ff @(posedge clk_i) closer_o <= met_q[End-1] && last_before;
 
   rc_shift_register #(.Width(TBits), .Stages(End - AtT)) u_end (
-    .clk_i, .valid_i(met_moves[End-1:AtT]), .data_i(t), .data_o(t_o));
+    .clk_i, .enable_i(met_enable[End-1:AtT]), .data_i(t), .data_o(t_o));
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && met_q[AtW-1])
@@ -496,6 +496,6 @@ module rc_sphere #(
 `endif
 
   logic unused;
-  assign unused = ^{w_below[QuoW+WayW-1:QuoW], s2_bb, s2_ac, s3_disc, s4_cut, there, moves, up};
+  assign unused = ^{w_below[QuoW+WayW-1:QuoW], s2_bb, s2_ac, s3_disc, s4_cut, valid, enable, up};
 endmodule
 `default_nettype wire

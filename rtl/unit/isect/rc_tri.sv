@@ -79,10 +79,10 @@ module rc_tri (
     assign occupied_o = 1'b0;
   end
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
 
-  assign moves = valid | {(Latency+1){Cut != 0}};
+  assign enable = valid | {(Latency+1){Cut != 0}};
 
   // The request.
   rc_pkg::tri_req_t           in;
@@ -96,8 +96,8 @@ module rc_tri (
   logic [RayBits-1:0] end_ray;
 
   rc_interval_delay #(.Width(RayBits), .Stages(Latency - In), .Every(Interval)) u_ray (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:In]), .there_i(valid[Latency-1:In]), .data_i(in.ray),
-    .data_o(end_ray));
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:In]), .valid_i(valid[Latency-1:In]),
+    .data_i(in.ray), .data_o(end_ray));
 
   // ---- Stages up to Front: the ray and the primitive, and whether they meet. num / den is t; num
   // / det is compared with other hits of the ray.
@@ -158,9 +158,9 @@ module rc_tri (
     assign flat = valid[Pre:In];
   end
 
-  logic [Pre:In] goes;   // moves, for primitives that are not spheres
+  logic [Pre:In] flat_enable;   // enable, for primitives that are not spheres
 
-  assign goes = flat | {(Pre-In+1){Cut != 0}};
+  assign flat_enable = flat | {(Pre-In+1){Cut != 0}};
 
   // t's divisor. In the sheared test it includes the direction's size as a factor; that product is
   // ready with those of the comparison.
@@ -173,7 +173,7 @@ module rc_tri (
     logic [DenW-1:0]       f1_den, wide_den_q;
 
     rc_shear u_shear (
-      .clk_i, .valid_i(goes[Front-1:In]),
+      .clk_i, .enable_i(flat_enable[Front-1:In]),
       .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
       .s0_o_i(in.o), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
@@ -185,9 +185,9 @@ module rc_tri (
     rc_path_register #(.Width(DenW), .Stages(Pair - 1)) u_den_late (
       .clk_i, .data_i(f0_den[DenW-1:0]), .data_o(f1_den));
 
-    always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
+    always_ff @(posedge clk_i) if (flat_enable[Wide-1]) wide_den_q <= f1_den;
     rc_shift_register #(.Width(DenW), .Stages(Pre - Wide)) u_pre_den (
-      .clk_i, .valid_i(goes[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
+      .clk_i, .enable_i(flat_enable[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
 
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
 
@@ -195,7 +195,7 @@ module rc_tri (
     assign unused = ^f0_den;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+      .clk_i, .enable_i(flat_enable[Front-1:In]), .valid_i(flat[Front-1:In]),
       .s0_leaves_i(in_leaves), .s0_far_i(in_far), .s0_plane_i(in_plane),
       .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
@@ -219,12 +219,12 @@ module rc_tri (
   assign in_first    = in.prim <= in.best_prim && !in_any && !in_skips;
 
   rc_shift_register #(.Width(2), .Stages(Wide - In)) u_best (
-    .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
+    .clk_i, .enable_i(flat_enable[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
 
   rc_interval_delay #(.Width(NumBits + EdgeBits), .Stages(Front - In), .Every(Interval))
   u_best_hit (
-    .clk_i, .rst_ni, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+    .clk_i, .rst_ni, .enable_i(flat_enable[Front-1:In]), .valid_i(flat[Front-1:In]),
     .data_i({in_best_num, in_best_det}), .data_o({f0_best_num, f0_best_det}));
 
   // ---- The comparison: num / det against best_num / best_det, cross-multiplied; all four are
@@ -260,12 +260,12 @@ module rc_tri (
 `else
   logic f1_found;
   rc_shift_register #(.Width(1), .Stages(Wide - 1 - In)) u_f1_found (
-    .clk_i, .valid_i(goes[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
+    .clk_i, .enable_i(flat_enable[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
   assign f1_asks = Cut != 0 || f1_found;
 `endif
 
   always_ff @(posedge clk_i) begin
-    if (goes[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
+    if (flat_enable[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end
@@ -275,9 +275,9 @@ module rc_tri (
   rc_path_register #(.Width(1)) u_before (.clk_i, .data_i(wide_before), .data_o(last_before));
 
   rc_shift_register #(.Width(1), .Stages(Pre - Wide)) u_hit (
-    .clk_i, .valid_i(goes[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
+    .clk_i, .enable_i(flat_enable[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
 
-  always_ff @(posedge clk_i) if (goes[Pre-1]) pre_closer_q <= last_hit && last_before;
+  always_ff @(posedge clk_i) if (flat_enable[Pre-1]) pre_closer_q <= last_hit && last_before;
 
   // The hit waits for the comparison.
   localparam int unsigned Compare = Pre - Front;
@@ -288,12 +288,12 @@ module rc_tri (
 
   rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
   u_hit_aside (
-    .clk_i, .rst_ni, .valid_i(goes[Pre-1:Front]), .there_i(flat[Pre-1:Front]),
+    .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:Front]), .valid_i(flat[Pre-1:Front]),
     .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
     .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
 
   rc_interval_delay #(.Width(PrimBits + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
-    .clk_i, .rst_ni, .valid_i(goes[Pre-1:In]), .there_i(flat[Pre-1:In]),
+    .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
     .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // ---- Divisions. Numerator, determinant and number wait.
@@ -306,16 +306,16 @@ module rc_tri (
   assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
 
   rc_hitdiv #(.DenW(DenW)) u_hitdiv (
-    .clk_i, .valid_i(Cut != 0 || pre_divide), .there_i(pre_divide),
+    .clk_i, .enable_i(Cut != 0 || pre_divide), .valid_i(pre_divide),
     .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
   // Valid bits of the division, and the fields that wait.
-  logic [Divide-1:0] closer_q, block_q, divides, tail_moves;
+  logic [Divide-1:0] closer_q, block_q, divides, tail_enable;
 
-  assign divides    = {closer_q[Divide-2:0], pre_divide};
-  assign tail_moves = divides | {Divide{Cut != 0}};
+  assign divides     = {closer_q[Divide-2:0], pre_divide};
+  assign tail_enable = divides | {Divide{Cut != 0}};
 
   logic [TailW-2:0]  pre_tail, tail;
 
@@ -332,7 +332,7 @@ module rc_tri (
   end
 
   rc_interval_delay #(.Width(TailW - 1), .Stages(Divide), .Every(Interval)) u_tail (
-    .clk_i, .rst_ni, .valid_i(tail_moves), .there_i(divides), .data_i(pre_tail), .data_o(tail));
+    .clk_i, .rst_ni, .enable_i(tail_enable), .valid_i(divides), .data_i(pre_tail), .data_o(tail));
 
   // ---- The hit: closer with all fields, or blocked without fields.
   logic            closer, blocked;
@@ -437,7 +437,7 @@ module rc_tri (
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
     rc_shift_register #(.Width(HitW + 1), .Stages(Extra)) u_end (
-      .clk_i, .valid_i(moves[Latency-1:Core]), .data_i({closer, blocked, hit}),
+      .clk_i, .enable_i(enable[Latency-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
@@ -464,7 +464,7 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[Latency], moves, goes, in_flat, in_leaves, in_far, in_plane,
-                    in_sphere, pre_back};
+  assign unused = ^{queue_ready, valid[Latency], enable, flat_enable, in_flat, in_leaves, in_far,
+                    in_plane, in_sphere, pre_back};
 endmodule
 `default_nettype wire

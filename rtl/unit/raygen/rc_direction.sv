@@ -16,8 +16,9 @@ module rc_direction #(
   localparam int unsigned M         = rc_pkg::DirBits,
   localparam int unsigned Stages    = rc_pkg::DirectionStages
 ) (
-  input  logic           clk_i,
-  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a ray, or the chip is fast
+  input  logic                   clk_i,
+  // enable_i[i]: stage i holds a ray, or the chip is fast
+  input  logic [Stages-1:0]      enable_i,
   input  logic [3*GuardSumW-1:0] sum_i,
   output logic [3*M-1:0]         dir_o
 );
@@ -47,7 +48,7 @@ module rc_direction #(
   logic [ShiftW-1:0]      s1_shift_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Cut]) begin
+    if (enable_i[Cut]) begin
       s1_sum_q   <= s0_sum;
       s1_shift_q <= s0_shift;
     end
@@ -79,6 +80,6 @@ module rc_direction #(
   end
 
   logic unused;
-  assign unused = ^valid_i;
+  assign unused = ^enable_i;
 endmodule
 `default_nettype wire

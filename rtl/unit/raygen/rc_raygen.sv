@@ -96,15 +96,15 @@ module rc_raygen (
     assign occupied_o = 1'b0;
   end
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
 
-  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
 
   logic [RayBits-1:0] end_ray;
 
   rc_interval_delay #(.Width(RayBits), .Stages(Latency), .Every(Every)) u_ray (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
     .data_i(req.ray), .data_o(end_ray));
 
   // Position in the picture, in pixels with SubBits of fraction, at the start of stage SampleL.
@@ -118,13 +118,13 @@ module rc_raygen (
     logic [PixelBits-1:0]      wait_x, wait_y;
 
     rc_sample u_sample (
-      .clk_i, .valid_i(moves[SampleL-1:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
+      .clk_i, .enable_i(enable[SampleL-1:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
       .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
       .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
 
     rc_shift_register #(.Width(2 * PixelBits), .Stages(SampleL)) u_pixel (
-      .clk_i, .valid_i(moves[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
+      .clk_i, .enable_i(enable[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
 
     assign x = $signed({1'b0, wait_x, {SubBits{1'b0}}}) + PositionW'(offset_x);
     assign y = $signed({1'b0, wait_y, {SubBits{1'b0}}}) + PositionW'(offset_y);
@@ -166,7 +166,7 @@ module rc_raygen (
       .clk_i, .a_i($signed(down[k*GuardDirBits +: GuardDirBits])), .b_i(y), .p_o(down_wide));
 
     always_ff @(posedge clk_i) begin
-      if (moves[Step-1]) begin
+      if (enable[Step-1]) begin
         s1_right_q <= right_wide[GuardSumW-1:0];
         s1_down_q  <= down_wide[GuardSumW-1:0];
       end
@@ -179,14 +179,14 @@ module rc_raygen (
 `ifdef SYNTHESIS
     assign asks = 1'b1;
 `else
-    assign asks = moves[Step];
+    assign asks = enable[Step];
 `endif
 
     assign sum[k*GuardSumW +: GuardSumW] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
 
     logic [R1+ExpBits-1:0] made;
     rc_recip #(.Every(Every)) u_recip (
-      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : moves[Dir]), .short_i(is_short),
+      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : enable[Dir]), .short_i(is_short),
       .d_i($signed(dir_q[k*RayDirBits +: RayDirBits])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+ExpBits-1:R1]));
 
@@ -194,7 +194,7 @@ module rc_raygen (
       assign {len[k*ExpBits +: ExpBits], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
       rc_shift_register #(.Width(R1 + ExpBits), .Stages(Latency - Dir - RecipL)) u_made (
-        .clk_i, .valid_i(moves[Latency-1:Dir+RecipL]), .data_i(made),
+        .clk_i, .enable_i(enable[Latency-1:Dir+RecipL]), .data_i(made),
         .data_o({len[k*ExpBits +: ExpBits], recip[k*R1 +: R1]}));
     end
 
@@ -203,16 +203,16 @@ module rc_raygen (
   end
 
   rc_direction #(.GuardSumW(GuardSumW)) u_direction (
-    .clk_i, .valid_i(moves[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
+    .clk_i, .enable_i(enable[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin are delayed to match the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - RayBits - 3 * (RayDirBits + R1 + ExpBits);
   logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
 
-  always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
+  always_ff @(posedge clk_i) if (enable[Dir-1]) dir_q <= new_dir;
 
   rc_interval_delay #(.Width(3 * RayDirBits), .Stages(Latency - Dir), .Every(Every)) u_dir (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
   if (rc_pkg::Shading != 0) begin : gen_given
@@ -227,7 +227,7 @@ module rc_raygen (
     // gates.
     rc_interval_delay #(.Width(2 + 3 * (OriginWidth + RayDirBits)), .Stages(Dir - 1), .Every(Every))
     u_given (
-      .clk_i, .rst_ni, .valid_i(moves[Dir-2:0]), .there_i(valid[Dir-2:0]),
+      .clk_i, .rst_ni, .enable_i(enable[Dir-2:0]), .valid_i(valid[Dir-2:0]),
       .data_i({req.kind, spawn_i.o, spawn_i.d}),
       .data_o({kind, given_o, given_d}));
 
@@ -241,10 +241,10 @@ module rc_raygen (
     end
 
     assign new_o = is_camera ? camera_o : given_o;
-    always_ff @(posedge clk_i) if (moves[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
+    always_ff @(posedge clk_i) if (enable[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
 
     rc_interval_delay #(.Width(2 + 3 * OriginWidth), .Stages(Latency - Dir), .Every(Every)) u_head (
-      .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+      .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
       .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
 
@@ -276,7 +276,7 @@ module rc_raygen (
       end
 
       rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
-        .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+        .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
         .data_i(req_tag), .data_o(end_tag));
 
       assign end_head = {end_kind, end_tag, end_o};
@@ -295,13 +295,13 @@ module rc_raygen (
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear;
 
-      rc_slope u_slope (.clk_i, .valid_i(moves[Dir]), .d_i(dir_q), .shear_o(made));
+      rc_slope u_slope (.clk_i, .enable_i(enable[Dir]), .d_i(dir_q), .shear_o(made));
 
       if (Latency - Dir == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
         rc_shift_register #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
-          .clk_i, .valid_i(moves[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
+          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
       end
       assign end_head = {shear, eye};
     end else begin : gen_plain
@@ -327,6 +327,6 @@ module rc_raygen (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, frame_flat, req, valid[Latency], moves[Latency]};
+  assign unused = ^{queue_ready, frame_flat, req, valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

@@ -47,11 +47,11 @@ module rc_raygen_stream (
 
   // s0: the record comes from the cache's queue. In a fast chip a stage accepts unconditionally, as
   // in rc_raygen.
-  logic [Latency:0] moves;
+  logic [Latency:0] enable;
   rc_pkg::record_t  s1_q;
 
-  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
-  always_ff @(posedge clk_i) if (moves[0]) s1_q <= record_i;
+  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  always_ff @(posedge clk_i) if (enable[0]) s1_q <= record_i;
 
   // s1: reciprocals of the direction.
   logic [3*RayDirBits-1:0] s1_d;
@@ -64,7 +64,7 @@ module rc_raygen_stream (
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_recip #(.Every(Every)) u_recip (
-      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[1] : moves[1]), .short_i(s1_short),
+      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[1] : enable[1]), .short_i(s1_short),
       .d_i($signed(s1_d[k*RayDirBits +: RayDirBits])),
       .recip_o(recip[k*R1 +: R1]), .len_o(len[k*ExpBits +: ExpBits]));
   end
@@ -73,7 +73,7 @@ module rc_raygen_stream (
   logic [RecordW-1:0] end_record;
 
   rc_interval_delay #(.Width(RecordW), .Stages(Latency - 1), .Every(Every)) u_record (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:1]), .there_i(valid[Latency-1:1]),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:1]), .valid_i(valid[Latency-1:1]),
     .data_i(s1_q), .data_o(end_record));
 
   // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
@@ -106,6 +106,6 @@ module rc_raygen_stream (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[Latency], moves[Latency]};
+  assign unused = ^{queue_ready, valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

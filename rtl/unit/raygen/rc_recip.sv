@@ -114,7 +114,7 @@ module rc_recip #(
   logic top;
 
   rc_interval_delay #(.Width(ExpBits + 1), .Stages(DivStages), .Every(Every)) u_wait (
-    .clk_i, .rst_ni, .valid_i(valid[Stages-1:Moved]), .there_i(valid[Stages-1:Moved]),
+    .clk_i, .rst_ni, .enable_i(valid[Stages-1:Moved]), .valid_i(valid[Stages-1:Moved]),
     .data_i({top_q, len_q}), .data_o({top, len_o}));
 
   assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*DivStages-1 -: R]};

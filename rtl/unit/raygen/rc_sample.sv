@@ -4,7 +4,7 @@
 // middle. With jitter a hash of seed, pixel and sample gives its place in the cell. The hash is
 // Jenkins's one at a time (1997), over the words x, y and s.
 //
-// Latency rc_pkg::SampleStages, throughput 1 per cycle, no stall; stage i works when valid_i[i] is
+// Latency rc_pkg::SampleStages, throughput 1 per cycle, no stall; stage i works when enable_i[i] is
 // set. Model: sample_offset() in model/scene/whitted.cpp. The host ensures that side is in 1..8,
 // stride at most side, and s below side^2.
 `default_nettype none
@@ -15,7 +15,7 @@ module rc_sample #(
   localparam int unsigned SubBits    = rc_pkg::SubPixelBits
 ) (
   input  logic                  clk_i,
-  input  logic [Stages-1:0]     valid_i,
+  input  logic [Stages-1:0]     enable_i,
   // From the frame
   input  logic [3:0]            side_i,
   input  logic [SampleBits-1:0] stride_i,
@@ -87,18 +87,18 @@ module rc_sample #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) begin
+    if (enable_i[0]) begin
       s1_hash_q   <= mix(seed_i, 32'(x_i));
       s1_y_q      <= y_i;
       s1_sample_q <= sample_i;
       s1_at_q     <= s0_at;
     end
-    if (valid_i[1]) begin
+    if (enable_i[1]) begin
       s2_hash_q   <= mix(s1_hash_q, 32'(s1_y_q));
       s2_sample_q <= s1_sample_q;
       s2_at_q     <= s1_at;
     end
-    if (valid_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
+    if (enable_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
       s3_hash_q   <= s2_turned[15:0] ^ s2_turned[26:11]
                      ^ {s2_turned[0] ^ s2_turned[11], 15'd0};
       s3_column_q <= s2_rest[2:0];
@@ -124,7 +124,7 @@ module rc_sample #(
   assign s3_over_y = 26'({s3_row_q, s3_down}) * 26'(share);
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[3]) begin
+    if (enable_i[3]) begin
       x_o <= {~s3_over_x[21], s3_over_x[20:14]};
       y_o <= {~s3_over_y[21], s3_over_y[20:14]};
     end

@@ -34,12 +34,12 @@ module rc_ambient #(
     .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
 
   rc_shift_register #(.Width(3 + 6 * ColourBits), .Stages(5)) u_colour (
-    .clk_i, .valid_i(valid_i[4:0]),
+    .clk_i, .enable_i(valid_i[4:0]),
     .data_i({s0_ends_i, s0_odd_i, s0_checkered, s0_colour, s0_other}),
     .data_o({s5_ends, s5_odd, s5_checkered, s5_colour, s5_other}));
 
   rc_shift_register #(.Width(ValueBits + ColourBits), .Stages(6)) u_weighted (
-    .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
+    .clk_i, .enable_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
 
   localparam int unsigned ProductW = ValueBits + 2 * ColourBits;   // a product
   localparam int unsigned Drop     = 2 * rc_pkg::ShareBits;   // fraction bits that rounding drops

@@ -34,7 +34,7 @@ module rc_ball #(
 
   logic [3*OriginWidth-1:0] s1_o;
   rc_shift_register #(.Width(3 * OriginWidth), .Stages(1)) u_o (
-    .clk_i, .valid_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));
+    .clk_i, .enable_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));
 
   // s1: the way t d. s2: the sum. s3: clamped.
   logic [3*ProductW-1:0] s0_way;

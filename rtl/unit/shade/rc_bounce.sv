@@ -77,7 +77,7 @@ module rc_bounce #(
       .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
       .data_o(s13_cosine));
     rc_shift_register #(.Width(ValueBits), .Stages(7)) u_mirror (
-      .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
+      .clk_i, .enable_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
 
     assign s13_along   = $signed({{(AlongW-ValueBits-1){1'b0}}, s13_cosine, 1'b0});
     assign s13_ratio   = RatioBits'(1) << rc_pkg::IndexFrac;
@@ -136,7 +136,7 @@ module rc_bounce #(
   logic [ProductW-1:0]  s7_product, s8_weight_q, s8_rounded;
 
   rc_shift_register #(.Width(ValueBits), .Stages(7)) u_weight (
-    .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
+    .clk_i, .enable_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
 
   assign s7_cut = s7_share[ShareW-1:UnitBits] != '0 ? rc_pkg::ValueOne : s7_share[ValueBits-1:0];
 

@@ -21,7 +21,7 @@ module rc_corners #(
   // s2: products.
   logic [9*CornerBits-1:0] s2_normal;
   rc_shift_register #(.Width(9 * CornerBits), .Stages(2)) u_normal (
-    .clk_i, .valid_i(valid_i[1:0]), .data_i(s0_normal_i), .data_o(s2_normal));
+    .clk_i, .enable_i(valid_i[1:0]), .data_i(s0_normal_i), .data_o(s2_normal));
 
   logic [9*ProductW-1:0] s2_product;   // [corner][axis]
 

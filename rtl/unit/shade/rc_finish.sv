@@ -36,7 +36,7 @@ module rc_finish #(
   assign s0_most   = s0_state_i.most;
 
   rc_shift_register #(.Width(2), .Stages(3)) u_flags (
-    .clk_i, .valid_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
+    .clk_i, .enable_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
     .data_o({s3_some, s3_fourth}));
 
   // s1: sums and extremes. s2: mean, and the contrast. s3: rounded mean.

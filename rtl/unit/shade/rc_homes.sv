@@ -53,7 +53,7 @@ module rc_homes #(
     .clk_i, .valid_i(transform_valid_i[3:0]), .phase_i(s0_phase_i), .sphere_i(4'b1111),
     .s0_o_i, .s0_d_i, .s0_t_i, .s3_o_o(s3_o), .s4_o_o(s4_o));
   rc_shift_register #(.Width(3 * OriginWidth), .Stages(1)) u_o (
-    .clk_i, .valid_i(transform_valid_i[4]), .data_i(s4_o), .data_o(s5_o_o));
+    .clk_i, .enable_i(transform_valid_i[4]), .data_i(s4_o), .data_o(s5_o_o));
 
   // ---- The normal.
   logic [9*MapBits-1:0]            s0_factor_a;
@@ -76,12 +76,12 @@ module rc_homes #(
   rc_mul_held #(.AW(MapBits), .BW(AxisBits), .Products(9)) u_normal (
     .clk_i, .phase_i(s0_phase_i), .a_i(s0_factor_a), .b_i(s0_factor_n), .p_o(s0_product));
   rc_shift_register #(.Width(9 * (MapBits + AxisBits)), .Stages(1)) u_product (
-    .clk_i, .valid_i(transform_valid_i[0]), .data_i(s0_product), .data_o(s1_product));
+    .clk_i, .enable_i(transform_valid_i[0]), .data_i(s0_product), .data_o(s1_product));
 
   rc_shift_register #(.Width(3 * UnitW), .Stages(1)) u_sum (
-    .clk_i, .valid_i(transform_valid_i[1]), .data_i(s1_toward), .data_o(s2_toward));
+    .clk_i, .enable_i(transform_valid_i[1]), .data_i(s1_toward), .data_o(s2_toward));
   rc_shift_register #(.Width(3 * UnitW), .Stages(3)) u_toward (
-    .clk_i, .valid_i(transform_valid_i[4:2]), .data_i(s2_toward), .data_o(s5_toward_o));
+    .clk_i, .enable_i(transform_valid_i[4:2]), .data_i(s2_toward), .data_o(s5_toward_o));
 
   // ---- Into the mesh's space: a direction, or a light.
   localparam int unsigned FactorW = N > M ? N : M;
@@ -115,11 +115,11 @@ module rc_homes #(
   rc_mul_held #(.AW(MapBits), .BW(FactorW), .Products(9)) u_map_products (
     .clk_i, .phase_i(s15_phase_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
   rc_shift_register #(.Width(9 * (MapBits + FactorW) + 3 * SumW), .Stages(1)) u_map_product (
-    .clk_i, .valid_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
+    .clk_i, .enable_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
     .data_o({s16_product, s16_rest}));
 
   rc_shift_register #(.Width(1), .Stages(3)) u_near (
-    .clk_i, .valid_i(leave_valid_i[17:15]), .data_i(s15_near_i), .data_o(s18_near));
+    .clk_i, .enable_i(leave_valid_i[17:15]), .data_i(s15_near_i), .data_o(s18_near));
 
   // Sums, rounded; then the origin and the direction.
   for (genvar i = 0; i < 3; i++) begin : gen_moved

@@ -105,7 +105,7 @@ module rc_light #(
   logic           s1_far;
 
   rc_shift_register #(.Width(3 * PointWidth + 18), .Stages(1)) u_o (
-    .clk_i, .valid_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i, s0_far_i}),
+    .clk_i, .enable_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i, s0_far_i}),
     .data_o({s1_o, s1_weight, s1_far}));
 
   // s2: the way to the light, in units of 2^-OriginBits; its colour times the ray's weight, U2.32.
@@ -118,7 +118,7 @@ module rc_light #(
   logic [3*RayDirBits-1:0]  s15_away;
 
   rc_shift_register #(.Width(3 * WayW), .Stages(3)) u_to (
-    .clk_i, .valid_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
+    .clk_i, .enable_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
 
   rc_stage_delay #(.Width(3 * 34), .Stages(24)) u_strength (
     .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
@@ -140,7 +140,7 @@ module rc_light #(
     .data_o(s15_from));
 
   rc_shift_register #(.Width(3 * AxisBits), .Stages(2)) u_unit (
-    .clk_i, .valid_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
+    .clk_i, .enable_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
   logic [3*2*ValueBits-1:0] s1_strength;
 
   rc_mul_held #(.AW(ValueBits), .BW(ValueBits), .Signed(1'b0), .Products(3)) u_strengths (
@@ -205,7 +205,7 @@ module rc_light #(
     .data_o(s24_highlight));
 
   rc_shift_register #(.Width(ShineBits), .Stages(2)) u_shine (
-    .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
+    .clk_i, .enable_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
   // Half the last kept bit of products that drop 12, 24 and 28 fraction bits.
   localparam logic [29:0] GlossHalf = 30'd1 << (rc_pkg::ShareBits - 1);

@@ -97,14 +97,14 @@ module rc_pass #(
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
 
     rc_shift_register #(.Width(RayW), .Stages(1)) u_ray (
-      .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i, place_i}),
+      .clk_i, .enable_i(valid_i), .data_i({ray_i, hit_i, o_i, d_i, place_i}),
       .data_o({ray, hit, o, d, place}));
 
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
-      .clk_i, .valid_i, .data_i({state_i, surface_i}), .data_o({state, surface}));
+      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({state, surface}));
 
     rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
-      .clk_i, .valid_i(valid), .data_i(top_i), .data_o(top_came));
+      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
   // ---- s0: purpose of the pass.

@@ -33,9 +33,9 @@ module rc_schlick #(
   assign s0_q = rc_pkg::ValueOne - s0_cosine_i;
 
   rc_shift_register #(.Width(ValueBits), .Stages(1)) u_q1 (
-    .clk_i, .valid_i(valid_i[0]), .data_i(s0_q), .data_o(s1_q));
+    .clk_i, .enable_i(valid_i[0]), .data_i(s0_q), .data_o(s1_q));
   rc_shift_register #(.Width(ValueBits), .Stages(1)) u_q2 (
-    .clk_i, .valid_i(valid_i[1]), .data_i(s1_q), .data_o(s2_q));
+    .clk_i, .enable_i(valid_i[1]), .data_i(s1_q), .data_o(s2_q));
 
   logic [ProductW-1:0] s1_up, s2_up, s3_up;
 
@@ -56,9 +56,9 @@ module rc_schlick #(
   assign s6_up = s6_part_q + rc_pkg::ProductHalf;
 
   rc_shift_register #(.Width(ValueBits), .Stages(3)) u_r0 (
-    .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_r0_i), .data_o(s3_r0));
+    .clk_i, .enable_i(valid_i[2:0]), .data_i(s0_r0_i), .data_o(s3_r0));
   rc_shift_register #(.Width(ValueBits + 1), .Stages(5)) u_transmit (
-    .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
+    .clk_i, .enable_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
     .data_o({s5_transmit, s5_refract}));
 
   // Factors of each stage's product, and the products.
@@ -97,7 +97,7 @@ module rc_schlick #(
   logic [ShareW-1:0] s6_plain, s6_fresnel, s6_mirrored;
 
   rc_shift_register #(.Width(2 * ValueBits + 3), .Stages(6)) u_wait (
-    .clk_i, .valid_i(valid_i[5:0]),
+    .clk_i, .enable_i(valid_i[5:0]),
     .data_i({s0_mirror_i, s0_transmit_i, s0_refract_i, s0_schlick_i, s0_total_i}),
     .data_o({s6_mirror, s6_transmit, s6_refract, s6_schlick, s6_total}));
 

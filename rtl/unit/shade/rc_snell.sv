@@ -43,9 +43,9 @@ module rc_snell #(
   logic [SquareW-1:0] s3_square_q;
 
   rc_shift_register #(.Width(1), .Stages(1)) u_refract1 (
-    .clk_i, .valid_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
+    .clk_i, .enable_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
   rc_shift_register #(.Width(1), .Stages(1)) u_refract2 (
-    .clk_i, .valid_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
+    .clk_i, .enable_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
 
   assign s1_sine2   = One - s1_cosine2_q;
   assign s2_cosine2 = $signed(InsideW'(One)) - $signed({2'b00, s2_bent_q[BentW-1:2*IndexFrac]});

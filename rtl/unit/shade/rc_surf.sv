@@ -167,7 +167,7 @@ module rc_surf #(
   logic s4_back, s4_ends, s4_smooth;
 
   rc_shift_register #(.Width(3), .Stages(4)) u_flags (
-    .clk_i, .valid_i(valid_i[3:0]), .data_i({s0_back_i, s0_ends, s0_smooth}),
+    .clk_i, .enable_i(valid_i[3:0]), .data_i({s0_back_i, s0_ends, s0_smooth}),
     .data_o({s4_back, s4_ends, s4_smooth}));
 
   // s3: the normal n = (b - a) x (c - a), and products with u, v.
@@ -177,7 +177,7 @@ module rc_surf #(
   logic [3*NormalSumW-1:0]  s4_smooth_sum;
 
   rc_shift_register #(.Width(3 * N), .Stages(3)) u_a (
-    .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_a), .data_o(s3_a));
+    .clk_i, .enable_i(valid_i[2:0]), .data_i(s0_a), .data_o(s3_a));
 
   logic [3*OriginWidth-1:0] s3_ball_o, s4_ball_o;
   logic [2:0]               s4_beyond, s4_outside;

@@ -13,7 +13,7 @@ module rc_child_offsets #(
   localparam int unsigned OffsetBits = rc_pkg::OffsetBits
 ) (
   input  logic                            clk_i,
-  input  logic [1:0]                      moves_i,    // moves_i[i]: stage i accepts a node
+  input  logic [1:0]                      enable_i,    // enable_i[i]: stage i accepts a node
   // 0: no child, 1: an inner one, else a leaf of kind - 1.
   input  logic [NodeWidth*CountBits-1:0]  kind_i,
   // One stage later
@@ -31,7 +31,7 @@ module rc_child_offsets #(
 `ifdef SYNTHESIS
   assign asks = '1;
 `else
-  assign asks = moves_i;
+  assign asks = enable_i;
 `endif
 
   // s1: kinds, lines of inner children, triangles of the first four children.
@@ -59,7 +59,7 @@ module rc_child_offsets #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[0]) begin
+    if (enable_i[0]) begin
       inner_q <= is_inner;
       leaf_q  <= is_leaf;
       count_q <= count;
@@ -93,7 +93,7 @@ module rc_child_offsets #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[1]) begin
+    if (enable_i[1]) begin
       leaf_o   <= leaf_q;
       count_o  <= count_q;
       offset_o <= offset;

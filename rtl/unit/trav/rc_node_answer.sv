@@ -18,7 +18,7 @@ module rc_node_answer #(
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
-  input  logic [Latency-1:0]             moves_i,   // moves_i[i]: stage i + 1 accepts its input
+  input  logic [Latency-1:0]             enable_i,   // enable_i[i]: stage i + 1 accepts its input
   // The node, at stage In
   input  logic [RayBits-1:0]             ray_i,
   input  logic [AddrBits-1:0]            base_i,
@@ -43,13 +43,13 @@ module rc_node_answer #(
   logic [NodeWidth-1:0]            there, rank_leaf;
 
   rc_shift_register #(.Width(RayBits + AddrBits), .Stages(Latency - In)) u_whose (
-    .clk_i, .valid_i(moves_i[Latency-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
+    .clk_i, .enable_i(enable_i[Latency-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
 
   rc_shift_register #(.Width(NodeWidth * CountBits), .Stages(Rank - 2 - In)) u_kind (
-    .clk_i, .valid_i(moves_i[Rank-3:In]), .data_i(kind_i), .data_o(late_kind));
+    .clk_i, .enable_i(enable_i[Rank-3:In]), .data_i(kind_i), .data_o(late_kind));
 
   rc_child_offsets #(.Exits(Exits)) u_places (
-    .clk_i, .moves_i(moves_i[Rank-1:Rank-2]), .kind_i(late_kind), .there_o(there),
+    .clk_i, .enable_i(enable_i[Rank-1:Rank-2]), .kind_i(late_kind), .there_o(there),
     .leaf_o(rank_leaf), .offset_o(rank_offset), .count_o(rank_count));
 
   // The children that are met.
@@ -58,7 +58,7 @@ module rc_node_answer #(
 
   for (genvar i = 0; i < NodeWidth; i++) begin : gen_child
     always_ff @(posedge clk_i) begin
-      if (moves_i[Rank-1]) begin
+      if (enable_i[Rank-1]) begin
         hit_q[i]                 <= met_i[i] && there[i];
         near_q[i*TBits +: TBits] <= near_i[i*TBits +: TBits];
       end
@@ -70,7 +70,7 @@ module rc_node_answer #(
   logic [NodeWidth*EntryW-1:0] end_entries;
 
   rc_rank u_rank (
-    .clk_i, .valid_i(moves_i[Latency-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
+    .clk_i, .enable_i(enable_i[Latency-1:Rank]), .s0_hit_i(hit_q), .s0_near_i(near_q),
     .s0_leaf_i(rank_leaf), .s0_offset_i(rank_offset), .s0_count_i(rank_count),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
@@ -91,6 +91,6 @@ module rc_node_answer #(
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, moves_i};
+  assign unused = ^{queue_ready, enable_i};
 endmodule
 `default_nettype wire

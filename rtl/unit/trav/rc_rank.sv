@@ -1,7 +1,7 @@
 // Sorts the children that are met: inner children first, then leaves, each by (t_near, offset).
 // Entries after the last child are zero. Offsets differ, so the order is total.
 //
-// Part of rc_node_answer. Hits, distances and places come with valid_i[0]; sorted entries come
+// Part of rc_node_answer. Hits, distances and places come with enable_i[0]; sorted entries come
 // rc_pkg::RankStages later.
 //
 // It is a bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has
@@ -17,8 +17,8 @@ module rc_rank #(
   localparam int unsigned Stages     = rc_pkg::RankStages
 ) (
   input  logic                                              clk_i,
-  // valid_i[i]: stage i holds a node, or the chip is fast
-  input  logic [Stages-1:0]                                 valid_i,
+  // enable_i[i]: stage i holds a node, or the chip is fast
+  input  logic [Stages-1:0]                                 enable_i,
   // Children
   input  logic [NodeWidth-1:0]                              s0_hit_i,
   input  logic [NodeWidth*TBits-1:0]                        s0_near_i,
@@ -42,7 +42,7 @@ module rc_rank #(
 `ifdef SYNTHESIS
   assign asks = 1'b1;
 `else
-  assign asks = Cut != 0 || valid_i[0];
+  assign asks = Cut != 0 || enable_i[0];
 `endif
 
   // Number of inner children and of leaves that are met.
@@ -64,7 +64,7 @@ module rc_rank #(
     localparam int unsigned Block = l == 0 ? 2 : l < 3 ? 4 : 8;
     localparam int unsigned Step  = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
     logic holds;
-    assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
+    assign holds = Cut != 0 || enable_i[l > Middle ? 1 : 0];
 
     for (genvar i = 0; i < NodeWidth; i++) begin : gen_key
       logic [KeyW-1:0] key, put, late;
@@ -97,7 +97,7 @@ module rc_rank #(
 
       if (l == Middle) begin : gen_middle
         logic [KeyW-1:0] key_q;
-        always_ff @(posedge clk_i) if (valid_i[Cut*(l+1)]) key_q <= put;
+        always_ff @(posedge clk_i) if (enable_i[Cut*(l+1)]) key_q <= put;
         assign late = key_q;
       end else begin : gen_cut
         rc_path_register #(.Width(KeyW)) u_key (.clk_i, .data_i(put), .data_o(late));
@@ -114,7 +114,7 @@ module rc_rank #(
     logic [KeyW-1:0] last;
     assign last = gen_level[Levels-1].gen_key[i].late;
     always_ff @(posedge clk_i)
-      if (valid_i[Stages-1])
+      if (enable_i[Stages-1])
         {t_q[i*TBits +: TBits], offset_q[i*OffsetBits +: OffsetBits],
          count_q[i*CountBits +: CountBits]} <=
           last[KeyW-1] ? '0 : last[TBits+OffsetBits+CountBits-1:0];
@@ -125,6 +125,6 @@ module rc_rank #(
   assign entries_o = {t_q, offset_q, count_q};
 
   rc_shift_register #(.Width(2 * GroupBits), .Stages(Stages)) u_counts (
-    .clk_i, .valid_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
+    .clk_i, .enable_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
 endmodule
 `default_nettype wire
