@@ -55,8 +55,8 @@ mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [t
   OLD [[below = top_near[TBits-1:0] < top_below ? top_near[TBits-1:0] : top_below;]]
   NEW [[below = top_near[TBits-1:0];]])
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/unit/list/rc_list.sv TEST unit [list][shading]
-  OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
-  NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
+  OLD [[(s2_more_triangles || s2_more_leaves) && !s2_blocked;]]
+  NEW [[s2_more_triangles || (s2_more_leaves && !s2_blocked);]])
 mutant(sched_frees_another_context QUICK FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ RayBits'(1))]])

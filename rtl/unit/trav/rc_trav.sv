@@ -4,9 +4,15 @@
 // inner child that can still matter, and pushes its siblings on the ray's stack as one group.
 // Otherwise it pops the stack.
 //
-// An answer of box is accepted in every cycle. Its leaves go to list in the same cycle, and list
-// always accepts them. Rays without leaves wait in a separate queue; rays that list has tested go
-// first.
+// An answer of box is accepted in every cycle, and passes three stages. A signal's prefix is its
+// stage.
+//
+// - rsp0 is box's answer.
+// - rsp1 moves the leaves to the front, and compares them with the distance to beat.
+// - rsp2 sends the leaves to list, which always accepts them, and stores the inner children.
+//
+// In a relaxed chip they lie in one cycle. In a fast chip there is a register before rsp1 and rsp2.
+// Rays without leaves wait in a separate queue; rays that list has tested go first.
 //
 // Stage 0 accepts a step and reads the top of the ray's stack. Stage 1 decides the next node or the
 // ray's end. A popped group whose nearest child is too far passes through both stages again, before
@@ -203,43 +209,43 @@ module rc_trav (
 `endif
   end
 
-  // ---- Answers: box's answer, and the ray's distance to beat.
-  rc_pkg::box_rsp_t           in;
-  logic [rc_pkg::BoxRspW-1:0] came, in_flat;
-  logic                       came_fires, in_fires;
-  logic [TBits-1:0]           in_t;
+  // ---- Answers: box's answer (rsp0, then rsp1), and the ray's distance to beat.
+  rc_pkg::box_rsp_t           rsp1;
+  logic [rc_pkg::BoxRspW-1:0] rsp0, rsp1_flat;
+  logic                       rsp0_fires, rsp2_fires;
+  logic [TBits-1:0]           rsp1_t;
 
-  assign came               = decide_rsp_i;
-  assign came_fires         = decide_rsp_valid_i;
+  assign rsp0               = decide_rsp_i;
+  assign rsp0_fires         = decide_rsp_valid_i;
   assign decide_rsp_ready_o = 1'b1;
 
-  logic [NodeWidth-1:0]               in_within;   // children that lie no farther
+  logic [NodeWidth-1:0]               rsp1_within;   // children that lie no farther
 
   rc_ray_t_max #(.Nears(NodeWidth)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t),
-    .near_i(in.t_near), .within_o(in_within));
+    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(rsp1_t),
+    .near_i(rsp1.t_near), .within_o(rsp1_within));
 
-  rc_path_register #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
-  assign in = in_flat;
+  rc_path_register #(.Width(rc_pkg::BoxRspW)) u_rsp1 (.clk_i, .data_i(rsp0), .data_o(rsp1_flat));
+  assign rsp1 = rsp1_flat;
 
   // Leaves: moved to the front of the entries.
-  logic [SlotBits-1:0]             in_inner;
+  logic [SlotBits-1:0]             rsp1_inner;
   logic [NodeWidth*TBits-1:0]      leaf_near;
-  logic [NodeWidth*OffsetBits-1:0] in_offset, leaf_offset;
+  logic [NodeWidth*OffsetBits-1:0] rsp1_offset, leaf_offset;
   logic [NodeWidth*CountBits-1:0]  leaf_count;
-  logic [NodeWidth*SlotBits-1:0]   in_slot;
+  logic [NodeWidth*SlotBits-1:0]   rsp1_slot;
 
-  assign in_inner  = in.inner[SlotBits-1:0];   // NodeWidth inner children leave no leaves
-  assign in_offset = in.offset;
+  assign rsp1_inner  = rsp1.inner[SlotBits-1:0];   // NodeWidth inner children leave no leaves
+  assign rsp1_offset = rsp1.offset;
 
   always_comb begin
-    leaf_near   = in.t_near;
-    leaf_offset = in.offset;
-    leaf_count  = in.count;
+    leaf_near   = rsp1.t_near;
+    leaf_offset = rsp1.offset;
+    leaf_count  = rsp1.count;
     for (int b = 0; b < SlotBits; b++)
-      if (in_inner[b]) begin
+      if (rsp1_inner[b]) begin
         leaf_near   = leaf_near >> (TBits << b);
         leaf_offset = leaf_offset >> (OffsetBits << b);
         leaf_count  = leaf_count >> (CountBits << b);
@@ -247,19 +253,20 @@ module rc_trav (
   end
 
   for (genvar i = 0; i < NodeWidth; i++) begin : gen_slot   // an inner child is a line, two halves
-    assign in_slot[i*SlotBits +: SlotBits] = in_offset[i*OffsetBits + 1 +: SlotBits];
+    assign rsp1_slot[i*SlotBits +: SlotBits] = rsp1_offset[i*OffsetBits + 1 +: SlotBits];
   end
 
   rc_pkg::leaves_t              leaves;
-  logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
-  logic [rc_pkg::ChildrenW-1:0] in_children, children;
+  logic [rc_pkg::LeavesW-1:0]   rsp1_leaves, leaves_flat;
+  logic [rc_pkg::ChildrenW-1:0] rsp1_children, children;
   logic [TBits-1:0]             leaves_beat;
 
-  assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
-  assign in_children = {in.base, in.inner, in.t_near, in_slot};
+  assign rsp1_leaves   = {rsp1.ray, rsp1.base, rsp1.leaves, leaf_near, leaf_offset, leaf_count};
+  assign rsp1_children = {rsp1.base, rsp1.inner, rsp1.t_near, rsp1_slot};
 
   rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TBits)) u_moved (
-    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
+    .clk_i, .data_i({rsp1_leaves, rsp1_children, rsp1_t}),
+    .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
 
   // Leaves go to list if the nearest can matter. A fast chip compares all children one cycle
@@ -273,26 +280,26 @@ module rc_trav (
   if (rc_pkg::Cut == 0) begin : gen_in_now
     logic matters;
     assign matters        = leaves.leaves != '0 && leaves_near[TBits-1:0] <= leaves_beat;
-    assign in_fires       = came_fires;
-    assign leaves_fires_o = in_fires && matters;
-    assign leafless_fires = in_fires && !matters;
+    assign rsp2_fires     = rsp0_fires;
+    assign leaves_fires_o = rsp2_fires && matters;
+    assign leafless_fires = rsp2_fires && !matters;
   end else begin : gen_in_late   // two registers
-    logic matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
+    logic matters, rsp1_fires_q, rsp2_fires_q, leaves_fires_q, leafless_fires_q;
 
     always_comb begin
       matters = 1'b0;
       for (int i = 0; i < NodeWidth; i++)
-        if (in_inner == SlotBits'(i) && in_within[i]) matters = in.leaves != '0;
+        if (rsp1_inner == SlotBits'(i) && rsp1_within[i]) matters = rsp1.leaves != '0;
     end
 
     always_ff @(posedge clk_i) begin
-      came_fires_q     <= rst_ni && came_fires;
-      in_fires_q       <= rst_ni && came_fires_q;
-      leaves_fires_q   <= rst_ni && came_fires_q && matters;
-      leafless_fires_q <= rst_ni && came_fires_q && !matters;
+      rsp1_fires_q     <= rst_ni && rsp0_fires;
+      rsp2_fires_q     <= rst_ni && rsp1_fires_q;
+      leaves_fires_q   <= rst_ni && rsp1_fires_q && matters;
+      leafless_fires_q <= rst_ni && rsp1_fires_q && !matters;
     end
 
-    assign in_fires       = in_fires_q;
+    assign rsp2_fires     = rsp2_fires_q;
     assign leaves_fires_o = leaves_fires_q;
     assign leafless_fires = leafless_fires_q;
   end
@@ -367,7 +374,7 @@ module rc_trav (
   end
 
   rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(Contexts)) u_children (
-    .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
+    .clk_i, .rst_ni, .write_i(rsp2_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
     .read_data_o(kept_children));
 
@@ -465,6 +472,6 @@ module rc_trav (
   assign frame_flat  = frame_i;
   assign change_flat = change_i;
   assign unused      = ^{done_place, is_short, node_rsp, ray_flat, frame_flat, change_fires_i,
-                         change_flat, in_offset, end_tested, leaves_near, in_within};
+                         change_flat, rsp1_offset, end_tested, leaves_near, rsp1_within};
 endmodule
 `default_nettype wire
