@@ -278,16 +278,16 @@ module rc_contexts #(
   always_comb begin
     begun = state;
     if (fresh) begin
-      begun.purpose = rc_pkg::EventArrive;
-      begun.pending = rc_pkg::PendingNone;
-      begun.colour  = '0;
-      begun.weight  = rc_pkg::ValueOne;
-      begun.depth   = '0;
-      begun.waiting = '0;
-      begun.sample  = '0;
-      begun.sum     = '0;
-      begun.least   = {3{rc_pkg::ValueOne}};
-      begun.most    = '0;
+      begun.next_event = rc_pkg::EventArrive;
+      begun.pending    = rc_pkg::PendingNone;
+      begun.colour     = '0;
+      begun.weight     = rc_pkg::ValueOne;
+      begun.depth      = '0;
+      begun.waiting    = '0;
+      begun.sample     = '0;
+      begun.sum        = '0;
+      begun.least      = {3{rc_pkg::ValueOne}};
+      begun.most       = '0;
     end
   end
 

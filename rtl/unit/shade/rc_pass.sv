@@ -107,7 +107,7 @@ module rc_pass #(
       .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
-  // ---- s0: purpose of the pass.
+  // ---- s0: event of the pass.
   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
   logic [Stages:0]             ends;
   logic                        back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
@@ -151,7 +151,7 @@ module rc_pass #(
   assign ends[Stages] = phase[Stages*Every];
   assign end_valid_o  = ends[Stages];
 
-  // The purposes of the passes that leave their stages.
+  // The events of the passes that leave their stages.
   // face: surf or transform
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, face_at;
   logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at;

@@ -1,4 +1,4 @@
-// The start of a pass: its purpose, and the context's state that is known then. Part of rc_pass;
+// The start of a pass: its event, and the context's state that is known then. Part of rc_pass;
 // combinational. Model: pass() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(
@@ -12,7 +12,7 @@ module rc_pass_begin #(
   input  rc_pkg::shade_state_t   state_i,
   input  rc_pkg::shade_hit_t     hit_i,
   input  rc_pkg::surface_t       surface_i,
-  // Purpose
+  // Event
   output logic                   surf_o,     // a camera ray or bounce has hit a surface
   output logic                   light_o,
   output logic                   bounce_o,
@@ -27,7 +27,7 @@ module rc_pass_begin #(
   output rc_pkg::shade_state_t   known_o
 );
 
-  // Purpose.
+  // Event.
   logic                arrives, found, back;   // arrives: a camera ray or bounce is done
   logic [PrimBits-1:0] prim;
   logic [TBits-1:0]    t;
@@ -40,15 +40,15 @@ module rc_pass_begin #(
   assign u     = hit_i.u;
   assign v     = hit_i.v;
 
-  assign arrives        = state_i.purpose == rc_pkg::EventArrive;
+  assign arrives        = state_i.next_event == rc_pkg::EventArrive;
   assign has_material_o = arrives && found;
   assign surf_o         = valid_i && has_material_o;
-  assign light_o        = valid_i && state_i.purpose == rc_pkg::EventLight;
-  assign refract_o      = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
-  assign bounce_o       = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign light_o        = valid_i && state_i.next_event == rc_pkg::EventLight;
+  assign refract_o      = rc_pkg::Refraction == 1 && state_i.next_event == rc_pkg::EventRefract;
+  assign bounce_o       = valid_i && (refract_o || state_i.next_event == rc_pkg::EventReflect);
   assign transform_o    = valid_i && rc_pkg::Homes == 1
-      && state_i.purpose == rc_pkg::EventTransform;
-  assign end_o          = valid_i && state_i.purpose == rc_pkg::EventPop;
+      && state_i.next_event == rc_pkg::EventTransform;
+  assign end_o          = valid_i && state_i.next_event == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
   logic        adds;

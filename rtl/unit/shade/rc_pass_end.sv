@@ -81,12 +81,12 @@ module rc_pass_end #(
 );
   localparam int unsigned Cut = rc_pkg::ShadeCut;
 
-  // ---- Purpose of the pass.
+  // ---- Event of the pass.
   logic [2:0] event_now;
   logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
 
-  assign event_now = begin_state_i.purpose;
+  assign event_now = begin_state_i.next_event;
   assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
 
   rc_path_register #(.Width(7), .Stages(Cut)) u_event (
@@ -219,29 +219,29 @@ module rc_pass_end #(
     if (surf_i || transform_i) next.light = '0;
 
     if (is_arrive) begin
-      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTransform
-          : after;
+      next.next_event = !surf_i ? rc_pkg::EventPop
+                      : rc_pkg::Homes == 1 ? rc_pkg::EventTransform : after;
     end
 
-    if (transform_i) next.purpose = after;
+    if (transform_i) next.next_event = after;
 
     if (is_arrive || escapes) next.colour = colour;
 
     if (is_light) begin
-      next.light   = light;
-      next.purpose = after;
-      next.pending = !counts ? rc_pkg::PendingNone
+      next.light      = light;
+      next.next_event = after;
+      next.pending    = !counts ? rc_pkg::PendingNone
                       : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
 
     if (is_refract) begin
-      next.total = total_i;
-      next.purpose = rc_pkg::EventReflect;
+      next.total      = total_i;
+      next.next_event = rc_pkg::EventReflect;
       if (pushes) next.waiting = begin_state_i.waiting + 4'd1;
     end
 
     if (is_reflect) begin
-      next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
+      next.next_event = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
         next.weight = weight_i;
         next.depth  = begin_state_i.depth + 4'd1;
@@ -249,10 +249,10 @@ module rc_pass_end #(
     end
 
     if (is_pop) begin
-      next.waiting = begin_state_i.waiting - 4'd1;
-      next.weight  = top_i.weight;
-      next.depth   = top_i.depth;
-      next.purpose = rc_pkg::EventArrive;
+      next.waiting    = begin_state_i.waiting - 4'd1;
+      next.weight     = top_i.weight;
+      next.depth      = top_i.depth;
+      next.next_event = rc_pkg::EventArrive;
     end
 
     if (is_end) begin
@@ -262,11 +262,11 @@ module rc_pass_end #(
     end
 
     if (is_next) begin
-      next.sample = begin_state_i.sample + 6'd1;
-      next.colour = '0;
-      next.weight = rc_pkg::ValueOne;
-      next.depth  = '0;
-      next.purpose = rc_pkg::EventArrive;
+      next.sample     = begin_state_i.sample + 6'd1;
+      next.colour     = '0;
+      next.weight     = rc_pkg::ValueOne;
+      next.depth      = '0;
+      next.next_event = rc_pkg::EventArrive;
     end
   end
 
