@@ -95,7 +95,7 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
   end]]
   NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, begin_state_i.depth} + 6'd1)), .data_o(slack));]])
-mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_side.sv TEST unit [pass][all]
+mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_normal_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
   NEW [[&& sum[ProductW:0] != '1;]])
 mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture "model and RTL agree under torture"

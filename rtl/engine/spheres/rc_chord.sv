@@ -2,8 +2,8 @@
 // conservative. Rounding makes each component of the distance from the centre to the ray's line at
 // most too small. It makes the radius and half the chord at most too large.
 //
-// Part of rc_globe. A globe comes with stage 0, the results of rc_sight at the stages that it
-// documents. The answer is ready before the last register of rc_pkg::GlobeStages. Model:
+// Part of rc_globe. A globe comes with stage 0, the results of rc_globe_moment at the stages that
+// it documents. The answer is ready before the last register of rc_pkg::GlobeStages. Model:
 // globe_children() in model/engine/spheres/globe.cpp.
 `default_nettype none
 module rc_chord #(
@@ -20,7 +20,7 @@ module rc_chord #(
   // Globe
   input  logic [3*GlobeBits-1:0]  s0_centre_i,
   input  logic [GlobeBits-1:0]    s0_radius_i,
-  // From rc_sight
+  // From rc_globe_moment
   input  logic [3*TowardBits-1:0] toward_i,
   input  logic [3*MomentW-1:0] moment_i,
   input  logic [WayW-1:0] way_i,

@@ -59,7 +59,7 @@ module rc_globe (
   logic [16:0]                   inverse;
   logic [5:0]                    right;
 
-  rc_sight u_sight (
+  rc_globe_moment u_globe_moment (
     .clk_i, .enable_i(enable[In +: GlobeStages]), .s0_o_i(in.o), .s0_org_i(in.org),
     .s0_exp_i(in.exp),
     .s0_toward_i(in.toward), .s0_len_i(in.len), .toward_o(toward), .moment_o(moment), .way_o(way),

@@ -332,7 +332,7 @@ module rc_sphere #(
   logic [2*RootW-1:0] s5_cut_q, s4_cut;
   logic [RightW:0]    s5_right_lost_q, s4_right_lost;
 
-  rc_shrink #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_shrink (
+  rc_normalise #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_normalise (
     .clk_i, .all_i(s4_disc_q), .cut_o(s4_cut), .right_o(s4_right_lost[RightW:1]),
     .lost_o(s4_right_lost[0]));
 

@@ -324,7 +324,7 @@ module rc_pass #(
                                           : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
   end
 
-  rc_side u_side (
+  rc_normal_side u_normal_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
     .phase_i(phase[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
@@ -357,7 +357,7 @@ module rc_pass #(
     assign map_a = place.a;
     assign map_b = place.b;
 
-    rc_homes #(.UnitW(UnitW)) u_homes (
+    rc_instance_space #(.UnitW(UnitW)) u_instance_space (
       .clk_i, .rst_ni, .transform_valid_i(transform_at[4:0]), .s0_phase_i(phase[Every-1:0]),
       .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),

@@ -41,7 +41,7 @@ module rc_pass_end #(
   input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
   input  logic [3*ValueBits-1:0]   surf_ambient_i,
   input  logic [3*ValueBits-1:0]   background_i,
-  // With two levels, from rc_homes: a surface was transformed; the ray in the mesh's space
+  // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
   input  logic                     transform_i,
   input  logic [3*OriginWidth-1:0] transform_o_i,
   input  logic [rc_pkg::AddrBits-1:0] home_i,
@@ -52,7 +52,7 @@ module rc_pass_end #(
   input  logic                     light_clear_i,
   input  logic [3*N-1:0]           light_place_i,
   input  logic [3*ValueBits-1:0]   light_share_i,
-  // For a shadow ray or bounce, from rc_side, rc_angles and rc_approach
+  // For a shadow ray or bounce, from rc_normal_side, rc_angles and rc_approach
   input  logic                     above_i,     // the new ray is on that side of the surface
   input  logic                     below_i,
   input  logic                     positive_i,  // the light's cosine is positive

@@ -179,7 +179,7 @@ module rc_surf #(
   rc_shift_register #(.Width(3 * N), .Stages(3)) u_a (
     .clk_i, .enable_i(valid_i[2:0]), .data_i(s0_a), .data_o(s3_a));
 
-  logic [3*OriginWidth-1:0] s3_ball_o, s4_ball_o;
+  logic [3*OriginWidth-1:0] s3_ray_point, s4_ray_point;
   logic [2:0]               s4_beyond, s4_outside;
 
   // Each axis of e1 and of e2 with the next but one: the factors of the cross product come first.
@@ -240,7 +240,7 @@ module rc_surf #(
     logic signed [OriginWidth:0] s3_a_wide, s3_out;
 
     assign s3_a_wide = (OriginWidth+1)'($signed(s3_a[k*N +: N])) <<< OriginBits;
-    assign s3_out    = (OriginWidth+1)'($signed(s3_ball_o[k*OriginWidth +: OriginWidth]))
+    assign s3_out    = (OriginWidth+1)'($signed(s3_ray_point[k*OriginWidth +: OriginWidth]))
                      - s3_a_wide;
 
     always_ff @(posedge clk_i) begin
@@ -265,7 +265,7 @@ module rc_surf #(
     assign s4_at        = $signed(s4_at_q[k*PlanePointW +: PlanePointW]);
     assign s4_beyond[k] = s4_at > Most || s4_at < -Most;
     assign s4_outside[k] = s4_at > End || s4_at < -End;
-    assign s4_o = sphere[4] ? PointWidth'($signed(s4_ball_o[k*OriginWidth +: OriginWidth]))
+    assign s4_o = sphere[4] ? PointWidth'($signed(s4_ray_point[k*OriginWidth +: OriginWidth]))
                 : s4_at > Most ? Most[PointWidth-1:0]
                 : s4_at < -Most ? -Most[PointWidth-1:0] : s4_at[PointWidth-1:0];
 
@@ -291,7 +291,7 @@ module rc_surf #(
 
   // Weighted corner normals.
   if (rc_pkg::Smooth == 1) begin : gen_smooth
-    rc_corners #(.WeightW(WeightW), .NormalSumW(NormalSumW)) u_corners (
+    rc_corner_normals #(.WeightW(WeightW), .NormalSumW(NormalSumW)) u_corner_normals (
       .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[2*Every +: Every]),
       .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
       .s2_u_i(s2_u_q), .s2_v_i(s2_v_q), .s4_sum_o(s4_smooth_sum));
@@ -303,14 +303,14 @@ module rc_surf #(
   end
 
   // A sphere's point: o + t d.
-  if (rc_pkg::Spheres == 1) begin : gen_ball
-    rc_ball u_ball (
+  if (rc_pkg::Spheres == 1) begin : gen_ray_point
+    rc_ray_point u_ray_point (
       .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[Every-1:0]), .sphere_i(sphere[3:0]),
       .s0_o_i, .s0_d_i, .s0_t_i,
-      .s3_o_o(s3_ball_o), .s4_o_o(s4_ball_o));
-  end else begin : gen_no_ball
-    assign s3_ball_o = '0;
-    assign s4_ball_o = '0;
+      .s3_o_o(s3_ray_point), .s4_o_o(s4_ray_point));
+  end else begin : gen_no_ray_point
+    assign s3_ray_point = '0;
+    assign s4_ray_point = '0;
 
     logic unused;
     assign unused = ^{s0_o_i, s0_d_i, s0_t_i};

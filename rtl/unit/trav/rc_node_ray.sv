@@ -1,6 +1,6 @@
 // The fields of a ray that the unit that decides nodes needs:
 // - boxes, treelets and pairs of planes: origin, signs and reciprocals;
-// - globes: the direction that rc_toward makes;
+// - globes: the direction that rc_globe_ray makes;
 // - slants: origin, reciprocals and the direction, shifted up to RayDirBits.
 //
 // Part of rc_trav, which stores them until the ray's nodes come. Latency 3 for globes in a fast
@@ -31,7 +31,7 @@ module rc_node_ray #(
   output logic [KeptW-1:0]         kept_o    // the origin is highest
 );
   if (Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    rc_toward u_toward (
+    rc_globe_ray u_globe_ray (
       .clk_i, .rst_ni, .valid_i, .ray_i, .o_i, .d_i, .short_i, .valid_o, .ray_o, .kept_o);
   end else begin : gen_now
     assign valid_o = valid_i;

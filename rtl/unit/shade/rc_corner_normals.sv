@@ -1,7 +1,7 @@
 // Weighted corner normals of a triangle: w na + u nb + v nc, with w = 2^B - u - v. Part of rc_surf,
 // which has the valid bits. The sum is in the registers of s4.
 `default_nettype none
-module rc_corners #(
+module rc_corner_normals #(
   parameter  int unsigned WeightW    = 16,   // of u and v, signed; w has two more
   parameter  int unsigned NormalSumW = 30,   // of a sum, signed
   localparam int unsigned CornerBits = rc_pkg::CornerBits,

@@ -5,7 +5,7 @@
 // - slack, a bound on how much rounding enlarges the distances, in eighths of 2^exp steps, at stage
 //   1 + 4 Cut (the part that all nodes share is left out);
 // - square, |e|^2 / 2^18, rounded down, plus one, at stage 3 + MulStages + 4 Cut;
-// - inverse, K (rc_inverse), at stage 5 + 2 MulStages + 9 Cut;
+// - inverse, K (rc_inverse_square), at stage 5 + 2 MulStages + 9 Cut;
 // - right, the right shift that turns 2^TBits K times a way into a time, at stage 6 + 3 MulStages
 //   + 9 Cut;
 // - toward, the direction itself, at stage 1.
@@ -13,7 +13,7 @@
 // Part of rc_globe; stages count from the node on. Model: sight_of() in
 // model/engine/spheres/globe.cpp.
 `default_nettype none
-module rc_sight #(
+module rc_globe_moment #(
   localparam int unsigned N           = rc_pkg::CoordBits,
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
   localparam int unsigned ExpBits     = rc_pkg::ExpBits,
@@ -191,7 +191,7 @@ module rc_sight #(
   rc_shift_register #(.Width(TowardBits), .Stages(2 + 3 * Cut)) u_up (
     .clk_i, .enable_i(enable_i[Mul+Cut+1 +: 2+3*Cut]), .data_i(up), .data_o(square_o));
 
-  rc_inverse u_inverse (
+  rc_inverse_square u_inverse_square (
     .clk_i, .last_enable_i(enable_i[1+2*Mul+3*Cut]), .square_i(square_q), .n_o(n),
     .inverse_o(inverse));
 

@@ -1,8 +1,10 @@
-// The point of a sphere that a ray has hit: o + t d, rounded to nearest and clamped to the range of
-// o. Part of rc_surf, which has the valid bits and marks the passes for spheres. The point is in
-// the registers of s3, and again in those of s4.
+// The point of a ray at the distance of its hit: o + t d, rounded to nearest and clamped to the
+// range of o. It is in the registers of s3, and again in those of s4.
+//
+// Part of rc_surf, which uses it for spheres, and of rc_instance_space, which uses it for all
+// primitives. These have the valid bits, and mark in sphere_i the passes that need the point.
 `default_nettype none
-module rc_ball #(
+module rc_ray_point #(
   localparam int unsigned M           = rc_pkg::DirBits,
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
   localparam int unsigned TBits       = rc_pkg::TBits,

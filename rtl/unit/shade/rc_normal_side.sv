@@ -1,9 +1,9 @@
-// The exact sign of n . d. Latency two stages.
+// The exact sign of n . d, which is the side of a surface on which a ray starts. Latency two stages.
 //
 // Part of rc_pass, which has the valid bits of both stages. If a pass stays long in a stage, the
 // operands first pass through additional registers.
 `default_nettype none
-module rc_side #(
+module rc_normal_side #(
   localparam int unsigned NormalBits = rc_pkg::NormalBits,
   localparam int unsigned RayDirBits = rc_pkg::RayDirBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval

@@ -5,7 +5,7 @@
 // Part of rc_trav, which stores the result until the ray's nodes come. Latency 3 in a fast chip, 0
 // in a relaxed one. Model: globe_ray() in model/engine/spheres/globe.cpp.
 `default_nettype none
-module rc_toward #(
+module rc_globe_ray #(
   localparam int unsigned RayBits     = rc_pkg::RayBits,
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
   localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,

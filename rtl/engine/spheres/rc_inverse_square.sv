@@ -2,10 +2,10 @@
 // is the number of bits that the square has above 33. K comes from a table with linear
 // interpolation.
 //
-// Part of rc_sight. K comes 1 + MulStages + 2 Cut stages later; n comes in the same cycle as the
-// square. Model: inverse_of() in model/engine/spheres/globe.cpp.
+// Part of rc_globe_moment. K comes 1 + MulStages + 2 Cut stages later; n comes in the same cycle
+// as the square. Model: inverse_of() in model/engine/spheres/globe.cpp.
 `default_nettype none
-module rc_inverse #(
+module rc_inverse_square #(
   localparam int unsigned TowardBits = rc_pkg::TowardBits
 ) (
   input  logic                    clk_i,

@@ -9,7 +9,7 @@
 // triangle. A light is rounded to a lattice point of the mesh. Models: transform_surface() in
 // model/unit/shade/surf.hpp, Home in model/core/payloads.hpp.
 `default_nettype none
-module rc_homes #(
+module rc_instance_space #(
   parameter  int unsigned UnitW = 44,   // bits of toward
   localparam int unsigned AxisBits    = rc_pkg::AxisBits,
   localparam int unsigned N           = rc_pkg::CoordBits,
@@ -49,7 +49,7 @@ module rc_homes #(
   // ---- The point.
   logic [3*OriginWidth-1:0] s3_o, s4_o;
 
-  rc_ball u_ball (
+  rc_ray_point u_ray_point (
     .clk_i, .valid_i(transform_valid_i[3:0]), .phase_i(s0_phase_i), .sphere_i(4'b1111),
     .s0_o_i, .s0_d_i, .s0_t_i, .s3_o_o(s3_o), .s4_o_o(s4_o));
   rc_shift_register #(.Width(3 * OriginWidth), .Stages(1)) u_o (
