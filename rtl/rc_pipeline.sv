@@ -46,7 +46,7 @@ module rc_pipeline (
   // What each unit did, sched lowest
   output logic [rc_pkg::PipelineUnits*rc_pkg::CauseBits-1:0] causes_o
 );
-  localparam int unsigned CB = rc_pkg::CauseBits;
+  localparam int unsigned CauseBits = rc_pkg::CauseBits;
 
   // Links, in the order in which a ray meets them.
   logic              slot_valid, slot_ready;
@@ -95,9 +95,10 @@ module rc_pipeline (
   logic [rc_pkg::RayBits-1:0] node_next, prim_next;
   rc_pkg::done_t     done_next;
 
-  logic [CB-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
-  logic [CB-1:0]     prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
-  logic [CB-1:0]     stream_cause;
+  logic [CauseBits-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, decide_cause;
+  logic [CauseBits-1:0]     list_cause;
+  logic [CauseBits-1:0]     prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
+  logic [CauseBits-1:0]     stream_cause;
 
   // Each unit has its own reset register.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
@@ -303,19 +304,20 @@ module rc_pipeline (
   // with one, both constants are the same and mesh_cause is 0.
   always_comb begin
     causes_o = '0;
-    causes_o[rc_pkg::SchedUnit*CB +: CB]     = sched_cause;
-    causes_o[rc_pkg::RaygenUnit*CB +: CB]    = raygen_cause;
-    causes_o[rc_pkg::TravUnit*CB +: CB]      = trav_cause;
-    causes_o[rc_pkg::NodeCacheUnit*CB +: CB] = node_cause;
-    causes_o[rc_pkg::DecideUnit*CB +: CB]    = decide_cause;
-    causes_o[rc_pkg::MeshUnit*CB +: CB]      = causes_o[rc_pkg::MeshUnit*CB +: CB] | mesh_cause;
-    causes_o[rc_pkg::XformUnit*CB +: CB]     = xform_cause;
-    causes_o[rc_pkg::ListUnit*CB +: CB]      = list_cause;
-    causes_o[rc_pkg::PrimCacheUnit*CB +: CB] = prim_cause;
-    causes_o[rc_pkg::TriUnit*CB +: CB]       = tri_cause;
-    causes_o[rc_pkg::SurfCacheUnit*CB +: CB] = surf_cause;
-    causes_o[rc_pkg::ShadeUnit*CB +: CB]     = shade_cause;
-    causes_o[rc_pkg::StreamUnit*CB +: CB]    = stream_cause;
+    causes_o[rc_pkg::SchedUnit*CauseBits +: CauseBits]     = sched_cause;
+    causes_o[rc_pkg::RaygenUnit*CauseBits +: CauseBits]    = raygen_cause;
+    causes_o[rc_pkg::TravUnit*CauseBits +: CauseBits]      = trav_cause;
+    causes_o[rc_pkg::NodeCacheUnit*CauseBits +: CauseBits] = node_cause;
+    causes_o[rc_pkg::DecideUnit*CauseBits +: CauseBits]    = decide_cause;
+    causes_o[rc_pkg::MeshUnit*CauseBits +: CauseBits]      =
+        causes_o[rc_pkg::MeshUnit*CauseBits +: CauseBits] | mesh_cause;
+    causes_o[rc_pkg::XformUnit*CauseBits +: CauseBits]     = xform_cause;
+    causes_o[rc_pkg::ListUnit*CauseBits +: CauseBits]      = list_cause;
+    causes_o[rc_pkg::PrimCacheUnit*CauseBits +: CauseBits] = prim_cause;
+    causes_o[rc_pkg::TriUnit*CauseBits +: CauseBits]       = tri_cause;
+    causes_o[rc_pkg::SurfCacheUnit*CauseBits +: CauseBits] = surf_cause;
+    causes_o[rc_pkg::ShadeUnit*CauseBits +: CauseBits]     = shade_cause;
+    causes_o[rc_pkg::StreamUnit*CauseBits +: CauseBits]    = stream_cause;
   end
 endmodule
 `default_nettype wire

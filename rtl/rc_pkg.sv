@@ -947,7 +947,7 @@ package rc_pkg;
   typedef struct packed {
     logic [13:0] x;
     logic [13:0] y;
-    logic [2:0] purpose;
+    logic [2:0] next_event;
     logic [1:0] pending;
     logic found;
     logic [31:0] prim;
@@ -1054,7 +1054,7 @@ package rc_pkg;
   localparam int unsigned ShadePixelW = 28;
 
   typedef struct packed {
-    logic [2:0] purpose;
+    logic [2:0] next_event;
     logic [1:0] pending;
     logic found;
     logic [31:0] prim;

@@ -29,25 +29,26 @@ module rc_top #(
   // What each unit did in this cycle: shared units lowest, then pipeline by pipeline
   output logic [Units*rc_pkg::CauseBits-1:0] causes_o
 );
-  localparam int unsigned P  = rc_pkg::Pipelines;
-  localparam int unsigned CB = rc_pkg::ClientBits;
-  localparam int unsigned MB = rc_pkg::ClientIdBits - CB;  // a cache's own id
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned NB = rc_pkg::NodeMissW - A;      // bits of the ids of each kind of cache
-  localparam int unsigned PB = rc_pkg::PrimMissW - A;
-  localparam int unsigned SB = rc_pkg::SurfMissW - A;
-  localparam int unsigned RB = rc_pkg::StreamMissW - A;
-  localparam int unsigned K  = rc_pkg::Clients;
+  localparam int unsigned Pipelines      = rc_pkg::Pipelines;
+  localparam int unsigned ClientBits     = rc_pkg::ClientBits;
+  localparam int unsigned CacheIdW       = rc_pkg::ClientIdBits - ClientBits;  // a cache's own id
+  localparam int unsigned AddrBits       = rc_pkg::AddrBits;
+  // Bits of the ids of each kind of cache.
+  localparam int unsigned NodeIdW        = rc_pkg::NodeMissW - AddrBits;
+  localparam int unsigned PrimIdW        = rc_pkg::PrimMissW - AddrBits;
+  localparam int unsigned SurfIdW        = rc_pkg::SurfMissW - AddrBits;
+  localparam int unsigned RecordIdW      = rc_pkg::StreamMissW - AddrBits;
+  localparam int unsigned Clients        = rc_pkg::Clients;
   // Causes of the shared units and of a pipeline's units.
-  localparam int unsigned SC = rc_pkg::SharedUnits * rc_pkg::CauseBits;
-  localparam int unsigned UC = rc_pkg::PipelineUnits * rc_pkg::CauseBits;
+  localparam int unsigned SharedCauseW   = rc_pkg::SharedUnits * rc_pkg::CauseBits;
+  localparam int unsigned PipelineCauseW = rc_pkg::PipelineUnits * rc_pkg::CauseBits;
 
   // The shared units have their own reset register, as has each unit of a pipeline.
   logic shared_rst_n;
   rc_reset_register u_reset (.clk_i, .rst_ni, .rst_no(shared_rst_n));
 
   // ---- Tiles.
-  logic [P-1:0]  tile_ready, tile_fires;
+  logic [Pipelines-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
   logic [rc_pkg::CauseBits-1:0] dispatch_cause;
 
@@ -55,67 +56,70 @@ module rc_top #(
     .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
-  // ---- Pipelines. Their caches are clients of memory: client K p reads nodes, K p + 1 primitives,
-  // K p + 2 surfaces if the chip shades, or records of a stream. Client K p + 3 does not exist.
-  logic [K*P-1:0]        miss_valid, miss_ready, fill_fires;
-  logic [K*P*(MB+A)-1:0] miss;
-  logic                  fill_valid;
-  rc_pkg::l2_rsp_t       fill;
-  logic [CB-1:0]         fill_client;
-  logic [MB-1:0]         fill_id;      // the client's own id
+  // ---- Pipelines. Their caches are clients of memory: client Clients p reads nodes, the
+  // next one primitives, the next one surfaces if the chip shades, or records of a stream. A fourth
+  // client of a pipeline does not exist.
+  logic [Clients*Pipelines-1:0]                     miss_valid, miss_ready, fill_fires;
+  logic [Clients*Pipelines*(CacheIdW+AddrBits)-1:0] miss;
+  logic                                             fill_valid;
+  rc_pkg::l2_rsp_t                                  fill;
+  logic [ClientBits-1:0]                            fill_client;
+  logic [CacheIdW-1:0]                              fill_id;      // the client's own id
 
   assign {fill_client, fill_id} = fill.id;
 
-  for (genvar p = 0; p < P; p++) begin : gen_pipeline
-    logic [NB-1:0] node_id;
-    logic [PB-1:0] prim_id;
-    logic [SB-1:0] surf_id;
-    logic [A-1:0]  node_addr, prim_addr, surf_addr;
-    logic          surf_valid, surf_ready, surf_fires;
-    logic [RB-1:0] record_id;
-    logic [A-1:0]  record_addr;
-    logic          record_valid, record_ready, record_fires;
+  for (genvar p = 0; p < Pipelines; p++) begin : gen_pipeline
+    logic [NodeIdW-1:0]   node_id;
+    logic [PrimIdW-1:0]   prim_id;
+    logic [SurfIdW-1:0]   surf_id;
+    logic [AddrBits-1:0]  node_addr, prim_addr, surf_addr;
+    logic                 surf_valid, surf_ready, surf_fires;
+    logic [RecordIdW-1:0] record_id;
+    logic [AddrBits-1:0]  record_addr;
+    logic                 record_valid, record_ready, record_fires;
 
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
       .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
-      .node_miss_valid_o(miss_valid[K*p]), .node_miss_ready_i(miss_ready[K*p]),
-      .node_miss_o({node_id, node_addr}), .node_fill_fires_i(fill_fires[K*p]),
-      .node_fill_i({fill_id[NB-1:0], fill.line}),
-      .prim_miss_valid_o(miss_valid[K*p+1]), .prim_miss_ready_i(miss_ready[K*p+1]),
-      .prim_miss_o({prim_id, prim_addr}), .prim_fill_fires_i(fill_fires[K*p+1]),
-      .prim_fill_i({fill_id[PB-1:0], fill.line}),
+      .node_miss_valid_o(miss_valid[Clients*p]), .node_miss_ready_i(miss_ready[Clients*p]),
+      .node_miss_o({node_id, node_addr}), .node_fill_fires_i(fill_fires[Clients*p]),
+      .node_fill_i({fill_id[NodeIdW-1:0], fill.line}),
+      .prim_miss_valid_o(miss_valid[Clients*p+1]), .prim_miss_ready_i(miss_ready[Clients*p+1]),
+      .prim_miss_o({prim_id, prim_addr}), .prim_fill_fires_i(fill_fires[Clients*p+1]),
+      .prim_fill_i({fill_id[PrimIdW-1:0], fill.line}),
       .surf_miss_valid_o(surf_valid), .surf_miss_ready_i(surf_ready),
       .surf_miss_o({surf_id, surf_addr}), .surf_fill_fires_i(surf_fires),
-      .surf_fill_i({fill_id[SB-1:0], fill.line}),
+      .surf_fill_i({fill_id[SurfIdW-1:0], fill.line}),
       .stream_miss_valid_o(record_valid), .stream_miss_ready_i(record_ready),
       .stream_miss_o({record_id, record_addr}), .stream_fill_fires_i(record_fires),
-      .stream_fill_i({fill_id[RB-1:0], fill.line}),
+      .stream_fill_i({fill_id[RecordIdW-1:0], fill.line}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
-      .causes_o(causes_o[SC+p*UC +: UC]));
+      .causes_o(causes_o[SharedCauseW+p*PipelineCauseW +: PipelineCauseW]));
 
-    assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_id), node_addr};
-    assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_id), prim_addr};
+    assign miss[Clients*p*(CacheIdW+AddrBits) +: CacheIdW+AddrBits] =
+        {CacheIdW'(node_id), node_addr};
+    assign miss[(Clients*p+1)*(CacheIdW+AddrBits) +: CacheIdW+AddrBits] =
+        {CacheIdW'(prim_id), prim_addr};
 
-    if (K == 2) begin : gen_plain
+    if (Clients == 2) begin : gen_plain
       assign {surf_ready, surf_fires, record_ready, record_fires} = '0;
 
       logic unused;
       assign unused = ^{surf_valid, surf_id, surf_addr, record_valid, record_id, record_addr};
     end else begin : gen_third
-      logic            third_valid, third_ready, third_fires;
-      logic [MB+A-1:0] third;
+      logic                         third_valid, third_ready, third_fires;
+      logic [CacheIdW+AddrBits-1:0] third;
 
       if (rc_pkg::Streams != 0) begin : gen_stream
-        assign {third_valid, third}         = {record_valid, MB'(record_id), record_addr};
+        assign {third_valid, third}         = {record_valid, CacheIdW'(record_id), record_addr};
         assign {record_ready, record_fires} = {third_ready, third_fires};
         assign {surf_ready, surf_fires}     = '0;
 
         logic unused;
         assign unused = ^{surf_valid, surf_id, surf_addr};
       end else begin : gen_shaded
-        assign {third_valid, third}         = {surf_valid, MB'(surf_id), surf_addr};
+        assign {third_valid, third}         = {surf_valid, CacheIdW'(surf_id), surf_addr};
         assign {surf_ready, surf_fires}     = {third_ready, third_fires};
         assign {record_ready, record_fires} = '0;
 
@@ -123,34 +127,35 @@ module rc_top #(
         assign unused = ^{record_valid, record_id, record_addr};
       end
 
-      assign {third_ready, third_fires}       = {miss_ready[K*p+2], fill_fires[K*p+2]};
-      assign miss_valid[K*p+2 +: 2]           = {1'b0, third_valid};
-      assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {{(MB+A){1'b0}}, third};
+      assign {third_ready, third_fires}   = {miss_ready[Clients*p+2], fill_fires[Clients*p+2]};
+      assign miss_valid[Clients*p+2 +: 2] = {1'b0, third_valid};
+      assign miss[(Clients*p+2)*(CacheIdW+AddrBits) +: 2*(CacheIdW+AddrBits)] =
+          {{(CacheIdW+AddrBits){1'b0}}, third};
 
       logic unused;
-      assign unused = ^{miss_ready[K*p+3], fill_fires[K*p+3]};
+      assign unused = ^{miss_ready[Clients*p+3], fill_fires[Clients*p+3]};
     end
   end
 
   // ---- Memory port.
-  logic          client_valid, client_ready;
-  logic [CB-1:0] client;
-  logic [MB+A-1:0] client_miss;
+  logic                  client_valid, client_ready;
+  logic [ClientBits-1:0] client;
+  logic [CacheIdW+AddrBits-1:0] client_miss;
 
-  rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
+  rc_arbiter #(.Sources(Clients * Pipelines), .Width(CacheIdW + AddrBits)) u_arbiter (
     .clk_i, .rst_ni(shared_rst_n), .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
 
   // Compared, not shifted: in a simulation a shift of 0 by an unknown number is unknown.
-  for (genvar k = 0; k < K * P; k++) begin : gen_client
-    assign fill_fires[k] = fill_valid && fill_client == CB'(k);
+  for (genvar k = 0; k < Clients * Pipelines; k++) begin : gen_client
+    assign fill_fires[k] = fill_valid && fill_client == ClientBits'(k);
   end
 
   logic [rc_pkg::CauseBits-1:0] memport_cause, l2_cause;
 
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
                        : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
-  assign causes_o[SC-1:0] = {l2_cause, memport_cause, dispatch_cause};
+  assign causes_o[SharedCauseW-1:0] = {l2_cause, memport_cause, dispatch_cause};
 
   // Memory directly, or through the shared cache.
   if (rc_pkg::L2Sets == 0) begin : gen_direct

@@ -1,4 +1,4 @@
-// Delays data by Stages stages to match a pipeline. Stage i accepts its input when valid_i[i] is
+// Delays data by Stages stages to match a pipeline. Stage i accepts its input when enable_i[i] is
 // set, that is, when stage i of the pipeline accepts the same work.
 //
 // It has no reset, because invalid data is never used.
@@ -8,7 +8,7 @@ module rc_shift_register #(
   parameter int unsigned Stages = 1
 ) (
   input  logic              clk_i,
-  input  logic [Stages-1:0] valid_i,
+  input  logic [Stages-1:0] enable_i,
   input  logic [Width-1:0]  data_i,
   output logic [Width-1:0]  data_o
 );
@@ -24,7 +24,7 @@ module rc_shift_register #(
       assign data_d = gen_stage[i-1].data_q;
     end
 
-    always_ff @(posedge clk_i) if (valid_i[i]) data_q <= data_d;
+    always_ff @(posedge clk_i) if (enable_i[i]) data_q <= data_d;
   end
 
   assign data_o = gen_stage[Stages-1].data_q;

@@ -55,14 +55,14 @@ module rc_mul #(
     logic unused;
     assign unused = clk_i;
   end else begin : gen_stages
-    localparam int unsigned LimbW = 18;   // as wide as the multipliers of an FPGA
-    localparam int unsigned LA    = (AW + LimbW - 1) / LimbW;   // limbs
-    localparam int unsigned LB    = (BW + LimbW - 1) / LimbW;
+    localparam int unsigned LimbW  = 18;   // as wide as the multipliers of an FPGA
+    localparam int unsigned LimbsA = (AW + LimbW - 1) / LimbW;   // limbs
+    localparam int unsigned LimbsB = (BW + LimbW - 1) / LimbW;
 
     // The products of one limb of a with every second limb of b do not overlap, and form one row.
     // If that limb of a is signed, each of its products is a row of its own.
-    localparam int unsigned Side    = LB < 2 ? LB : 2;
-    localparam int unsigned Rows    = Signed ? (LA - 1) * Side + LB : LA * Side;
+    localparam int unsigned Side    = LimbsB < 2 ? LimbsB : 2;
+    localparam int unsigned Rows    = Signed ? (LimbsA - 1) * Side + LimbsB : LimbsA * Side;
     localparam int unsigned Group   = Sums == 1 ? Rows : 3;   // rows that the first level adds
     localparam int unsigned Groups  = (Rows + Group - 1) / Group;
 
@@ -70,14 +70,15 @@ module rc_mul #(
     logic [Groups*PW-1:0] sum, last;
 
     // Products of limbs, and their rows.
-    for (genvar i = 0; i < LA; i++) begin : gen_a
-      localparam bit ASigned = Signed && i == LA - 1;
-      for (genvar j = 0; j < LB; j++) begin : gen_b
+    for (genvar i = 0; i < LimbsA; i++) begin : gen_a
+      localparam bit ASigned = Signed && i == LimbsA - 1;
+      for (genvar j = 0; j < LimbsB; j++) begin : gen_b
         logic signed [PW-1:0] placed, side;
 
         rc_mul_limb #(
-          .AW(i == LA - 1 ? AW - i * LimbW : LimbW), .BW(j == LB - 1 ? BW - j * LimbW : LimbW),
-          .ASigned(ASigned), .BSigned(Signed && j == LB - 1), .PW(PW),
+          .AW(i == LimbsA - 1 ? AW - i * LimbW : LimbW),
+          .BW(j == LimbsB - 1 ? BW - j * LimbW : LimbW),
+          .ASigned(ASigned), .BSigned(Signed && j == LimbsB - 1), .PW(PW),
           .Place(LimbW * (i + j))) u_limb (
           .clk_i, .a_i(a_i[AW-1 < i*LimbW+LimbW-1 ? AW-1 : i*LimbW+LimbW-1 : i*LimbW]),
           .b_i(b_i[BW-1 < j*LimbW+LimbW-1 ? BW-1 : j*LimbW+LimbW-1 : j*LimbW]), .p_o(placed));
@@ -89,9 +90,9 @@ module rc_mul #(
         end
 
         if (ASigned) begin : gen_row
-          assign row[((LA-1)*Side+j)*PW +: PW] = side;
-        end else if (j + Side >= LB) begin : gen_row_of_sides
-          assign row[(i*Side+j+Side-LB)*PW +: PW] = side;
+          assign row[((LimbsA-1)*Side+j)*PW +: PW] = side;
+        end else if (j + Side >= LimbsB) begin : gen_row_of_sides
+          assign row[(i*Side+j+Side-LimbsB)*PW +: PW] = side;
         end
       end
     end

@@ -24,21 +24,22 @@ module rc_mul_parts #(
   end
 
   // The lower part is unsigned, which takes one more bit in a multiplier of signed numbers.
-  localparam int unsigned Low  = (BW - (Signed ? 1 : 0)) / 2;
-  localparam int unsigned Half = BW - Low;   // bits of a part
-  localparam int unsigned HW   = AW + Half;
+  localparam int unsigned Low          = (BW - (Signed ? 1 : 0)) / 2;
+  localparam int unsigned Half         = BW - Low;   // bits of a part
+  localparam int unsigned HalfProductW = AW + Half;
 
-  logic [2*Products*AW-1:0]   a;
-  logic [2*Products*Half-1:0] b;
-  logic [2*Products*HW-1:0]   halves, last;
+  logic [2*Products*AW-1:0]           a;
+  logic [2*Products*Half-1:0]         b;
+  logic [2*Products*HalfProductW-1:0] halves, last;
 
   // product = upper half * 2^Low + lower half
   for (genvar i = 0; i < Products; i++) begin : gen_product
     logic [PW-1:0] upper, lower;
     assign a[2*i*AW +: 2*AW]     = {2{a_i[i*AW +: AW]}};
     assign b[2*i*Half +: 2*Half] = {b_i[i*BW+Low +: Half], Half'(b_i[i*BW +: Low])};
-    assign lower = Signed ? PW'($signed(last[2*i*HW +: HW])) : PW'(last[2*i*HW +: HW]);
-    assign upper = {last[(2*i+1)*HW +: HW], {Low{1'b0}}};
+    assign lower = Signed ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))
+                 : PW'(last[2*i*HalfProductW +: HalfProductW]);
+    assign upper = {last[(2*i+1)*HalfProductW +: HalfProductW], {Low{1'b0}}};
     assign p_o[i*PW +: PW] = upper + lower;
   end
 
@@ -46,7 +47,7 @@ module rc_mul_parts #(
   rc_mul_shared #(
     .AW(AW), .BW(Half), .Signed(Signed), .Sums(Sums), .Products(2 * Products), .Share(Share))
   u_halves (.clk_i, .valid_i, .a_i(a), .b_i(b), .p_o(halves));
-  rc_path_register #(.Width(2 * Products * HW)) u_halves_made (
+  rc_path_register #(.Width(2 * Products * HalfProductW)) u_halves_made (
     .clk_i, .data_i(halves), .data_o(last));
 endmodule
 `default_nettype wire

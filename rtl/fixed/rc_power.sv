@@ -53,7 +53,7 @@ module rc_power #(
 
   logic [13:0] s3_n;
   rc_shift_register #(.Width(14), .Stages(3)) u_n (
-    .clk_i, .valid_i(ends[2:0]), .data_i(n_i), .data_o(s3_n));
+    .clk_i, .enable_i(ends[2:0]), .data_i(n_i), .data_o(s3_n));
 
   // s2, s3: -log2(c), U5.18.
   logic [LogW-1:0] log_mem [128];

@@ -45,14 +45,15 @@ module rc_sqrt #(
   // not negative, and otherwise adds 4 root + 3. The bit of the root is set if the result is not
   // negative. In each stage the root has the bits found so far, and the remainder has two more.
   for (genvar i = 0; i <= Last; i++) begin : gen_stage
-    localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
-    localparam int unsigned R     = Chunk * i + Bits * Steps;   // bits of the root after this stage
-    localparam int unsigned Left  = SquareW - 2 * Chunk * i;    // bits of the square before it
-    localparam bit          Again = Steps > 1;
-    logic            here, comes;
-    logic [R+1:0]    rem_q, rem_new, rem_d, between, rem_next;
-    logic [R-1:0]    root_q, root_new, root_d, root_next;
-    logic [Left-1:0] square_q, square_new, square_d;
+    localparam int unsigned Steps    = Stages - i * Every < Every ? Stages - i * Every : Every;
+    // Bits of the root after this stage.
+    localparam int unsigned DoneBits = Chunk * i + Bits * Steps;
+    localparam int unsigned Left     = SquareW - 2 * Chunk * i;    // bits of the square before it
+    localparam bit          Again    = Steps > 1;
+    logic                here, comes;
+    logic [DoneBits+1:0] rem_q, rem_new, rem_d, between, rem_next;
+    logic [DoneBits-1:0] root_q, root_new, root_d, root_next;
+    logic [Left-1:0]     square_q, square_new, square_d;
 
     assign comes = valid[i*Every];
     assign here  = Again || comes;
@@ -64,8 +65,8 @@ module rc_sqrt #(
       assign square_new = square_i;
     end else begin : gen_next
       localparam int unsigned From = Chunk * i;   // bits of the root so far
-      assign rem_new    = {{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q};
-      assign root_new   = R'(gen_stage[i-1].root_q);
+      assign rem_new    = {{(DoneBits-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q};
+      assign root_new   = DoneBits'(gen_stage[i-1].root_q);
       assign square_new = gen_stage[i-1].square_q[Left+2*Chunk-1 -: Left];
     end
 
@@ -74,19 +75,20 @@ module rc_sqrt #(
     assign square_d = !Again || comes ? square_new : square_q;
 
     // Steps.
-    rc_addsub #(.Width(R + 2)) u_first (
-      .minus_i(!rem_d[R+1]),
-      .a_i({rem_d[R-1:0], square_d[Left-1 -: 2]}),
-      .b_i({root_d, rem_d[R+1], 1'b1}), .sum_o(between));
+    rc_addsub #(.Width(DoneBits + 2)) u_first (
+      .minus_i(!rem_d[DoneBits+1]),
+      .a_i({rem_d[DoneBits-1:0], square_d[Left-1 -: 2]}),
+      .b_i({root_d, rem_d[DoneBits+1], 1'b1}), .sum_o(between));
     if (Bits == 1) begin : gen_one
       assign rem_next  = between;
-      assign root_next = R'({root_d, !between[R+1]});
+      assign root_next = DoneBits'({root_d, !between[DoneBits+1]});
     end else begin : gen_two
-      rc_addsub #(.Width(R + 2)) u_second (
-        .minus_i(!between[R+1]),
-        .a_i({between[R-1:0], square_d[Left-3 -: 2]}),
-        .b_i({root_d[R-2:0], !between[R+1], between[R+1], 1'b1}), .sum_o(rem_next));
-      assign root_next = R'({root_d, !between[R+1], !rem_next[R+1]});
+      rc_addsub #(.Width(DoneBits + 2)) u_second (
+        .minus_i(!between[DoneBits+1]),
+        .a_i({between[DoneBits-1:0], square_d[Left-3 -: 2]}),
+        .b_i({root_d[DoneBits-2:0], !between[DoneBits+1], between[DoneBits+1], 1'b1}),
+        .sum_o(rem_next));
+      assign root_next = DoneBits'({root_d, !between[DoneBits+1], !rem_next[DoneBits+1]});
     end
 
     always_ff @(posedge clk_i) begin
@@ -98,7 +100,7 @@ module rc_sqrt #(
     end
 
     logic unused;
-    assign unused = ^{rem_d[R], between[R], root_d[R-1]};
+    assign unused = ^{rem_d[DoneBits], between[DoneBits], root_d[DoneBits-1]};
   end
 
   // The remainder is 0 if the result is 0 or -2 root - 1, tested as in rc_divide.

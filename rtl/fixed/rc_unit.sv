@@ -6,17 +6,17 @@
 // cycle. Model and error bounds: model/unit/shade/unit_vector.hpp.
 `default_nettype none
 module rc_unit #(
-  parameter int unsigned W     = 44,   // bits of a component, signed
-  parameter int unsigned Every = rc_pkg::ShadeInterval
+  parameter int unsigned VectorW = 44,   // bits of a component, signed
+  parameter int unsigned Every   = rc_pkg::ShadeInterval
 ) (
-  input  logic           clk_i,
-  input  logic           valid_i,
-  input  logic [3*W-1:0] v_i,     // [axis]
-  output logic [53:0]    u_o      // [axis] S1.16
+  input  logic                 clk_i,
+  input  logic                 valid_i,
+  input  logic [3*VectorW-1:0] v_i,     // [axis]
+  output logic [53:0]          u_o      // [axis] S1.16
 );
-  localparam int unsigned Stages = rc_pkg::UnitStages;
-  localparam int unsigned L      = $clog2(W + 1);   // bits of a component's length
-  localparam int unsigned EntryW = 29;
+  localparam int unsigned Stages  = rc_pkg::UnitStages;
+  localparam int unsigned LengthW = $clog2(VectorW + 1);   // bits of a component's length
+  localparam int unsigned EntryW  = 29;
 
   // turn: the cycle of each stage. ends[i]: a vector leaves stage i.
   logic [Stages*Every-1:0] phase;
@@ -26,33 +26,34 @@ module rc_unit #(
     .clk_i, .valid_i, .phase_o(phase), .ends_o(ends));
 
   // s1: magnitudes and signs.
-  logic [3*W-1:0] s0_size, s1_size_q;
-  logic [2:0]     s0_neg, end_neg;
+  logic [3*VectorW-1:0] s0_size, s1_size_q;
+  logic [2:0]           s0_neg, end_neg;
 
   for (genvar k = 0; k < 3; k++) begin : gen_size
-    logic [W-1:0] v;
-    assign v = v_i[k*W +: W];
-    assign s0_neg[k] = v[W-1];
-    assign s0_size[k*W +: W] = v[W-1] ? -v : v;
+    logic [VectorW-1:0] v;
+    assign v = v_i[k*VectorW +: VectorW];
+    assign s0_neg[k] = v[VectorW-1];
+    assign s0_size[k*VectorW +: VectorW] = v[VectorW-1] ? -v : v;
   end
 
   always_ff @(posedge clk_i) if (ends[0]) s1_size_q <= s0_size;
   rc_shift_register #(.Width(3), .Stages(Stages)) u_neg (
-    .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
+    .clk_i, .enable_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: bit length of the longest component.
-  logic [W-1:0]   s1_any, s1_any_late;
-  logic [L-1:0]   s1_len, s2_len_q;
-  logic [3*W-1:0] s2_size_q;
+  logic [VectorW-1:0]   s1_any, s1_any_late;
+  logic [LengthW-1:0]   s1_len, s2_len_q;
+  logic [3*VectorW-1:0] s2_size_q;
 
-  assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
-  rc_path_register #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_any (
+  assign s1_any = s1_size_q[0 +: VectorW] | s1_size_q[VectorW +: VectorW]
+                | s1_size_q[2*VectorW +: VectorW];
+  rc_path_register #(.Width(VectorW), .Stages(rc_pkg::ShadeCut)) u_any (
     .clk_i, .data_i(s1_any), .data_o(s1_any_late));
 
   always_comb begin
     s1_len = '0;
     if (ends[1])
-      for (int i = 0; i < W; i++) if (s1_any_late[i]) s1_len = L'(i) + 1'b1;
+      for (int i = 0; i < VectorW; i++) if (s1_any_late[i]) s1_len = LengthW'(i) + 1'b1;
   end
 
   always_ff @(posedge clk_i) begin
@@ -65,15 +66,15 @@ module rc_unit #(
   // s3: truncates so that the longest component has 17 bits.
   logic [50:0] s2_a, s3_a_q, s4_a_q;
   for (genvar k = 0; k < 3; k++) begin : gen_cut
-    logic [W+16:0] moved;
+    logic [VectorW+16:0] moved;
     always_comb begin
       moved = '0;
-      if (ends[2]) moved = {s2_size_q[k*W +: W], 17'd0} >> s2_len_q;
+      if (ends[2]) moved = {s2_size_q[k*VectorW +: VectorW], 17'd0} >> s2_len_q;
     end
     assign s2_a[k*17 +: 17] = moved[16:0];
 
     logic unused;
-    assign unused = ^moved[W+16:17];
+    assign unused = ^moved[VectorW+16:17];
   end
 
   always_ff @(posedge clk_i) if (ends[2]) s3_a_q <= s2_a;
@@ -137,9 +138,9 @@ module rc_unit #(
   logic        s7_low;
 
   rc_shift_register #(.Width(51), .Stages(3)) u_a (
-    .clk_i, .valid_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
+    .clk_i, .enable_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
   rc_shift_register #(.Width(1), .Stages(2)) u_low (
-    .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
+    .clk_i, .enable_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
 
   localparam logic [37:0] SizeHalf = 38'd1 << 18;   // half the last bit that s8_size_q keeps
 

@@ -16,37 +16,38 @@ module rc_counters #(
   output logic                         there_o,    // which_i names a counter of this chip
   output logic [rc_pkg::TallyBits-1:0] count_o     // valid only while nothing is counted
 );
-  localparam int unsigned W  = rc_pkg::TallyBits;
-  localparam int unsigned S  = rc_pkg::SharedUnits;
-  localparam int unsigned U  = rc_pkg::PipelineUnits;
-  localparam int unsigned CB = rc_pkg::CauseBits;
+  localparam int unsigned TallyBits     = rc_pkg::TallyBits;
+  localparam int unsigned SharedUnits   = rc_pkg::SharedUnits;
+  localparam int unsigned PipelineUnits = rc_pkg::PipelineUnits;
+  localparam int unsigned CauseBits     = rc_pkg::CauseBits;
 
-  logic [rc_pkg::CounterBits-CB-1:0] which_unit;   // {group, number}
-  logic [CB-1:0]                     which_cause;
+  logic [rc_pkg::CounterBits-CauseBits-1:0] which_unit;   // {group, number}
+  logic [CauseBits-1:0]                     which_cause;
 
   assign {which_unit, which_cause} = which_i;
 
-  logic [Units-1:0]   there;
-  logic [Units*W-1:0] counts;
+  logic [Units-1:0]           there;
+  logic [Units*TallyBits-1:0] counts;
 
   // One set of counters for each unit that exists; all others read 0.
   for (genvar k = 0; k < Units; k++) begin : gen_unit
-    localparam int unsigned Group = k < S ? 0 : (k - S) / U + 1;
-    localparam int unsigned Unit  = k < S ? k : (k - S) % U;
-    if (k < S ? rc_pkg::SharedUnitsThere[Unit] : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
-      logic [W-1:0] count;
+    localparam int unsigned Group = k < SharedUnits ? 0 : (k - SharedUnits) / PipelineUnits + 1;
+    localparam int unsigned Unit  = k < SharedUnits ? k : (k - SharedUnits) % PipelineUnits;
+    if (k < SharedUnits ? rc_pkg::SharedUnitsThere[Unit]
+                        : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
+      logic [TallyBits-1:0] count;
       rc_cause_counters u_tally (
-        .clk_i, .count_i, .cause_i(causes_i[k*CB +: CB]), .clear_i, .at_i(which_cause),
-        .count_o(count));
+        .clk_i, .count_i, .cause_i(causes_i[k*CauseBits +: CauseBits]), .clear_i,
+        .at_i(which_cause), .count_o(count));
 
-      assign there[k]         = which_unit == {4'(Group), 4'(Unit)};
-      assign counts[k*W +: W] = there[k] ? count : '0;
+      assign there[k]                         = which_unit == {4'(Group), 4'(Unit)};
+      assign counts[k*TallyBits +: TallyBits] = there[k] ? count : '0;
     end else begin : gen_none
-      assign there[k]         = 1'b0;
-      assign counts[k*W +: W] = '0;
+      assign there[k]                         = 1'b0;
+      assign counts[k*TallyBits +: TallyBits] = '0;
 
       logic unused;
-      assign unused = ^causes_i[k*CB +: CB];
+      assign unused = ^causes_i[k*CauseBits +: CauseBits];
     end
   end
 
@@ -54,7 +55,7 @@ module rc_counters #(
   assign there_o = there != '0;
   always_comb begin
     count_o = '0;
-    for (int k = 0; k < Units; k++) count_o = count_o | counts[k*W +: W];
+    for (int k = 0; k < Units; k++) count_o = count_o | counts[k*TallyBits +: TallyBits];
   end
 endmodule
 `default_nettype wire

@@ -37,11 +37,11 @@ module rc_host #(
   output logic                         running_o,   // this cycle belongs to a frame
   output logic                         done_o       // a frame has ended and none was started since
 );
-  localparam int unsigned W        = rc_pkg::TallyBits;
-  localparam int unsigned S        = rc_pkg::PixelBits + 1;  // side of a picture
-  localparam int unsigned F        = rc_pkg::FrameWords;
-  localparam int unsigned AddrW    = rc_pkg::RegAddrBits;
-  localparam int unsigned CounterW = rc_pkg::CounterBits;
+  localparam int unsigned TallyBits  = rc_pkg::TallyBits;
+  localparam int unsigned SideW      = rc_pkg::PixelBits + 1;  // side of a picture
+  localparam int unsigned FrameWords = rc_pkg::FrameWords;
+  localparam int unsigned AddrW      = rc_pkg::RegAddrBits;
+  localparam int unsigned CounterW   = rc_pkg::CounterBits;
 
   // ---- Bus access: its registers hold the address and the data until the answer.
   logic        taken_q, ack_q, err_q, we_q, asks, fires, writes, good;
@@ -131,7 +131,7 @@ module rc_host #(
     logic [15:0] rest_q;   // remaining bits of the height, top bit first
 
     always_ff @(posedge clk_i)
-      rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
+      rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-SideW){1'b0}}, frame_o.height};
 
     assign has_some = frame_o.width != '0 && frame_o.height != '0;
     assign prepared = (left_q << 1) + (rest_q[15] ? 32'(frame_o.width) : '0);
@@ -151,7 +151,7 @@ module rc_host #(
   logic [rc_pkg::FrameW-1:0] frame_q;
   assign frame_o = frame_q;
 
-  for (genvar w = 0; w < F; w++) begin : gen_word
+  for (genvar w = 0; w < FrameWords; w++) begin : gen_word
     localparam int unsigned At   = 32'(rc_pkg::FrameAt[16*w +: 16]);
     localparam int unsigned Bits = 32'(rc_pkg::FrameBits[16*w +: 16]);
 
@@ -167,9 +167,9 @@ module rc_host #(
   end
 
   // ---- Counters.
-  logic         counts_q;   // the host enables counting
-  logic [W-1:0] cycles_q;
-  logic [31:0]  high_q;     // upper word of cycles_q at the time of the read of its lower word
+  logic                 counts_q;   // the host enables counting
+  logic [TallyBits-1:0] cycles_q;
+  logic [31:0]          high_q;  // upper word of cycles_q at the time of the read of its lower word
 
   assign count_o = Counters != 0 && running_o && counts_q;
   assign clear_o = Counters != 0 && state_q == StPrepare;
@@ -207,7 +207,7 @@ module rc_host #(
     good = 1'b0;
     if (we_q) begin
       good = adr_q == AddrW'(rc_pkg::RegCount)
-          || (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(F)));
+          || (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(FrameWords)));
     end else if (of_counter) begin
       read = upper_word ? 32'(counter_i >> 32) : counter_i[31:0];
       good = Counters != 0 && still && counter_there_i;

@@ -79,7 +79,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     const Folder folder;
     // u of every hit is one too large.
     const std::string rtl =
-        broken_rtl(folder, "unit/isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (B+1)'(1) + {");
+        broken_rtl(folder, "unit/isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (BaryBits+1)'(1) + {");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
@@ -114,7 +114,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     // The value passes a queue and a register, back to the statement that computes it.
     const std::string page = bytes_of(folder.name("out/divergence.html"));
     CHECK(page.find("<dt>made by</dt><dd>rtl/unit/isect/rc_hitdiv.sv:") != std::string::npos);
-    CHECK(page.find("<code>assign u_o = (B+1)") != std::string::npos);
+    CHECK(page.find("<code>assign u_o = (BaryBits+1)") != std::string::npos);
 
     // render shows the frame of the faulty RTL and does not stop.
     CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--config", "small", "--engine", "rtl", "-o",

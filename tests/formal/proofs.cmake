@@ -164,7 +164,7 @@ prove(mutant:formal_host_upper_word_one_bit_off TOP host_cycles RTL ${host} CYCL
   NEW [[high_q   <= 32'(cycles_q >> 33)]])
 prove(mutant:formal_host_count_does_not_carry TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
   OLD [[cycles_q <= cycles_q + 1'b1;]]
-  NEW [[cycles_q <= {cycles_q[W-1:32], cycles_q[31:0] + 32'd1};]])
+  NEW [[cycles_q <= {cycles_q[TallyBits-1:32], cycles_q[31:0] + 32'd1};]])
 
 # ---- Sum or difference: of the device's carry cells, by their models in Yosys.
 foreach(width IN ITEMS 1 2 5 8)
@@ -227,11 +227,11 @@ foreach(every IN ITEMS 1 2 3)   # 5 steps: the last stage makes fewer of them
 endforeach()
 prove(formal:sqrt_two_a_step_every_2 TOP sqrt RTL ${sqrt} WITH Stages=3 Every=2 INDUCTION 7)
 prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
-  OLD [[.b_i({root_d, rem_d[R+1], 1'b1})]]
-  NEW [[.b_i({root_d, rem_d[R+1], 1'b0})]])
+  OLD [[.b_i({root_d, rem_d[DoneBits+1], 1'b1})]]
+  NEW [[.b_i({root_d, rem_d[DoneBits+1], 1'b0})]])
 prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
-  OLD [[.a_i({between[R-1:0], square_d[Left-3 -: 2]})]]
-  NEW [[.a_i({1'b0, between[R-2:0], square_d[Left-3 -: 2]})]])
+  OLD [[.a_i({between[DoneBits-1:0], square_d[Left-3 -: 2]})]]
+  NEW [[.a_i({1'b0, between[DoneBits-2:0], square_d[Left-3 -: 2]})]])
 prove(mutant:formal_sqrt_last_is_a_rest TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
   OLD [[assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b1};]]
   NEW [[assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b0};]])
@@ -289,8 +289,8 @@ prove(mutant:formal_mul_shared_second_operands_come_late TOP mul_shared RTL ${sh
   NEW [[b_i[First*BW +: (Own-1)*BW] : b_q >> BW;]])
 prove(mutant:formal_mul_parts_lower_has_no_sign TOP mul_shared RTL ${shared} WITH Parts=1 Products=2 CYCLES 5
   FILE fixed/rc_mul_parts.sv
-  OLD [[assign lower = Signed ? PW'($signed(last[2*i*HW +: HW]))]]
-  NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HW +: HW]))]])
+  OLD [[assign lower = Signed ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]]
+  NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]])
 prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 CYCLES 6
   FILE fixed/rc_mul_held.sv
   OLD [[if (phase_i[i+Inside]) p_q <= p;]]

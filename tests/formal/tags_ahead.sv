@@ -60,7 +60,7 @@ module tags_ahead #(
   end
 
   // ---- Ties to the inside, as an induction needs them. First the tags: {way 1, way 0} of set 1, the same of set 0.
-  localparam int unsigned E = TagW + 1;
+  localparam int unsigned EntryW = TagW + 1;
   (* hierconn *) wire [TagW:0] \u_now.gen_way[0].gen_memory.u_tag.mem[0] , \u_now.gen_way[0].gen_memory.u_tag.mem[1] ;
   (* hierconn *) wire [TagW:0] \u_now.gen_way[1].gen_memory.u_tag.mem[0] , \u_now.gen_way[1].gen_memory.u_tag.mem[1] ;
   (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].gen_block.u_tag.mem[0] , \u_dut.gen_way[0].gen_block.u_tag.mem[1] ;
@@ -68,11 +68,11 @@ module tags_ahead #(
   (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].gen_block.u_tag.read_q , \u_dut.gen_way[1].gen_block.u_tag.read_q ;
   (* hierconn *) wire          \u_dut.gen_way[0].gen_ahead.took_q , \u_dut.gen_way[1].gen_ahead.took_q ;
   (* hierconn *) wire [TagW:0] \u_dut.gen_late.late_q ;   // {set, tag}
-  logic [4*E-1:0] now, held;
-  logic [2*E-1:0] entry;
-  logic [1:0]     took;
-  logic [E-1:0]   seen;   // of a way, what the request ahead will be compared with
-  logic           late_set, tags_ok;
+  logic [4*EntryW-1:0] now, held;
+  logic [2*EntryW-1:0] entry;
+  logic [1:0]          took;
+  logic [EntryW-1:0]   seen;   // of a way, what the request ahead will be compared with
+  logic                late_set, tags_ok;
   assign now   = {\u_now.gen_way[1].gen_memory.u_tag.mem[1] , \u_now.gen_way[0].gen_memory.u_tag.mem[1] ,
                   \u_now.gen_way[1].gen_memory.u_tag.mem[0] , \u_now.gen_way[0].gen_memory.u_tag.mem[0] };
   assign held  = {\u_dut.gen_way[1].gen_block.u_tag.mem[1] , \u_dut.gen_way[0].gen_block.u_tag.mem[1] ,
@@ -83,8 +83,8 @@ module tags_ahead #(
   always @* begin
     tags_ok = now == held;
     for (int w = 0; w < Ways; w++) begin
-      seen = took[w] && late_set == head_set_q ? {1'b1, \u_dut.gen_late.late_q [TagW-1:0]} : entry[w*E +: E];
-      if (head_valid_q && seen != now[(2*head_set_q + w)*E +: E]) tags_ok = 1'b0;
+      seen = took[w] && late_set == head_set_q ? {1'b1, \u_dut.gen_late.late_q [TagW-1:0]} : entry[w*EntryW +: EntryW];
+      if (head_valid_q && seen != now[(2*head_set_q + w)*EntryW +: EntryW]) tags_ok = 1'b0;
     end
   end
 

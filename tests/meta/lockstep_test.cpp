@@ -117,7 +117,7 @@ TEST_CASE("lockstep names the first wrong value") {
     const Event event =
         first_event<TriRsp>(job, Link::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
-    const Mutant mutant("unit/isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
+    const Mutant mutant("unit/isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (BaryBits+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "tri", "tri_rsp");
     CHECK(result.value_mismatches > 1);
@@ -131,9 +131,9 @@ TEST_CASE("lockstep names the first wrong value") {
 TEST_CASE("lockstep names the pixel whose ray is wrong") {
     const Job job = small_job();
     const Event event = first_event<Ray>(job, Link::ray, [](const Ray& ray) { return ray.ray == 5; });
-    const Mutant mutant(
-        "unit/raygen/rc_raygen.sv", "assign ray_o = ray_data;",
-        "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
+    const Mutant mutant("unit/raygen/rc_raygen.sv", "assign ray_o = ray_data;",
+                        "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: "
+                        "RayBits] == RayBits'(5)};");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "raygen", "ray");
     CHECK(event.x == 3);   // the sixth in Morton order
@@ -184,8 +184,9 @@ TEST_CASE("lockstep names the first cycle in which the RTL is early") {
 TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     const Job job = small_job();
     LockstepResult result;
-    const Mutant hanging("unit/sched/rc_sched.sv", "assign hit_valid_o   = pixel_valid_i;",
-                         "assign hit_valid_o   = pixel_valid_i && place != (2*P)'(12 << P | 9);");
+    const Mutant hanging(
+        "unit/sched/rc_sched.sv", "assign hit_valid_o   = pixel_valid_i;",
+        "assign hit_valid_o   = pixel_valid_i && place != (2*PixelBits)'(12 << PixelBits | 9);");
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
     CHECK(result.first->unit == "sched");
@@ -349,7 +350,7 @@ TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     const Event event = first_event<PrimMiss>(job, Link::prim_miss, [](const PrimMiss&) { return true; });
     // One source of the memory port is never served: rays that need a triangle wait for ever.
     const Mutant mutant("rc_top.sv", ".valid_i(miss_valid), .ready_o(miss_ready)",
-                        ".valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)");
+                        ".valid_i(miss_valid & {Pipelines{2'b01}}), .ready_o(miss_ready)");
     LockstepResult result;
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);

@@ -17,8 +17,8 @@ mutant(small_slab_saturation_wraps FILE rtl/engine/bvh/rc_slab.sv TEST unit [box
 
 # ---- Triangles: exact decisions at the corners of the lattice, and the first of equal hits.
 mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
-  OLD [[localparam int unsigned X = 2 * D + 1;]]
-  NEW [[localparam int unsigned X = 2 * D - 2;]])
+  OLD [[localparam int unsigned EdgeCrossW  = 2 * DiffW + 1;]]
+  NEW [[localparam int unsigned EdgeCrossW  = 2 * DiffW - 2;]])
 mutant(small_edges_third_tie_turned FILE rtl/unit/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
@@ -40,8 +40,8 @@ mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit "a
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
 mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
-  OLD [[? 2 * (M + W) + 2 : 2 * (N + W) + 4;]]
-  NEW [[? 2 * (M + W) + 1 : 2 * (N + W) + 3;]])
+  OLD [[? 2 * (M + OriginWidth) + 2 : 2 * (N + OriginWidth) + 4;]]
+  NEW [[? 2 * (M + OriginWidth) + 1 : 2 * (N + OriginWidth) + 3;]])
 mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
   OLD [[assign s3_goes  = (!s3_own || s3_inside)]]
   NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
@@ -52,20 +52,20 @@ mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/isect/rc_sphere.sv
 
 # ---- Traversal, lists, tiles and camera rays: state that belongs to another ray or frame.
 mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]
-  NEW [[below = top_near[T-1:0];]])
+  OLD [[below = top_near[TBits-1:0] < top_below ? top_near[TBits-1:0] : top_below;]]
+  NEW [[below = top_near[TBits-1:0];]])
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/unit/list/rc_list.sv TEST unit [list][shading]
-  OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
-  NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
+  OLD [[(s2_more_triangles || s2_more_leaves) && !s2_blocked;]]
+  NEW [[s2_more_triangles || (s2_more_leaves && !s2_blocked);]])
 mutant(sched_frees_another_context QUICK FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
-  NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
+  NEW [[.push_i(freed), .data_i(pixel_i.ray ^ RayBits'(1))]])
 mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
   OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
   NEW [[if (!rst_ni) first_q <= 1'b1;]])
 mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[if (s0_used[G-2-i]) s0_shift = ShiftW'(i);]]
-  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? ShiftW'(i - 1) : '0;]])
+  OLD [[if (s0_used[GuardSumW-2-i]) s0_shift = ShiftW'(i);]]
+  NEW [[if (s0_used[GuardSumW-2-i]) s0_shift = i > 0 ? ShiftW'(i - 1) : '0;]])
 mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
   OLD [[assign eye    = frame_i.eye;]]
   NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
@@ -77,8 +77,8 @@ mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture
   end
   assign eye = is_kept_q ? kept_q : frame_i.eye;]])
 mutant(sample_cell_not_reduced_twice FILE rtl/unit/raygen/rc_sample.sv TEST unit [raygen][shading]
-  OLD [[take = once >= {1'b0, all} ? S'(once - {1'b0, all}) : S'(once);]]
-  NEW [[take = once >= {1'b0, all} ? S'(once) : S'(once);]])
+  OLD [[take = once >= {1'b0, all} ? SampleBits'(once - {1'b0, all}) : SampleBits'(once);]]
+  NEW [[take = once >= {1'b0, all} ? SampleBits'(once) : SampleBits'(once);]])
 
 # ---- Shading: cells, a pass, and the contexts.
 mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
@@ -95,7 +95,7 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
   end]]
   NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, begin_state_i.depth} + 6'd1)), .data_o(slack));]])
-mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_side.sv TEST unit [pass][all]
+mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_normal_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
   NEW [[&& sum[ProductW:0] != '1;]])
 mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
@@ -131,11 +131,11 @@ mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[|| (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(F)));]]
-  NEW [[|| adr_q == AddrW'(rc_pkg::RegStart) || (is_idle && frame_word < AddrW'(F));]])
+  OLD [[|| (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(FrameWords)));]]
+  NEW [[|| adr_q == AddrW'(rc_pkg::RegStart) || (is_idle && frame_word < AddrW'(FrameWords));]])
 mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[frame_word < AddrW'(F)));]]
-  NEW [[frame_word < AddrW'(F - 1)));]])
+  OLD [[frame_word < AddrW'(FrameWords)));]]
+  NEW [[frame_word < AddrW'(FrameWords - 1)));]])
 mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
   NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])
@@ -151,8 +151,8 @@ mutant(host_clears_a_cycle_late FILE rtl/host/rc_host.sv TEST unit [host]
 
 # ---- Fast chips and shared multipliers.
 mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/isect/rc_hitdiv.sv TEST unit [tri][fast]
-  OLD [[rc_path_register #(.Width(T + 1)) u_t_last]]
-  NEW [[rc_path_register #(.Width(T + 1), .Stages(0)) u_t_last]])
+  OLD [[rc_path_register #(.Width(TBits + 1)) u_t_last]]
+  NEW [[rc_path_register #(.Width(TBits + 1), .Stages(0)) u_t_last]])
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
@@ -162,5 +162,5 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
 
 # ---- Random configurations are linted.
 mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"
-  OLD [[logic signed [RoundW-1:0] sum, sum_q, shifted;]]
-  NEW [[logic signed [RoundW-1:0] sum, sum_q, shifted, spare;]])
+  OLD [[logic signed [RoundW-1:0]  sum, sum_q, shifted;]]
+  NEW [[logic signed [RoundW-1:0]  sum, sum_q, shifted, spare;]])

@@ -120,7 +120,7 @@ TEST_CASE("bounces from beyond the lattice are sent from where they come into it
         in.state = random_state(draw, frame, c);
         ShadeState& s = in.state;
         const bool through = draw.coin();
-        s.event = std::uint32_t(through ? ShadeEvent::refract : ShadeEvent::reflect);
+        s.next_event = std::uint32_t(through ? ShadeEvent::refract : ShadeEvent::reflect);
         s.pending = 0, s.waiting = 0, s.far = 1;
         aim_far(draw, frame, c, s);
         const BounceOut ray = through ? refract(c, s) : reflect(c, s);
@@ -164,20 +164,20 @@ TEST_CASE("what a path sees through a pane lies in another cell, until it comes 
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        in.hit.found = 1, in.state.event = std::uint32_t(ShadeEvent::arrive);
+        in.hit.found = 1, in.state.next_event = std::uint32_t(ShadeEvent::arrive);
         const bool is_plane = in.surface.kind == std::uint32_t(PrimKind::plane);
         const std::uint32_t pane = is_plane ? std::uint32_t(in.surface.normal[4]) : 0;
         PassOut out = pass(in, frame, c);
         REQUIRE(out.state.cell == in.state.cell);
         REQUIRE(out.state.across == (in.state.cell ^ pane));
 
-        in.state = out.state, in.state.event = std::uint32_t(ShadeEvent::refract);
+        in.state = out.state, in.state.next_event = std::uint32_t(ShadeEvent::refract);
         out = pass(in, frame, c);
         REQUIRE(out.state.cell == in.state.cell);   // the reflected ray comes next
         if (!out.push) continue;
         REQUIRE(out.pushed.cell == (in.state.cell ^ pane));
         through_panes += pane != 0;
-        in.state = out.state, in.state.event = std::uint32_t(ShadeEvent::pop), in.state.waiting = 1;
+        in.state = out.state, in.state.next_event = std::uint32_t(ShadeEvent::pop), in.state.waiting = 1;
         in.top = out.pushed;
         REQUIRE(pass(in, frame, c).state.cell == out.pushed.cell);
     }
@@ -195,7 +195,7 @@ TEST_CASE("shadow rays of points beyond the lattice test finite primitives unles
         PassIn in;
         in.state = random_state(draw, frame, c);
         ShadeState& s = in.state;
-        s.event = std::uint32_t(ShadeEvent::light), s.pending = 0, s.far = 1;
+        s.next_event = std::uint32_t(ShadeEvent::light), s.pending = 0, s.far = 1;
         aim_far(draw, frame, c, s);
         ShadeState judged = s;
         const LightOut found = light(frame, c, judged);

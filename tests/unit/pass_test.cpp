@@ -78,14 +78,14 @@ template <class P> void compare(const RtlModule& rtl, const char* name, const P&
 }
 
 void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Config& c) {
-    CAPTURE(in.state.event, in.surface.kind, in.hit.found, in.state.waiting);
+    CAPTURE(in.state.next_event, in.surface.kind, in.hit.found, in.state.waiting);
     const PassOut out = pass(in, frame, c);
     REQUIRE(got(rtl, "end_ray")[0] == in.ray);
     REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
     const ShadeState state = written(get_data<ShadeState>(rtl.port("end_state"), c), got(rtl, "changes")[0],
                                      seen(in.state, c), out.state);
-    CAPTURE(state.event, out.state.event, state.colour, out.state.colour, state.o, out.state.o, state.n,
-            out.state.n, state.normal, out.state.normal);
+    CAPTURE(state.next_event, out.state.next_event, state.colour, out.state.colour, state.o, out.state.o,
+            state.n, out.state.n, state.normal, out.state.normal);
     CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far,
             state.albedo, out.state.albedo);
     CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending,
@@ -109,7 +109,7 @@ struct MaterialBits {
 
 /// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
-    const bool looks = in && in->state.event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
+    const bool looks = in && in->state.next_event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
     REQUIRE(got(rtl, "material_valid")[0] == std::uint32_t(looks));
     if (!looks) return;
     REQUIRE(got(rtl, "material_ray")[0] == in->ray);
@@ -150,7 +150,7 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
         if (due) {
             judge(rtl, *due, frame, c);
             const PassOut out = pass(*due, frame, c);
-            ++seen_leaves[8 * int(due->state.event) + int(out.leave)];
+            ++seen_leaves[8 * int(due->state.next_event) + int(out.leave)];
             pushes += out.push;
         }
         rtl.clock();

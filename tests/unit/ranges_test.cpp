@@ -269,14 +269,16 @@ TEST_CASE("a signal that is a bit too narrow is an overflow", "[fit]") {
 TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
     const std::pair<const char*, std::vector<const char*>> texts[] = {
         {"unit/isect/rc_edges.sv",
-         {"localparam int unsigned D = N + 1;", "localparam int unsigned C = M + D + 1;",
-          "localparam int unsigned X = 2 * D + 1;", "localparam int unsigned E = rc_pkg::EdgeBits",
-          "localparam int unsigned U = rc_pkg::NumBits"}},
+         {"localparam int unsigned DiffW = N + 1;",
+          "localparam int unsigned RayCrossW = RayDirBits + DiffW + 1;",
+          "localparam int unsigned EdgeCrossW = 2 * DiffW + 1;",
+          "localparam int unsigned EdgeBits = rc_pkg::EdgeBits",
+          "localparam int unsigned NumBits = rc_pkg::NumBits"}},
         {"unit/isect/rc_tri.sv",
-         {"logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;",
-          "localparam int unsigned D = rc_pkg::EdgeBits;"}},
+         {"logic [NumBits+EdgeBits-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;",
+          "localparam int unsigned EdgeBits = rc_pkg::EdgeBits;"}},
         {"unit/isect/rc_hitdiv.sv",
-         {"localparam int unsigned WideW = (U + Left > E ? U + Left : E) + 1;",
+         {"localparam int unsigned WideW = (NumBits + Left > DenW ? NumBits + Left : DenW) + 1;",
           "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
         {"engine/bvh/rc_slab.sv",
          {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned DistanceW = N + 1;",
@@ -284,9 +286,10 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
           "localparam int unsigned SumW = ProductW + 1;",
           "logic [RightW-1:0] placed_move, placed_right, ready_move;", "logic [R1-1:0] placed_up;"}},
         {"unit/raygen/rc_raygen.sv",
-         {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;",
-          "localparam int unsigned GD = rc_pkg::GuardDirBits;", "localparam int unsigned G = GD + SubBits;"}},
-        {"unit/raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, mag;"}}};
+         {"logic signed [GuardSumW-1:0] s1_right_q, s1_down_q, s1_corner;",
+          "localparam int unsigned GuardDirBits = rc_pkg::GuardDirBits;",
+          "localparam int unsigned GuardSumW = GuardDirBits + SubBits;"}},
+        {"unit/raygen/rc_recip.sv", {"logic [RayDirBits-1:0] s0_mag, mag;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);
         std::ostringstream text;

@@ -14,7 +14,7 @@ struct GlobeRay {
 };
 /// Returns the ray of a globe test. It shifts all components by the same amount, until the longest fills
 /// toward_bits, and rounds to nearest, halves up. 2^17 becomes one less. Mirror of
-/// rtl/engine/spheres/rc_toward.sv.
+/// rtl/engine/spheres/rc_globe_ray.sv.
 GlobeRay globe_ray(const Ray& ray, const Config& config);
 
 /// A node of globes unpacked for the model.

@@ -38,7 +38,7 @@ ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c
 /// Sets the event after a surface or a light: light number `light`, or the event after the last light.
 void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
     s.light = light;
-    s.event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
+    s.next_event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
 }
 
 Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
@@ -72,11 +72,11 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
         add(s.colour, surf(in, c, s));
         s.across = s.cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
-        if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::transform);
+        if (c.has_homes()) s.next_event = std::uint32_t(ShadeEvent::transform);
         return;
     }
     see_background(s, s.weight, frame);
-    s.event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = std::uint32_t(ShadeEvent::pop);
 }
 
 /// Returns the origin of a ray from the surface; empty if the ray misses the lattice.
@@ -143,7 +143,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
     s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;
-    s.event = std::uint32_t(ShadeEvent::arrive);
+    s.next_event = std::uint32_t(ShadeEvent::arrive);
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
     out.spawn.o = ray.o, out.spawn.d = ray.d;
@@ -169,7 +169,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
     ShadeState& s = out.state;
     const BounceOut found = refract(c, s, in.placement);
     s.total = found.total;
-    s.event = std::uint32_t(ShadeEvent::reflect);
+    s.next_event = std::uint32_t(ShadeEvent::reflect);
     if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
     out.refracted = true;
     if (!found.goes) return;
@@ -184,7 +184,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
 void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const BounceOut found = reflect(c, s, in.placement);
-    s.event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = std::uint32_t(ShadeEvent::pop);
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
     const std::optional<Origin> start = bounce_start(s, found.d, false, c);
     out.passes_by = !start;
@@ -208,7 +208,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
         s.sample = done;
         s.colour = {};
         s.weight = full_weight, s.depth = 0, s.cell = 0;
-        s.event = std::uint32_t(ShadeEvent::arrive);
+        s.next_event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
         return;
@@ -240,7 +240,7 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     const Pending pending = Pending(s.pending);
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
     s.pending = std::uint32_t(Pending::none);
-    switch (ShadeEvent(s.event)) {
+    switch (ShadeEvent(s.next_event)) {
         case ShadeEvent::arrive: arrive(in, frame, c, s); break;
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
         case ShadeEvent::refract: send_refracted(in, frame, c, out); break;

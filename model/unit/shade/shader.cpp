@@ -41,7 +41,7 @@ RayPurpose Shader::purpose() const {
 int Shader::run() {
     int passes = 0;
     do {
-        const ShadeEvent event = ShadeEvent(in_.state.event);
+        const ShadeEvent event = ShadeEvent(in_.state.next_event);
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
         out_ = pass(in_, *frame_, *config_);
         if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())

@@ -86,7 +86,7 @@ public:
     const RayCounts& counts() const { return counts_; }
 
 private:
-    bool is_arrival() const { return in_.state.event == std::uint32_t(ShadeEvent::arrive); }
+    bool is_arrival() const { return in_.state.next_event == std::uint32_t(ShadeEvent::arrive); }
     void count(ShadeEvent event);
 
     const Frame* frame_;

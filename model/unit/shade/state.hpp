@@ -19,7 +19,7 @@ enum class Pending : std::uint32_t { none, answer /**< if the shadow ray met not
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
-    std::uint32_t event = 0, pending = 0;
+    std::uint32_t next_event = 0, pending = 0;
     // The pixel.
     std::uint32_t x = 0, y = 0, sample = 0;
     std::array<std::uint32_t, 3> sum{}, least{}, most{};      ///< of the finished samples' colours
@@ -57,7 +57,7 @@ struct ShadeState {
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);
-        v_("purpose", event, 3);
+        v_("next_event", next_event, 3);
         v_("pending", pending, 2);
         v_("found", found, 1);
         v_("prim", prim, c.prim_bits);

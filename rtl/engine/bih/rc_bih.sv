@@ -17,10 +17,10 @@ module rc_bih (
   input  logic                 rsp_ready_i,
   output rc_pkg::bih_rsp_t     rsp_o
 );
-  localparam int unsigned Q       = rc_pkg::NodePlanes;
-  localparam int unsigned N       = rc_pkg::CoordBits;
-  localparam int unsigned T       = rc_pkg::TBits;
-  localparam int unsigned Latency = rc_pkg::BihLatency;
+  localparam int unsigned NodePlanes = rc_pkg::NodePlanes;
+  localparam int unsigned N          = rc_pkg::CoordBits;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned Latency    = rc_pkg::BihLatency;
 
   // Stages in which a node has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
@@ -40,8 +40,8 @@ module rc_bih (
   // The node, unpacked.
   rc_pkg::bih_req_t           in;
   logic [rc_pkg::BihReqW-1:0] in_flat;
-  logic [2*Q-1:0]             in_axis;
-  logic [N*Q-1:0]             in_lower_to, in_upper_from;
+  logic [2*NodePlanes-1:0]    in_axis;
+  logic [N*NodePlanes-1:0]    in_lower_to, in_upper_from;
 
   rc_path_register #(.Width(rc_pkg::BihReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
 
@@ -52,15 +52,15 @@ module rc_bih (
 
   // For each pair: the half that the ray meets first ends at one plane (near), the other half
   // starts at the other plane (far). A ray of negative direction meets the upper half first.
-  logic [Q-1:0]   turned, near, far;
-  logic [Q*T-1:0] near_to, far_from;
+  logic [NodePlanes-1:0]       turned, near, far;
+  logic [NodePlanes*TBits-1:0] near_to, far_from;
 
-  for (genvar i = 0; i < Q; i++) begin : gen_pair
+  for (genvar i = 0; i < NodePlanes; i++) begin : gen_pair
     logic [1:0]          axis;
     logic                neg;
     logic signed [N-1:0] lower_to, upper_from, first_at, second_at;
     logic                first_far, second_turned, second_near;
-    logic [T-1:0]        first_from, second_to;
+    logic [TBits-1:0]    first_from, second_to;
 
     assign axis       = in_axis[2*i +: 2];
     assign neg        = |(in.neg & (3'd1 << axis));   // 0 for axis 3, a missing pair
@@ -74,14 +74,14 @@ module rc_bih (
       .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
       .s0_axis_i(axis), .s0_at_i(first_at),
       .turned_o(turned[i]), .near_o(near[i]), .far_o(first_far),
-      .near_to_o(near_to[i*T +: T]), .far_from_o(first_from));
+      .near_to_o(near_to[i*TBits +: TBits]), .far_from_o(first_from));
 
     rc_plane #(.HasTo(1'b0)) u_far (
       .clk_i, .valid_i(valid[Meet-1:In]),
       .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
       .s0_axis_i(axis), .s0_at_i(second_at),
       .turned_o(second_turned), .near_o(second_near), .far_o(far[i]),
-      .near_to_o(second_to), .far_from_o(far_from[i*T +: T]));
+      .near_to_o(second_to), .far_from_o(far_from[i*TBits +: TBits]));
 
     logic unused;
     assign unused = ^{first_far, first_from, second_turned, second_near, second_to};

@@ -11,31 +11,31 @@
 // formulas.
 `default_nettype none
 module rc_crossing #(
-  localparam int unsigned OW     = rc_pkg::OriginWidth,
-  localparam int unsigned H      = rc_pkg::RayDirBits,
-  localparam int unsigned B      = rc_pkg::NormalStepBits,
-  localparam int unsigned AW     = rc_pkg::PlaneOffsetBits,
-  localparam int unsigned T      = rc_pkg::TBits,
-  localparam int unsigned Stages = rc_pkg::CrossingStages
+  localparam int unsigned OriginWidth     = rc_pkg::OriginWidth,
+  localparam int unsigned RayDirBits      = rc_pkg::RayDirBits,
+  localparam int unsigned NormalStepBits  = rc_pkg::NormalStepBits,
+  localparam int unsigned PlaneOffsetBits = rc_pkg::PlaneOffsetBits,
+  localparam int unsigned TBits           = rc_pkg::TBits,
+  localparam int unsigned Stages          = rc_pkg::CrossingStages
 ) (
-  input  logic                 clk_i,
-  input  logic [Stages-1:0]    valid_i,      // valid_i[i]: stage i holds a slant
+  input  logic                              clk_i,
+  input  logic [Stages-1:0]                 valid_i,      // valid_i[i]: stage i holds a slant
   // Ray: origin and direction
-  input  logic [3*OW-1:0]      s0_o_i,
-  input  logic [3*H-1:0]       s0_along_i,
+  input  logic [3*OriginWidth-1:0]          s0_o_i,
+  input  logic [3*RayDirBits-1:0]           s0_along_i,
   // Plane: normal n and offset
-  input  logic [3*B-1:0]       s0_normal_i,
-  input  logic signed [AW-1:0] s0_at_i,
+  input  logic [3*NormalStepBits-1:0]       s0_normal_i,
+  input  logic signed [PlaneOffsetBits-1:0] s0_at_i,
   // Result
-  output logic                 turned_o,     // the ray meets the upper side first
-  output logic                 near_o,
-  output logic                 far_o,
-  output logic [T-1:0]         near_to_o,
-  output logic [T-1:0]         far_from_o
+  output logic                              turned_o,     // the ray meets the upper side first
+  output logic                              near_o,
+  output logic                              far_o,
+  output logic [TBits-1:0]                  near_to_o,
+  output logic [TBits-1:0]                  far_from_o
 );
-  localparam int unsigned Frac      = OW - rc_pkg::CoordBits;   // fraction bits of the origin
-  localparam int unsigned NW        = AW + Frac + 1;            // at - n . o, signed
-  localparam int unsigned DW        = H + B + 1;                // n . d, signed
+  localparam int unsigned Frac      = OriginWidth - rc_pkg::CoordBits;   // of the origin
+  localparam int unsigned NumW      = PlaneOffsetBits + Frac + 1;        // at - n . o, signed
+  localparam int unsigned DenW      = RayDirBits + NormalStepBits + 1;   // n . d, signed
   localparam int unsigned QuotientW = rc_pkg::CrossingBits;
   localparam int unsigned LengthW   = 6;                        // a length; a right shift
   localparam int unsigned ShiftW    = 8;                        // bits of a shift, signed
@@ -57,52 +57,56 @@ module rc_crossing #(
   localparam int unsigned Sum     = Product + 1 + Cut;
   localparam int unsigned Size    = Sum + 1 + 3 * Cut;
 
-  // 2^T times the quotient is shifted right by T - x, where x = F + M - B - QuotientW plus the
-  // difference of the lengths.
+  // 2^TBits times the quotient is shifted right by TBits - x, where x = F + RayDirBits - Frac -
+  // QuotientW plus the difference of the lengths.
   localparam logic signed [ShiftW-1:0] RightBase =
-      ShiftW'(T) + ShiftW'(Frac) + ShiftW'(QuotientW) - ShiftW'(rc_pkg::TFracBits) - ShiftW'(H);
+      ShiftW'(TBits) + ShiftW'(Frac) + ShiftW'(QuotientW) - ShiftW'(rc_pkg::TFracBits)
+      - ShiftW'(RayDirBits);
 
   // The products of n . o and n . d.
-  logic [3*NW-1:0] origin_q;
-  logic [3*DW-1:0] along_q;
+  logic [3*NumW-1:0] origin_q;
+  logic [3*DenW-1:0] along_q;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [B-1:0]    normal;
-    logic signed [OW-1:0]   o;
-    logic signed [H-1:0]    along;
-    logic signed [OW+B-1:0] origin_product;
-    logic signed [H+B-1:0]  along_product;
+    logic signed [NormalStepBits-1:0]             normal;
+    logic signed [OriginWidth-1:0]                o;
+    logic signed [RayDirBits-1:0]                 along;
+    logic signed [OriginWidth+NormalStepBits-1:0] origin_product;
+    logic signed [RayDirBits+NormalStepBits-1:0]  along_product;
 
-    assign normal = s0_normal_i[k*B +: B];
-    assign o      = s0_o_i[k*OW +: OW];
-    assign along  = s0_along_i[k*H +: H];
+    assign normal = s0_normal_i[k*NormalStepBits +: NormalStepBits];
+    assign o      = s0_o_i[k*OriginWidth +: OriginWidth];
+    assign along  = s0_along_i[k*RayDirBits +: RayDirBits];
 
-    rc_mul #(.AW(OW), .BW(B)) u_origin (.clk_i, .a_i(o), .b_i(normal), .p_o(origin_product));
-    rc_mul #(.AW(H), .BW(B)) u_along (.clk_i, .a_i(along), .b_i(normal), .p_o(along_product));
+    rc_mul #(.AW(OriginWidth), .BW(NormalStepBits)) u_origin (
+      .clk_i, .a_i(o), .b_i(normal), .p_o(origin_product));
+    rc_mul #(.AW(RayDirBits), .BW(NormalStepBits)) u_along (
+      .clk_i, .a_i(along), .b_i(normal), .p_o(along_product));
 
     always_ff @(posedge clk_i) begin
       if (valid_i[Product-1]) begin
-        origin_q[k*NW +: NW] <= NW'(origin_product);
-        along_q[k*DW +: DW]  <= DW'(along_product);
+        origin_q[k*NumW +: NumW] <= NumW'(origin_product);
+        along_q[k*DenW +: DenW]  <= DenW'(along_product);
       end
     end
   end
 
-  logic signed [AW-1:0] at, at_q;
+  logic signed [PlaneOffsetBits-1:0] at, at_q;
 
-  rc_path_register #(.Width(AW), .Stages(Mul)) u_at (.clk_i, .data_i(s0_at_i), .data_o(at));
+  rc_path_register #(.Width(PlaneOffsetBits), .Stages(Mul)) u_at (
+    .clk_i, .data_i(s0_at_i), .data_o(at));
   always_ff @(posedge clk_i) if (valid_i[Product-1]) at_q <= at;
 
   // Their sums: num = at - n . o, den = n . d.
-  logic [NW-1:0] num_less, num_more, num_two, num_rest, num_q;
-  logic [DW-1:0] den_one, den_two, den_rest, den_q;
+  logic [NumW-1:0] num_less, num_more, num_two, num_rest, num_q;
+  logic [DenW-1:0] den_one, den_two, den_rest, den_q;
 
-  assign num_less = origin_q[0 +: NW] + origin_q[NW +: NW];
-  assign num_more = $unsigned(NW'(at_q) <<< Frac) - origin_q[2*NW +: NW];
-  assign den_one  = along_q[0 +: DW] + along_q[DW +: DW];
+  assign num_less = origin_q[0 +: NumW] + origin_q[NumW +: NumW];
+  assign num_more = $unsigned(NumW'(at_q) <<< Frac) - origin_q[2*NumW +: NumW];
+  assign den_one  = along_q[0 +: DenW] + along_q[DenW +: DenW];
 
-  rc_path_register #(.Width(2 * NW + 2 * DW)) u_two (
-    .clk_i, .data_i({num_less, num_more, den_one, along_q[2*DW +: DW]}),
+  rc_path_register #(.Width(2 * NumW + 2 * DenW)) u_two (
+    .clk_i, .data_i({num_less, num_more, den_one, along_q[2*DenW +: DenW]}),
     .data_o({num_two, num_rest, den_two, den_rest}));
 
   always_ff @(posedge clk_i) begin
@@ -113,35 +117,35 @@ module rc_crossing #(
   end
 
   // Both along the ray. If the ray does not approach the plane, only the origin's side matters.
-  logic          neg, zero, ahead, on, near, far, timed;
-  logic [NW-1:0] num;
-  logic [NW-2:0] num_abs, num_size;
-  logic [DW-1:0] den;
-  logic [DW-2:0] den_abs, den_size;
-  flags_t        new_flags, flags;
+  logic            neg, zero, ahead, on, near, far, timed;
+  logic [NumW-1:0] num;
+  logic [NumW-2:0] num_abs, num_size;
+  logic [DenW-1:0] den;
+  logic [DenW-2:0] den_abs, den_size;
+  flags_t          new_flags, flags;
 
-  assign neg   = den_q[DW-1];
+  assign neg   = den_q[DenW-1];
   assign zero  = den_q == '0;
   assign num   = neg ? -num_q : num_q;
   assign den   = neg ? -den_q : den_q;
   assign on    = num_q == '0;
-  assign ahead = !on && num_q[NW-1] == neg;
+  assign ahead = !on && num_q[NumW-1] == neg;
   assign near  = zero ? ahead || on : ahead;
   assign far   = !zero || !ahead;
   assign timed = !zero && ahead;
 
   assign new_flags = {neg, near, far, timed};
 
-  rc_path_register #(.Width(NW + DW - 2 + FlagsW)) u_abs (
-    .clk_i, .data_i({num[NW-2:0], den[DW-2:0], new_flags}),
+  rc_path_register #(.Width(NumW + DenW - 2 + FlagsW)) u_abs (
+    .clk_i, .data_i({num[NumW-2:0], den[DenW-2:0], new_flags}),
     .data_o({num_abs, den_abs, flags}));
 
   // Their bit lengths, then their highest QuotientW bits: the shift is first by a multiple of
   // eight, then by the remaining three bits.
   logic [LengthW-1:0] num_len, den_len, num_long, den_long, num_short, den_short, num_up, den_up;
-  logic [2:0]    num_fine, den_fine;
-  logic [NW-2:0] num_coarse, num_rough, num_top;
-  logic [DW-2:0] den_coarse, den_rough, den_top;
+  logic [2:0]      num_fine, den_fine;
+  logic [NumW-2:0] num_coarse, num_rough, num_top;
+  logic [DenW-2:0] den_coarse, den_rough, den_top;
   logic signed [ShiftW-1:0] right;
   logic [LengthW-1:0]    size_right, rough_right, right_q;
   flags_t                len_flags, rough_flags, flags_q;
@@ -150,16 +154,16 @@ module rc_crossing #(
   always_comb begin
     num_len = '0;
     den_len = '0;
-    for (int i = 0; i < NW - 1; i++) if (num_abs[i]) num_len = LengthW'(i + 1);
-    for (int i = 0; i < DW - 1; i++) if (den_abs[i]) den_len = LengthW'(i + 1);
+    for (int i = 0; i < NumW - 1; i++) if (num_abs[i]) num_len = LengthW'(i + 1);
+    for (int i = 0; i < DenW - 1; i++) if (den_abs[i]) den_len = LengthW'(i + 1);
   end
 
-  rc_path_register #(.Width(NW + DW - 2 + 2 * LengthW + FlagsW)) u_len (
+  rc_path_register #(.Width(NumW + DenW - 2 + 2 * LengthW + FlagsW)) u_len (
     .clk_i, .data_i({num_abs, den_abs, num_len, den_len, flags}),
     .data_o({num_size, den_size, num_long, den_long, len_flags}));
 
-  assign num_short = LengthW'(NW - 1) - num_long;
-  assign den_short = LengthW'(DW - 1) - den_long;
+  assign num_short = LengthW'(NumW - 1) - num_long;
+  assign den_short = LengthW'(DenW - 1) - den_long;
 
   assign right = RightBase + $signed({{(ShiftW-LengthW){1'b0}}, den_long})
                                - $signed({{(ShiftW-LengthW){1'b0}}, num_long});
@@ -171,7 +175,7 @@ module rc_crossing #(
   assign num_coarse = num_size << num_up;
   assign den_coarse = den_size << den_up;
 
-  rc_path_register #(.Width(NW + DW - 2 + 6 + LengthW + FlagsW)) u_coarse (
+  rc_path_register #(.Width(NumW + DenW - 2 + 6 + LengthW + FlagsW)) u_coarse (
     .clk_i,
     .data_i({num_coarse, den_coarse, num_short[2:0], den_short[2:0], size_right, len_flags}),
     .data_o({num_rough, den_rough, num_fine, den_fine, rough_right, rough_flags}));
@@ -181,8 +185,8 @@ module rc_crossing #(
 
   always_ff @(posedge clk_i) begin
     if (valid_i[Size-1]) begin
-      dividend_q <= num_top[NW-2 -: QuotientW];
-      divisor_q  <= den_top[DW-2 -: QuotientW];
+      dividend_q <= num_top[NumW-2 -: QuotientW];
+      divisor_q  <= den_top[DenW-2 -: QuotientW];
       right_q    <= rough_right;
       flags_q    <= rough_flags;
     end
@@ -203,14 +207,14 @@ module rc_crossing #(
     .clk_i, .data_i({right_q, flags_q}), .data_o({quo_right, quo_flags}));
 
   // The times: quo - 2 and quo + 2, shifted to t's unit. An overflow at the top saturates.
-  logic [QuotientW:0]     from_end, to_end, from_d, to_d, over;
-  logic [LengthW-1:0]     end_right;
-  flags_t                 end_flags, place_flags, out_flags;
-  logic [QuotientW+T:0]   from_moved, to_moved;
-  logic [T+6:0]           from_rest, to_rest, from_fine, to_fine;
-  logic                   from_over, to_over, from_many, to_many, from_most, to_most;
-  logic [2:0]             fine;
-  logic [T-1:0]           from_t, to_t;
+  logic [QuotientW:0]         from_end, to_end, from_d, to_d, over;
+  logic [LengthW-1:0]         end_right;
+  flags_t                     end_flags, place_flags, out_flags;
+  logic [QuotientW+TBits:0]   from_moved, to_moved;
+  logic [TBits+6:0]           from_rest, to_rest, from_fine, to_fine;
+  logic                       from_over, to_over, from_many, to_many, from_most, to_most;
+  logic [2:0]                 fine;
+  logic [TBits-1:0]           from_t, to_t;
 
   assign from_d = {1'b0, quo} - (QuotientW+1)'(2);
   assign to_d   = {1'b0, quo} + (QuotientW+1)'(2);
@@ -220,21 +224,22 @@ module rc_crossing #(
     .data_o({from_end, to_end, end_right, end_flags}));
 
   assign over       = {(QuotientW+1){1'b1}} << end_right;
-  assign from_moved = {from_end, {T{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
-  assign to_moved   = {to_end, {T{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
+  assign from_moved = {from_end, {TBits{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
+  assign to_moved   = {to_end, {TBits{1'b0}}} >> {end_right[LengthW-1:3], 3'd0};
   assign from_over  = |(from_end & over);
   assign to_over    = |(to_end & over);
 
-  rc_path_register #(.Width(2 * (T + 7) + 5 + FlagsW)) u_place (
+  rc_path_register #(.Width(2 * (TBits + 7) + 5 + FlagsW)) u_place (
     .clk_i,
-    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, end_right[2:0], end_flags}),
+    .data_i({from_moved[TBits+6:0], to_moved[TBits+6:0], from_over, to_over, end_right[2:0],
+             end_flags}),
     .data_o({from_rest, to_rest, from_many, to_many, fine, place_flags}));
 
   assign from_fine = from_rest >> fine;
   assign to_fine   = to_rest >> fine;
 
-  rc_path_register #(.Width(2 * T + 2 + FlagsW)) u_fine (
-    .clk_i, .data_i({from_fine[T-1:0], to_fine[T-1:0], from_many, to_many, place_flags}),
+  rc_path_register #(.Width(2 * TBits + 2 + FlagsW)) u_fine (
+    .clk_i, .data_i({from_fine[TBits-1:0], to_fine[TBits-1:0], from_many, to_many, place_flags}),
     .data_o({from_t, to_t, from_most, to_most, out_flags}));
 
   always_ff @(posedge clk_i) begin
@@ -242,14 +247,15 @@ module rc_crossing #(
       turned_o   <= out_flags.turned;
       near_o     <= out_flags.on_near;
       far_o      <= out_flags.on_far;
-      far_from_o <= out_flags.timed ? from_t | {T{from_most}} : '0;
-      near_to_o  <= !out_flags.timed || to_most || &to_t ? '1 : to_t + T'(1);
+      far_from_o <= out_flags.timed ? from_t | {TBits{from_most}} : '0;
+      near_to_o  <= !out_flags.timed || to_most || &to_t ? '1 : to_t + TBits'(1);
     end
   end
 
   logic unused;
-  assign unused = ^{valid_i, num[NW-1], den[DW-1], num_top[NW-2-QuotientW:0],
-                    den_top[DW-2-QuotientW:0], inexact, from_moved[QuotientW+T:T+7],
-                    to_moved[QuotientW+T:T+7], from_fine[T+6:T], to_fine[T+6:T]};
+  assign unused = ^{valid_i, num[NumW-1], den[DenW-1], num_top[NumW-2-QuotientW:0],
+                    den_top[DenW-2-QuotientW:0], inexact, from_moved[QuotientW+TBits:TBits+7],
+                    to_moved[QuotientW+TBits:TBits+7], from_fine[TBits+6:TBits],
+                    to_fine[TBits+6:TBits]};
 endmodule
 `default_nettype wire

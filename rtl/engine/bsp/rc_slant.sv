@@ -18,12 +18,12 @@ module rc_slant (
   input  logic                 rsp_ready_i,
   output rc_pkg::slant_rsp_t   rsp_o
 );
-  localparam int unsigned Q       = rc_pkg::NodePlanes;
-  localparam int unsigned H       = rc_pkg::RayDirBits;
-  localparam int unsigned B       = rc_pkg::NormalStepBits;
-  localparam int unsigned A       = rc_pkg::PlaneOffsetBits;
-  localparam int unsigned T       = rc_pkg::TBits;
-  localparam int unsigned Latency = rc_pkg::SlantLatency;
+  localparam int unsigned NodePlanes      = rc_pkg::NodePlanes;
+  localparam int unsigned RayDirBits      = rc_pkg::RayDirBits;
+  localparam int unsigned NormalStepBits  = rc_pkg::NormalStepBits;
+  localparam int unsigned PlaneOffsetBits = rc_pkg::PlaneOffsetBits;
+  localparam int unsigned TBits           = rc_pkg::TBits;
+  localparam int unsigned Latency         = rc_pkg::SlantLatency;
 
   // Stages in which a slant has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
@@ -41,11 +41,11 @@ module rc_slant (
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
   // The slant, unpacked.
-  rc_pkg::slant_req_t           in;
-  logic [rc_pkg::SlantReqW-1:0] in_flat;
-  logic [3*B*Q-1:0]             in_normal;
-  logic [2:0]                   neg;
-  logic [A*Q-1:0]               in_at;
+  rc_pkg::slant_req_t                     in;
+  logic [rc_pkg::SlantReqW-1:0]           in_flat;
+  logic [3*NormalStepBits*NodePlanes-1:0] in_normal;
+  logic [2:0]                             neg;
+  logic [PlaneOffsetBits*NodePlanes-1:0]  in_at;
 
   rc_path_register #(.Width(rc_pkg::SlantReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
 
@@ -53,24 +53,25 @@ module rc_slant (
   assign in_normal = in.normal;
   assign in_at     = in.at;
 
-  logic [3*H-1:0] in_along;
+  logic [3*RayDirBits-1:0] in_along;
 
   assign in_along = in.along;
-  assign neg      = {in_along[3*H-1], in_along[2*H-1], in_along[H-1]};
+  assign neg      = {in_along[3*RayDirBits-1], in_along[2*RayDirBits-1], in_along[RayDirBits-1]};
 
   // For each plane: the sides that exist, and when the ray changes from one to the other.
-  logic [Q-1:0]   turned, near, far;
-  logic [Q*T-1:0] near_to, far_from;
+  logic [NodePlanes-1:0]       turned, near, far;
+  logic [NodePlanes*TBits-1:0] near_to, far_from;
 
-  for (genvar i = 0; i < Q; i++) begin : gen_plane
-    logic signed [A-1:0] at;   // Yosys 0.23 refuses a whole vector as $signed at a port
-    assign at = in_at[A*i +: A];
+  for (genvar i = 0; i < NodePlanes; i++) begin : gen_plane
+    // Yosys 0.23 refuses a whole vector as $signed at a port.
+    logic signed [PlaneOffsetBits-1:0] at;
+    assign at = in_at[PlaneOffsetBits*i +: PlaneOffsetBits];
 
     rc_crossing u_plane (
       .clk_i, .valid_i(valid[Meet-1:In]), .s0_o_i(in.o), .s0_along_i(in.along),
-      .s0_normal_i(in_normal[3*B*i +: 3*B]), .s0_at_i(at),
+      .s0_normal_i(in_normal[3*NormalStepBits*i +: 3*NormalStepBits]), .s0_at_i(at),
       .turned_o(turned[i]), .near_o(near[i]), .far_o(far[i]),
-      .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
+      .near_to_o(near_to[i*TBits +: TBits]), .far_from_o(far_from[i*TBits +: TBits]));
   end
 
   // The box, the exits, and their order.

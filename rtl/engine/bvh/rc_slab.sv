@@ -1,46 +1,48 @@
 // One axis of the slab test, for the children of one beat. For each slab it gives the times at
 // which the ray enters, rounded down, and leaves, rounded up.
 //
-// Part of rc_box, which has the valid bits. The ray and the node come with valid_i[0], the planes
-// rc_pkg::SlabPlanes later. The intervals come rc_pkg::SlabStages after valid_i[0].
+// Part of rc_box, which has the valid bits. The ray and the node come with enable_i[0], the planes
+// rc_pkg::SlabPlanes later. The intervals come rc_pkg::SlabStages after enable_i[0].
 //
 // An origin with fraction bits lies between two lattice points. Near planes are measured from the
 // point that lies further along the ray, far planes from the other one. This costs at most one
 // lattice step (docs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
-  localparam int unsigned Lanes  = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // children of a beat
-  localparam int unsigned N      = rc_pkg::CoordBits,
-  localparam int unsigned OW     = rc_pkg::OriginWidth,
-  localparam int unsigned B      = rc_pkg::BoxBits,
-  localparam int unsigned R1     = rc_pkg::RecipBits + 1,
-  localparam int unsigned E      = rc_pkg::ExpBits,
-  localparam int unsigned T      = rc_pkg::TBits,
-  localparam int unsigned TW     = (T + 31) / 32 * 32,  // whole words: a simulation shifts no bits
-  localparam int unsigned Stages = rc_pkg::SlabStages
+  localparam int unsigned Lanes       = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // of a beat
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned BoxBits     = rc_pkg::BoxBits,
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1,
+  localparam int unsigned ExpBits     = rc_pkg::ExpBits,
+  localparam int unsigned TBits       = rc_pkg::TBits,
+  // Whole words: a simulation shifts no bits.
+  localparam int unsigned PaddedTW    = (TBits + 31) / 32 * 32,
+  localparam int unsigned Stages      = rc_pkg::SlabStages
 ) (
-  input  logic                 clk_i,
-  input  logic [Stages:0]      valid_i,   // valid_i[i]: stage i holds a node, or the chip is fast
+  input  logic                          clk_i,
+  // enable_i[i]: stage i holds a node, or the chip is fast
+  input  logic [Stages:0]               enable_i,
   // Ray, and the node's corner and exponent
-  input  logic signed [OW-1:0] s0_o_i,
-  input  logic signed [N-1:0]  s0_org_i,
-  input  logic                 s0_neg_i,
-  input  logic [R1-1:0]        s0_recip_i,
-  input  logic [E-1:0]         s0_len_i,
-  input  logic [E-1:0]         s0_exp_i,
+  input  logic signed [OriginWidth-1:0] s0_o_i,
+  input  logic signed [N-1:0]           s0_org_i,
+  input  logic                          s0_neg_i,
+  input  logic [R1-1:0]                 s0_recip_i,
+  input  logic [ExpBits-1:0]            s0_len_i,
+  input  logic [ExpBits-1:0]            s0_exp_i,
   // Planes of the children
-  input  logic [Lanes*B-1:0]   plane_lo_i,   // rc_pkg::SlabPlanes later than the others
-  input  logic [Lanes*B-1:0]   plane_hi_i,
+  input  logic [Lanes*BoxBits-1:0]      plane_lo_i,   // rc_pkg::SlabPlanes later than the others
+  input  logic [Lanes*BoxBits-1:0]      plane_hi_i,
   // Intervals of the children
-  output logic [Lanes*TW-1:0]  near_o,
-  output logic [Lanes*TW-1:0]  far_o,
-  output logic [Lanes-1:0]     miss_o
+  output logic [Lanes*PaddedTW-1:0]     near_o,
+  output logic [Lanes*PaddedTW-1:0]     far_o,
+  output logic [Lanes-1:0]              miss_o
 );
   localparam int unsigned DistanceW = N + 1;               // distance to the node's corner, signed
   localparam int unsigned ProductW  = DistanceW + R1 + 1;  // times r or r + 1 <= 2^R + 1, signed
   localparam int unsigned SumW      = ProductW + 1;        // the product plus plane * r, signed
   localparam int unsigned ShiftW    = 8;                   // shift, signed: -24..62
-  localparam int unsigned RightW    = 6;                   // right shift of 2^T times the value
+  localparam int unsigned RightW    = 6;                   // right shift of 2^TBits times the value
   localparam int unsigned Cut       = rc_pkg::Cut;
   localparam int unsigned Mul       = rc_pkg::MulStages;
 
@@ -60,12 +62,12 @@ module rc_slab #(
   logic signed [N-1:0] s0_point;
   logic                s0_between;
 
-  assign s0_point = s0_o_i[OW-1 -: N];
+  assign s0_point = s0_o_i[OriginWidth-1 -: N];
 
   if (rc_pkg::OriginBits == 0) begin : gen_on_lattice
     assign s0_between = 1'b0;
   end else begin : gen_between
-    assign s0_between = |s0_o_i[OW-N-1:0];
+    assign s0_between = |s0_o_i[OriginWidth-N-1:0];
   end
 
   // s1: distance from the ray's origin to the node's corner, along the ray. This is the shorter
@@ -73,11 +75,11 @@ module rc_slab #(
   logic signed [DistanceW-1:0] s1_distance_q;
   logic                        s1_between_q, s1_neg_q, s1_zero_q;
   logic [R1-1:0]               s1_r_q;
-  logic [E-1:0]                s1_exp_q;
+  logic [ExpBits-1:0]          s1_exp_q;
   logic signed [ShiftW-1:0]    s1_shift_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) begin
+    if (enable_i[0]) begin
       s1_distance_q <= s0_neg_i
           ? DistanceW'(s0_point) - DistanceW'(s0_org_i)
           : DistanceW'(s0_org_i) - DistanceW'(s0_point)
@@ -87,8 +89,8 @@ module rc_slab #(
       s1_neg_q      <= s0_neg_i;
       s1_zero_q     <= s0_len_i == '0;
       s1_exp_q      <= s0_exp_i;
-      s1_shift_q    <= ShiftBase - $signed({{(ShiftW-E){1'b0}}, s0_len_i})
-          + $signed({{(ShiftW-E){1'b0}}, s0_exp_i});
+      s1_shift_q    <= ShiftBase - $signed({{(ShiftW-ExpBits){1'b0}}, s0_len_i})
+          + $signed({{(ShiftW-ExpBits){1'b0}}, s0_exp_i});
     end
   end
 
@@ -97,7 +99,7 @@ module rc_slab #(
   logic signed [DistanceW+R1:0] product;
   logic signed [ProductW-1:0]   s1_more, some, more, sum_near, sum_far, node_near, node_far;
   logic [R1-1:0]                s1_r_up;
-  logic [E-1:0]                 some_exp, node_exp;
+  logic [ExpBits-1:0]           some_exp, node_exp;
   logic [ProductW-1:0]          some_unit;
 
   rc_mul #(.AW(DistanceW), .BW(R1 + 1)) u_product (
@@ -107,7 +109,7 @@ module rc_slab #(
   assign s1_more = (s1_zero_q ? '0 : ProductW'(s1_distance_q))
                  + (s1_between_q ? $signed({{(ProductW-R1){1'b0}}, s1_r_up}) : '0);
 
-  rc_path_register #(.Width(ProductW + E)) u_some (
+  rc_path_register #(.Width(ProductW + ExpBits)) u_some (
     .clk_i, .data_i({s1_more, s1_exp_q}), .data_o({some, some_exp}));
 
   assign some_unit = ~({ProductW{1'b1}} << some_exp);
@@ -119,33 +121,34 @@ module rc_slab #(
 
   rc_path_register #(.Width(ProductW)) u_node_near (.clk_i, .data_i(sum_near), .data_o(node_near));
   rc_path_register #(.Width(ProductW)) u_node_far (.clk_i, .data_i(sum_far), .data_o(node_far));
-  rc_path_register #(.Width(E), .Stages(Mul)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
+  rc_path_register #(.Width(ExpBits), .Stages(Mul)) u_exp (
+    .clk_i, .data_i(some_exp), .data_o(node_exp));
 
   // The right shift of the node's corner, in units of 2^-shift.
   logic signed [ProductW-1:0] placed_near_q, placed_far_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Placed-1]) begin
+    if (enable_i[Placed-1]) begin
       placed_near_q <= node_near >>> node_exp;
       placed_far_q  <= node_far >>> node_exp;
     end
   end
 
-  // In parallel, the shift becomes a right shift of 2^T times the value; left shifts by T or more
-  // saturate. If the value itself shifts right, rounding up adds 2^right - 1.
+  // In parallel, the shift becomes a right shift of 2^TBits times the value; left shifts by TBits
+  // or more saturate. If the value itself shifts right, rounding up adds 2^right - 1.
   logic signed [ShiftW-1:0] s1_move;
   logic [RightW-1:0]        placed_move, placed_right, ready_move;
   logic                     placed_zero, ready_zero;
   logic [R1-1:0]            placed_up;
   logic signed [SumW-1:0]   far_up, ready_near, ready_far, ready_up;
 
-  assign s1_move = s1_shift_q > $signed(ShiftW'(T)) ? '0 : $signed(ShiftW'(T)) - s1_shift_q;
+  assign s1_move = s1_shift_q > $signed(ShiftW'(TBits)) ? '0 : $signed(ShiftW'(TBits)) - s1_shift_q;
 
   rc_shift_register #(.Width(RightW + 1), .Stages(Placed - 1)) u_move (
-    .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[RightW-1:0], s1_zero_q}),
+    .clk_i, .enable_i(enable_i[Placed-1:1]), .data_i({s1_move[RightW-1:0], s1_zero_q}),
     .data_o({placed_move, placed_zero}));
 
-  assign placed_right = placed_move > RightW'(T) ? placed_move - RightW'(T) : '0;
+  assign placed_right = placed_move > RightW'(TBits) ? placed_move - RightW'(TBits) : '0;
   assign placed_up    = ~({R1{1'b1}} << placed_right);
   assign far_up       = SumW'(placed_far_q) + $signed({{(SumW-R1){1'b0}}, placed_up});
 
@@ -164,7 +167,7 @@ module rc_slab #(
   logic               plane_neg, plane_zero;
 
   rc_shift_register #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
-    .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
+    .clk_i, .enable_i(enable_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
     .data_o({plane_r, plane_neg, plane_zero}));
 
   assign plane_near = {plane_neg, {R1{plane_neg}} ^ plane_r} + {{R1{1'b0}}, plane_neg};
@@ -177,7 +180,7 @@ module rc_slab #(
   logic              zero_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Sum-1]) begin
+    if (enable_i[Sum-1]) begin
       over_q <= {SumW{1'b1}} << ready_move;
       move_q <= ready_move;
       zero_q <= ready_zero;
@@ -192,21 +195,21 @@ module rc_slab #(
 `ifdef SYNTHESIS
   assign {holds, is_there} = 2'b11;
 `else
-  assign holds    = Cut != 0 || valid_i[Sum-1];
-  assign is_there = valid_i[Sum];
+  assign holds    = Cut != 0 || enable_i[Sum-1];
+  assign is_there = enable_i[Sum];
 `endif
 
   // ---- Children: planes in the order in which the ray meets them, and their products.
   for (genvar i = 0; i < Lanes; i++) begin : gen_child
-    logic [B-1:0]       first, last;
-    logic signed [B+R1+1:0] near_way, far_way;
+    logic [BoxBits-1:0]       first, last;
+    logic signed [BoxBits+R1+1:0] near_way, far_way;
 
-    assign first = plane_neg ? plane_hi_i[i*B +: B] : plane_lo_i[i*B +: B];
-    assign last  = plane_neg ? plane_lo_i[i*B +: B] : plane_hi_i[i*B +: B];
+    assign first = plane_neg ? plane_hi_i[i*BoxBits +: BoxBits] : plane_lo_i[i*BoxBits +: BoxBits];
+    assign last  = plane_neg ? plane_lo_i[i*BoxBits +: BoxBits] : plane_hi_i[i*BoxBits +: BoxBits];
 
-    rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_near (
+    rc_mul #(.AW(BoxBits + 1), .BW(R1 + 1)) u_near (
       .clk_i, .a_i($signed({1'b0, first})), .b_i(plane_near), .p_o(near_way));
-    rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_far (
+    rc_mul #(.AW(BoxBits + 1), .BW(R1 + 1)) u_far (
       .clk_i, .a_i($signed({1'b0, last})), .b_i(plane_far), .p_o(far_way));
 
     // Sums of the corner and the planes.
@@ -218,17 +221,18 @@ module rc_slab #(
     assign far       = ready_far + far_path;
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[Sum-1]) begin
+      if (enable_i[Sum-1]) begin
         near_q   <= ready_near + near_path;
         up_q     <= ready_up + far_path;
         behind_q <= far[SumW-1];
       end
     end
 
-    // The right shift of 2^T times the sums, first by a multiple of eight, then by the remaining
-    // three bits.
-    logic [T+6:0] near_coarse, far_coarse, near_rest, far_rest;
-    logic         near_over, far_over, near_zero, miss, near_many, far_many, near_none, miss_late;
+    // The right shift of 2^TBits times the sums, first by a multiple of eight, then by the
+    // remaining three bits.
+    logic [TBits+6:0] near_coarse, far_coarse, near_rest, far_rest;
+    logic             near_over, far_over, near_zero, miss, near_many, far_many, near_none;
+    logic             miss_late;
 
     always_comb begin
       near_coarse = '0;
@@ -238,8 +242,9 @@ module rc_slab #(
       near_zero   = 1'b1;
       miss        = 1'b0;
       if (is_there) begin
-        near_coarse = (T + 7)'({$unsigned(near_q), {T{1'b0}}} >> {move_q[RightW-1:3], 3'd0});
-        far_coarse  = (T + 7)'({$unsigned(up_q), {T{1'b0}}} >> {move_q[RightW-1:3], 3'd0});
+        near_coarse = (TBits + 7)'({$unsigned(near_q), {TBits{1'b0}}}
+                                   >> {move_q[RightW-1:3], 3'd0});
+        far_coarse  = (TBits + 7)'({$unsigned(up_q), {TBits{1'b0}}} >> {move_q[RightW-1:3], 3'd0});
         near_over   = |($unsigned(near_q) & over_q);
         far_over    = zero_q || |($unsigned(up_q) & over_q);
         near_zero   = zero_q || near_q[SumW-1];
@@ -247,28 +252,28 @@ module rc_slab #(
       end
     end
 
-    rc_path_register #(.Width(T + 7)) u_near_rest (
+    rc_path_register #(.Width(TBits + 7)) u_near_rest (
       .clk_i, .data_i(near_coarse), .data_o(near_rest));
-    rc_path_register #(.Width(T + 7)) u_far_rest (
+    rc_path_register #(.Width(TBits + 7)) u_far_rest (
       .clk_i, .data_i(far_coarse), .data_o(far_rest));
     rc_path_register u_near_many (.clk_i, .data_i(near_over), .data_o(near_many));
     rc_path_register u_far_many (.clk_i, .data_i(far_over), .data_o(far_many));
     rc_path_register u_near_none (.clk_i, .data_i(near_zero), .data_o(near_none));
     rc_path_register u_miss_late (.clk_i, .data_i(miss), .data_o(miss_late));
 
-    logic [T-1:0] near_t, far_t;
+    logic [TBits-1:0] near_t, far_t;
 
-    assign near_t = near_none ? '0 : T'(near_rest >> fine_move[2:0]) | {T{near_many}};
-    assign far_t  = T'(far_rest >> fine_move[2:0]) | {T{far_many}};
+    assign near_t = near_none ? '0 : TBits'(near_rest >> fine_move[2:0]) | {TBits{near_many}};
+    assign far_t  = TBits'(far_rest >> fine_move[2:0]) | {TBits{far_many}};
 
-    rc_path_register #(.Width(TW)) u_near_out (
-      .clk_i, .data_i(TW'(near_t)), .data_o(near_o[i*TW +: TW]));
-    rc_path_register #(.Width(TW)) u_far_out (
-      .clk_i, .data_i(TW'(far_t)), .data_o(far_o[i*TW +: TW]));
+    rc_path_register #(.Width(PaddedTW)) u_near_out (
+      .clk_i, .data_i(PaddedTW'(near_t)), .data_o(near_o[i*PaddedTW +: PaddedTW]));
+    rc_path_register #(.Width(PaddedTW)) u_far_out (
+      .clk_i, .data_i(PaddedTW'(far_t)), .data_o(far_o[i*PaddedTW +: PaddedTW]));
     rc_path_register u_miss_out (.clk_i, .data_i(miss_late), .data_o(miss_o[i]));
   end
 
   logic unused;
-  assign unused = ^{valid_i, s1_between_q, s1_move[ShiftW-1:RightW], fine_move[RightW-1:3]};
+  assign unused = ^{enable_i, s1_between_q, s1_move[ShiftW-1:RightW], fine_move[RightW-1:3]};
 endmodule
 `default_nettype wire

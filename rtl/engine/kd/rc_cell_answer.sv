@@ -8,38 +8,38 @@
 module rc_cell_answer #(
   parameter  int unsigned Latency = rc_pkg::TreeletLatency,   // the unit's, without its queue
   parameter  int unsigned Meet    = rc_pkg::Cut + rc_pkg::PlaneStages,
-  localparam int unsigned W  = rc_pkg::NodeWidth,
-  localparam int unsigned Q  = rc_pkg::NodePlanes,
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned A  = rc_pkg::AddrBits,
-  localparam int unsigned C  = rc_pkg::CountBits,
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits
+  localparam int unsigned NodeWidth   = rc_pkg::NodeWidth,
+  localparam int unsigned NodePlanes  = rc_pkg::NodePlanes,
+  localparam int unsigned RayBits     = rc_pkg::RayBits,
+  localparam int unsigned AddrBits    = rc_pkg::AddrBits,
+  localparam int unsigned CountBits   = rc_pkg::CountBits,
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1,
+  localparam int unsigned ExpBits     = rc_pkg::ExpBits,
+  localparam int unsigned TBits       = rc_pkg::TBits
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,
   input  logic [Latency:0] valid_i,   // valid_i[i]: stage i holds a node
   // Ray: origin, signs, reciprocals and lengths of its direction
-  input  logic [I-1:0]    ray_i,
-  input  logic [3*OW-1:0] o_i,
-  input  logic [2:0]      neg_i,
-  input  logic [3*R1-1:0] recip_i,
-  input  logic [3*E-1:0]  len_i,
+  input  logic [RayBits-1:0]             ray_i,
+  input  logic [3*OriginWidth-1:0]       o_i,
+  input  logic [2:0]                     neg_i,
+  input  logic [3*R1-1:0]                recip_i,
+  input  logic [3*ExpBits-1:0]           len_i,
   // Node: the box of its contents, and its exits
-  input  logic            open_i,    // there is no box
-  input  logic [3*N-1:0]  lo_i,
-  input  logic [3*N-1:0]  hi_i,
-  input  logic [A-1:0]    base_i,
-  input  logic [W*C-1:0]  kind_i,
+  input  logic                           open_i,    // there is no box
+  input  logic [3*N-1:0]                 lo_i,
+  input  logic [3*N-1:0]                 hi_i,
+  input  logic [AddrBits-1:0]            base_i,
+  input  logic [NodeWidth*CountBits-1:0] kind_i,
   // From each plane: the sides that the ray may be on, and when it changes sides
-  input  logic [Q-1:0]    turned_i,
-  input  logic [Q-1:0]    near_i,
-  input  logic [Q-1:0]    far_i,
-  input  logic [Q*T-1:0]  near_to_i,
-  input  logic [Q*T-1:0]  far_from_i,
+  input  logic [NodePlanes-1:0]          turned_i,
+  input  logic [NodePlanes-1:0]          near_i,
+  input  logic [NodePlanes-1:0]          far_i,
+  input  logic [NodePlanes*TBits-1:0]    near_to_i,
+  input  logic [NodePlanes*TBits-1:0]    far_from_i,
   // To trav
   output logic                       rsp_valid_o,
   input  logic                       rsp_ready_i,
@@ -55,8 +55,8 @@ module rc_cell_answer #(
   end
 
   // The times at which the ray enters and leaves the box.
-  logic [T-1:0] enter, leave, box_enter, box_leave;
-  logic         there, box_met;
+  logic [TBits-1:0] enter, leave, box_enter, box_leave;
+  logic             there, box_met;
 
   rc_bounds u_bounds (
     .clk_i, .valid_i(valid_i[Box-1:In]), .s0_o_i(o_i), .s0_neg_i(neg_i), .s0_recip_i(recip_i),
@@ -66,14 +66,14 @@ module rc_cell_answer #(
   if (Wait == 0) begin : gen_in_time
     assign {box_enter, box_leave, box_met} = {enter, leave, there};
   end else begin : gen_early
-    rc_shift_register #(.Width(2 * T + 1), .Stages(Wait)) u_wait (
-      .clk_i, .valid_i(valid_i[Box+Wait-1:Box]), .data_i({enter, leave, there}),
+    rc_shift_register #(.Width(2 * TBits + 1), .Stages(Wait)) u_wait (
+      .clk_i, .enable_i(valid_i[Box+Wait-1:Box]), .data_i({enter, leave, there}),
       .data_o({box_enter, box_leave, box_met}));
   end
 
   // The exits that are met.
-  logic [W-1:0]   met;
-  logic [W*T-1:0] near;
+  logic [NodeWidth-1:0]       met;
+  logic [NodeWidth*TBits-1:0] near;
 
   rc_exits u_exits (
     .clk_i, .valid_i(valid_i[Meet+In]), .turned_i, .near_i, .far_i, .near_to_i, .far_from_i,
@@ -81,7 +81,7 @@ module rc_cell_answer #(
 
   // Their order, and the result queue.
   rc_node_answer #(.Latency(Latency), .Exits(1'b1)) u_answer (
-    .clk_i, .rst_ni, .moves_i(valid_i[Latency-1:0]), .ray_i, .base_i, .kind_i,
+    .clk_i, .rst_ni, .enable_i(valid_i[Latency-1:0]), .ray_i, .base_i, .kind_i,
     .met_i(met), .near_i(near), .end_valid_i(valid_i[Latency]), .rsp_valid_o, .rsp_ready_i, .rsp_o);
 endmodule
 `default_nettype wire

@@ -16,29 +16,29 @@
 `default_nettype none
 module rc_plane #(
   parameter  bit          HasTo = 1'b1,   // 0: near_to_o is always the latest time
-  localparam int unsigned N      = rc_pkg::CoordBits,
-  localparam int unsigned OW     = rc_pkg::OriginWidth,
-  localparam int unsigned R1     = rc_pkg::RecipBits + 1,
-  localparam int unsigned E      = rc_pkg::ExpBits,
-  localparam int unsigned T      = rc_pkg::TBits,
-  localparam int unsigned Stages = rc_pkg::PlaneStages
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1,
+  localparam int unsigned ExpBits     = rc_pkg::ExpBits,
+  localparam int unsigned TBits       = rc_pkg::TBits,
+  localparam int unsigned Stages      = rc_pkg::PlaneStages
 ) (
-  input  logic                clk_i,
-  input  logic [Stages-1:0]   valid_i,   // valid_i[i]: stage i holds a node
+  input  logic                     clk_i,
+  input  logic [Stages-1:0]        valid_i,   // valid_i[i]: stage i holds a node
   // Ray: origin, signs, reciprocals and lengths of its direction
-  input  logic [3*OW-1:0]     s0_o_i,
-  input  logic [2:0]          s0_neg_i,
-  input  logic [3*R1-1:0]     s0_recip_i,
-  input  logic [3*E-1:0]      s0_len_i,
+  input  logic [3*OriginWidth-1:0] s0_o_i,
+  input  logic [2:0]               s0_neg_i,
+  input  logic [3*R1-1:0]          s0_recip_i,
+  input  logic [3*ExpBits-1:0]     s0_len_i,
   // Plane
-  input  logic [1:0]          s0_axis_i,
-  input  logic signed [N-1:0] s0_at_i,
+  input  logic [1:0]               s0_axis_i,
+  input  logic signed [N-1:0]      s0_at_i,
   // Result
-  output logic                turned_o,  // the ray meets the upper side first
-  output logic                near_o,
-  output logic                far_o,
-  output logic [T-1:0]        near_to_o,
-  output logic [T-1:0]        far_from_o
+  output logic                     turned_o,  // the ray meets the upper side first
+  output logic                     near_o,
+  output logic                     far_o,
+  output logic [TBits-1:0]         near_to_o,
+  output logic [TBits-1:0]         far_from_o
 );
 
   localparam int unsigned DistanceW = N + 1;        // distance to the plane, signed
@@ -56,13 +56,13 @@ module rc_plane #(
   localparam int unsigned Up    = Time > R1 - 1 ? Time - (R1 - 1) : 0;
   localparam int unsigned Down  = Time > R1 - 1 ? 0 : R1 - 1 - Time;
   localparam int unsigned BaseW = ProductW + Up;
-  localparam int unsigned Parts = 1 << (E - 3);
+  localparam int unsigned Parts = 1 << (ExpBits - 3);
 
   // s0: the ray's components on the plane's axis.
-  logic [OW-1:0] s0_o;
-  logic          s0_neg;
-  logic [R1-1:0] s0_r;
-  logic [E-1:0]  s0_len;
+  logic [OriginWidth-1:0] s0_o;
+  logic                   s0_neg;
+  logic [R1-1:0]          s0_r;
+  logic [ExpBits-1:0]     s0_len;
 
   always_comb begin
     s0_o   = '0;
@@ -71,10 +71,10 @@ module rc_plane #(
     s0_len = '0;
     for (int k = 0; k < 3; k++) begin
       if (s0_axis_i == 2'(k)) begin
-        s0_o   = s0_o_i[k*OW +: OW];
+        s0_o   = s0_o_i[k*OriginWidth +: OriginWidth];
         s0_neg = s0_neg_i[k];
         s0_r   = s0_recip_i[k*R1 +: R1];
-        s0_len = s0_len_i[k*E +: E];
+        s0_len = s0_len_i[k*ExpBits +: ExpBits];
       end
     end
   end
@@ -83,19 +83,19 @@ module rc_plane #(
   logic signed [N-1:0] s0_point;
   logic                s0_between;
 
-  assign s0_point = s0_o[OW-1 -: N];
+  assign s0_point = s0_o[OriginWidth-1 -: N];
 
   if (rc_pkg::OriginBits == 0) begin : gen_on_lattice
     assign s0_between = 1'b0;
   end else begin : gen_between
-    assign s0_between = |s0_o[OW-N-1:0];
+    assign s0_between = |s0_o[OriginWidth-N-1:0];
   end
   logic          way_neg, way_zero, way_whole, way_between;   // whole: no plane
   logic signed [N-1:0] way_point, way_at;
-  logic [R1-1:0] way_r;
-  logic [E-1:0]  way_len;
+  logic [R1-1:0]      way_r;
+  logic [ExpBits-1:0] way_len;
 
-  rc_path_register #(.Width(4 + 2 * N + R1 + E)) u_axis (
+  rc_path_register #(.Width(4 + 2 * N + R1 + ExpBits)) u_axis (
     .clk_i,
     .data_i({s0_neg, s0_len == '0, s0_axis_i == 2'd3, s0_between, s0_point, s0_at_i, s0_r,
              s0_len}),
@@ -103,9 +103,9 @@ module rc_plane #(
 
   // The distance to the plane, rounded down along the ray.
   logic signed [DistanceW-1:0] way, way_q;
-  logic                neg_q, zero_q, whole_q, between_q;
-  logic [R1-1:0]       r_q;
-  logic [E-1:0]        len_q;
+  logic                     neg_q, zero_q, whole_q, between_q;
+  logic [R1-1:0]            r_q;
+  logic [ExpBits-1:0]       len_q;
 
   assign way = way_neg ? DistanceW'(way_point) - DistanceW'(way_at)
                        : DistanceW'(way_at) - DistanceW'(way_point)
@@ -137,10 +137,10 @@ module rc_plane #(
   rc_mul #(.AW(DistanceW), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(way_q), .b_i($signed({1'b0, r_q})), .p_o(product));
 
-  logic [E-1:0] product_len;
-  logic         product_between, product_neg, product_near, product_far, product_timed;
+  logic [ExpBits-1:0] product_len;
+  logic               product_between, product_neg, product_near, product_far, product_timed;
 
-  rc_path_register #(.Width(E + 5), .Stages(Mul)) u_beside (
+  rc_path_register #(.Width(ExpBits + 5), .Stages(Mul)) u_beside (
     .clk_i,
     .data_i({len_q, between_q, neg_q && !zero_q && !whole_q, s_near, s_far, s_timed}),
     .data_o({product_len, product_between, product_neg, product_near, product_far, product_timed}));
@@ -148,36 +148,36 @@ module rc_plane #(
   // The shift, first by a multiple of eight, then by the remaining three bits. An overflow at the
   // top saturates: part[i] is set if a shift by 8 i leaves bits above `rest`.
   logic [ProductW-1:0] low;
-  logic [BaseW-1:0] base, moved;
-  logic [Parts-1:0] part;
-  logic [T+6:0]     rest, fine;
-  logic [E-1:0]     rest_len, end_len_q;
-  logic [T-1:0]     from_q;
-  logic             rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed;
-  logic             between_end_q, neg_end_q, near_end_q, far_end_q, timed_end_q;
+  logic [BaseW-1:0]   base, moved;
+  logic [Parts-1:0]   part;
+  logic [TBits+6:0]   rest, fine;
+  logic [ExpBits-1:0] rest_len, end_len_q;
+  logic [TBits-1:0]   from_q;
+  logic               rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed;
+  logic               between_end_q, neg_end_q, near_end_q, far_end_q, timed_end_q;
 
   assign low   = product[ProductW-1:0] >> Down;
   assign base  = BaseW'(low) << Up;
-  assign moved = base >> {product_len[E-1:3], 3'd0};
+  assign moved = base >> {product_len[ExpBits-1:3], 3'd0};
 
   for (genvar i = 0; i < Parts; i++) begin : gen_part
-    if (T + 7 + 8 * i < BaseW) begin : gen_above
-      assign part[i] = |base[BaseW-1:T+7+8*i];
+    if (TBits + 7 + 8 * i < BaseW) begin : gen_above
+      assign part[i] = |base[BaseW-1:TBits+7+8*i];
     end else begin : gen_nothing
       assign part[i] = 1'b0;
     end
   end
 
-  rc_path_register #(.Width(T + 7 + E + 6)) u_coarse (
+  rc_path_register #(.Width(TBits + 7 + ExpBits + 6)) u_coarse (
     .clk_i,
-    .data_i({moved[T+6:0], product_len, part[product_len[E-1:3]], product_between, product_neg,
-             product_near, product_far, product_timed}),
+    .data_i({moved[TBits+6:0], product_len, part[product_len[ExpBits-1:3]], product_between,
+             product_neg, product_near, product_far, product_timed}),
     .data_o({rest, rest_len, rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed}));
 
   assign fine = rest >> rest_len[2:0];
   always_ff @(posedge clk_i) begin
     if (valid_i[End-1]) begin
-      from_q        <= fine[T-1:0] | {T{rest_many || fine[T+6:T] != '0}};
+      from_q        <= fine[TBits-1:0] | {TBits{rest_many || fine[TBits+6:TBits] != '0}};
       end_len_q     <= rest_len;
       between_end_q <= rest_between;
       neg_end_q     <= rest_neg;
@@ -188,28 +188,28 @@ module rc_plane #(
   end
 
   // Both times. more is the part of near_to beyond far_from. A lattice step is bit F + M - len;
-  // beyond T it saturates.
-  logic [T-1:0] step, more, from_late, more_late;
-  logic [T:0]   to;
-  logic         step_many, many_late, out_timed, out_neg, out_near, out_far;
+  // beyond TBits it saturates.
+  logic [TBits-1:0] step, more, from_late, more_late;
+  logic [TBits:0]   to;
+  logic             step_many, many_late, out_timed, out_neg, out_near, out_far;
 
-  for (genvar i = 0; i < T; i++) begin : gen_step
+  for (genvar i = 0; i < TBits; i++) begin : gen_step
     if (i >= rc_pkg::TFracBits && i < Time) begin : gen_reached
-      assign step[i] = HasTo && between_end_q && end_len_q == E'(Time - i);
+      assign step[i] = HasTo && between_end_q && end_len_q == ExpBits'(Time - i);
     end else begin : gen_beyond
       assign step[i] = 1'b0;
     end
   end
 
-  if (Time < T) begin : gen_few
+  if (Time < TBits) begin : gen_few
     assign step_many = 1'b0;
   end else begin : gen_many
-    assign step_many = HasTo && between_end_q && end_len_q <= E'(Time - T);
+    assign step_many = HasTo && between_end_q && end_len_q <= ExpBits'(Time - TBits);
   end
 
-  assign more      = HasTo ? (from_q >> (R1 - 2)) + T'(2) + step : '0;
+  assign more      = HasTo ? (from_q >> (R1 - 2)) + TBits'(2) + step : '0;
 
-  rc_path_register #(.Width(2 * T + 5)) u_more (
+  rc_path_register #(.Width(2 * TBits + 5)) u_more (
     .clk_i,
     .data_i({from_q, more, step_many, neg_end_q, near_end_q, far_end_q, timed_end_q}),
     .data_o({from_late, more_late, many_late, out_neg, out_near, out_far, out_timed}));
@@ -221,7 +221,7 @@ module rc_plane #(
       near_o     <= out_near;
       far_o      <= out_far;
       far_from_o <= out_timed ? from_late : '0;
-      near_to_o  <= out_timed ? to[T-1:0] | {T{to[T] || many_late}} : '1;
+      near_to_o  <= out_timed ? to[TBits-1:0] | {TBits{to[TBits] || many_late}} : '1;
     end
   end
 

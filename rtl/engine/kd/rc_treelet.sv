@@ -18,10 +18,10 @@ module rc_treelet (
   input  logic                 rsp_ready_i,
   output rc_pkg::treelet_rsp_t rsp_o
 );
-  localparam int unsigned Q       = rc_pkg::NodePlanes;
-  localparam int unsigned N       = rc_pkg::CoordBits;
-  localparam int unsigned T       = rc_pkg::TBits;
-  localparam int unsigned Latency = rc_pkg::TreeletLatency;
+  localparam int unsigned NodePlanes = rc_pkg::NodePlanes;
+  localparam int unsigned N          = rc_pkg::CoordBits;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned Latency    = rc_pkg::TreeletLatency;
 
   // Stages in which a treelet has arrived, and its planes' times are ready.
   localparam int unsigned In   = rc_pkg::Cut;
@@ -41,8 +41,8 @@ module rc_treelet (
   // The treelet, unpacked.
   rc_pkg::treelet_req_t           in;
   logic [rc_pkg::TreeletReqW-1:0] in_flat;
-  logic [2*Q-1:0]                 in_axis;
-  logic [N*Q-1:0]                 in_at;
+  logic [2*NodePlanes-1:0]        in_axis;
+  logic [N*NodePlanes-1:0]        in_at;
 
   rc_path_register #(.Width(rc_pkg::TreeletReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
 
@@ -51,10 +51,10 @@ module rc_treelet (
   assign in_at   = in.at;
 
   // For each plane: the sides that exist, and when the ray changes from one to the other.
-  logic [Q-1:0]   turned, near, far;
-  logic [Q*T-1:0] near_to, far_from;
+  logic [NodePlanes-1:0]       turned, near, far;
+  logic [NodePlanes*TBits-1:0] near_to, far_from;
 
-  for (genvar i = 0; i < Q; i++) begin : gen_plane
+  for (genvar i = 0; i < NodePlanes; i++) begin : gen_plane
     logic signed [N-1:0] at;   // Yosys 0.23 refuses a whole vector as $signed at a port
     assign at = in_at[N*i +: N];
 
@@ -63,7 +63,7 @@ module rc_treelet (
       .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
       .s0_axis_i(in_axis[2*i +: 2]), .s0_at_i(at),
       .turned_o(turned[i]), .near_o(near[i]), .far_o(far[i]),
-      .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
+      .near_to_o(near_to[i*TBits +: TBits]), .far_from_o(far_from[i*TBits +: TBits]));
   end
 
   // The box, the exits, and their order.

@@ -30,19 +30,19 @@ module rc_none (
   // What it did: rc_pkg::trav_cause_e
   output logic [rc_pkg::CauseBits-1:0] trav_cause_o
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned A        = rc_pkg::AddrBits;
-  localparam int unsigned Contexts = rc_pkg::Contexts;
-  localparam int unsigned G        = rc_pkg::GroupBits;
-  localparam int unsigned W        = rc_pkg::NodeWidth;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned O        = rc_pkg::OffsetBits;
-  localparam int unsigned C        = rc_pkg::CountBits;
-  localparam int unsigned Leaf = 4;          // primitives of a leaf: page_leaf
-  localparam int unsigned Page = Leaf * W;   // primitives of a page
+  localparam int unsigned RayBits    = rc_pkg::RayBits;
+  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
+  localparam int unsigned Contexts   = rc_pkg::Contexts;
+  localparam int unsigned GroupBits  = rc_pkg::GroupBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
+  localparam int unsigned CountBits  = rc_pkg::CountBits;
+  localparam int unsigned Leaf = 4;                  // primitives of a leaf: page_leaf
+  localparam int unsigned Page = Leaf * NodeWidth;   // primitives of a page
 
   // Number of primitives. Only this engine has that register.
-  logic [A:0] listed;
+  logic [AddrBits:0] listed;
   if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_listed
     assign listed = frame_i.listed;
   end else begin : gen_no_list
@@ -50,10 +50,10 @@ module rc_none (
   end
 
   // s1: a page was tested. Is there another? Primitives are counted from the list's first one.
-  logic         s1_valid_q, s1_stop_q, more;
-  logic [I-1:0] s1_ray_q;
-  logic [A:0]   kept;
-  logic [A+1:0] next;
+  logic                s1_valid_q, s1_stop_q, more;
+  logic [RayBits-1:0]  s1_ray_q;
+  logic [AddrBits:0]   kept;
+  logic [AddrBits+1:0] next;
 
   assign tested_ready_o = 1'b1;
   assign trav_cause_o   = tested_valid_i ? rc_pkg::TravBusyWork : rc_pkg::TravStarvedList;
@@ -70,64 +70,65 @@ module rc_none (
     assign s1_stop_q = 1'b0;
   end
 
-  assign next = {1'b0, kept} + (A+2)'(Page);
+  assign next = {1'b0, kept} + (AddrBits+2)'(Page);
   assign more = next < {1'b0, listed} && !s1_stop_q;
 
   // Pages to send. New rays wait for a gap.
-  logic           page_valid, page_ready, spawn_valid, spawn_ready, ready;
-  logic [I+A:0]   page_data;
-  logic [I-1:0]   spawn_ray, ray;
-  logic [A:0]     first;   // first primitive of the page
+  logic                        page_valid, page_ready, spawn_valid, spawn_ready, ready;
+  logic [RayBits+AddrBits:0]   page_data;
+  logic [RayBits-1:0]          spawn_ray, ray;
+  logic [AddrBits:0]           first;   // first primitive of the page
 
   assign ready = 1'b1;
 
-  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_page (
-    .clk_i, .rst_ni, .push_i(s1_valid_q && more), .data_i({s1_ray_q, next[A:0]}),
+  rc_queue #(.Width(RayBits + AddrBits + 1), .Depth(Contexts)) u_page (
+    .clk_i, .rst_ni, .push_i(s1_valid_q && more), .data_i({s1_ray_q, next[AddrBits:0]}),
     .valid_o(page_valid), .pop_i(page_valid && page_ready), .data_o(page_data));
 
-  rc_fifo #(.Width(I), .Depth(2)) u_spawn (
+  rc_fifo #(.Width(RayBits), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
     .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
 
-  rc_priority_merge #(.Width(I + A + 1)) u_leaves (
+  rc_priority_merge #(.Width(RayBits + AddrBits + 1)) u_leaves (
     .clk_i, .rst_ni,
     .first_valid_i(page_valid), .first_ready_o(page_ready), .first_i(page_data),
     .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
-    .second_i({spawn_ray, {(A+1){1'b0}}}),
+    .second_i({spawn_ray, {(AddrBits+1){1'b0}}}),
     .valid_o(leaves_fires_o), .ready_i(ready), .data_o({ray, first}));
 
-  rc_ram #(.Width(A + 1), .Depth(Contexts)) u_first (
+  rc_ram #(.Width(AddrBits + 1), .Depth(Contexts)) u_first (
     .clk_i, .write_i(leaves_fires_o), .write_addr_i(ray), .write_data_i(first),
     .read_addr_i(s1_ray_q), .read_data_o(kept));
 
   // Leaves of the page: four primitives each, fewer in the last leaf.
-  logic [A:0]     left;
-  logic [G-1:0]   leaves;
-  logic [A-1:0]   base;
-  logic [W*O-1:0] offset;
-  logic [W*C-1:0] count;
+  logic [AddrBits:0]               left;
+  logic [GroupBits-1:0]            leaves;
+  logic [AddrBits-1:0]             base;
+  logic [NodeWidth*OffsetBits-1:0] offset;
+  logic [NodeWidth*CountBits-1:0]  count;
 
   assign left = listed - first;
-  assign base = frame_i.root + first[A:1];
+  assign base = frame_i.root + first[AddrBits:1];
 
   always_comb begin
     leaves = '0;
     offset = '0;
     count  = '0;
-    for (int i = 0; i < W; i++) begin
-      if (left > (A+1)'(Leaf * i)) begin
-        leaves           = G'(i + 1);
-        offset[i*O +: O] = O'(Leaf * i);
-        count[i*C +: C]  = left >= (A+1)'(Leaf * (i + 1)) ? C'(Leaf) : {{(C-2){1'b0}}, left[1:0]};
+    for (int i = 0; i < NodeWidth; i++) begin
+      if (left > (AddrBits+1)'(Leaf * i)) begin
+        leaves                             = GroupBits'(i + 1);
+        offset[i*OffsetBits +: OffsetBits] = OffsetBits'(Leaf * i);
+        count[i*CountBits +: CountBits]    = left >= (AddrBits+1)'(Leaf * (i + 1))
+                                           ? CountBits'(Leaf) : {{(CountBits-2){1'b0}}, left[1:0]};
       end
     end
   end
 
-  assign leaves_o = {ray, base, leaves, {(W*T){1'b0}}, offset, count};
+  assign leaves_o = {ray, base, leaves, {(NodeWidth*TBits){1'b0}}, offset, count};
 
   // Rays whose last page was tested.
   logic done_place;
-  rc_fifo_peek #(.Width(I), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
+  rc_fifo_peek #(.Width(RayBits), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(s1_valid_q && !more), .ready_o(done_place), .data_i(s1_ray_q),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
@@ -145,6 +146,7 @@ module rc_none (
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;
   assign tested_flat = tested_i;
-  assign unused      = ^{done_place, ray_flat, frame_flat, tested_flat, next[A+1], first[0], left};
+  assign unused      = ^{done_place, ray_flat, frame_flat, tested_flat, next[AddrBits+1], first[0],
+                         left};
 endmodule
 `default_nettype wire

@@ -2,45 +2,45 @@
 // conservative. Rounding makes each component of the distance from the centre to the ray's line at
 // most too small. It makes the radius and half the chord at most too large.
 //
-// Part of rc_globe. A globe comes with stage 0, the results of rc_sight at the stages that it
-// documents. The answer is ready before the last register of rc_pkg::GlobeStages. Model:
+// Part of rc_globe. A globe comes with stage 0, the results of rc_globe_moment at the stages that
+// it documents. The answer is ready before the last register of rc_pkg::GlobeStages. Model:
 // globe_children() in model/engine/spheres/globe.cpp.
 `default_nettype none
 module rc_chord #(
-  localparam int unsigned N       = rc_pkg::CoordBits,
-  localparam int unsigned Q       = rc_pkg::GlobeBits,
-  localparam int unsigned G       = rc_pkg::TowardBits,
-  localparam int unsigned T       = rc_pkg::TBits,
-  localparam int unsigned Stages  = rc_pkg::GlobeStages,
-  localparam int unsigned MomentW = N + G + 2,   // width of the node's moment
-  localparam int unsigned WayW    = N + 7        // width of the way to the node
+  localparam int unsigned N          = rc_pkg::CoordBits,
+  localparam int unsigned GlobeBits  = rc_pkg::GlobeBits,
+  localparam int unsigned TowardBits = rc_pkg::TowardBits,
+  localparam int unsigned TBits      = rc_pkg::TBits,
+  localparam int unsigned Stages     = rc_pkg::GlobeStages,
+  localparam int unsigned MomentW    = N + TowardBits + 2,   // width of the node's moment
+  localparam int unsigned WayW       = N + 7                 // width of the way to the node
 ) (
   input  logic           clk_i,
-  input  logic [Stages-1:0] moves_i,
+  input  logic [Stages-1:0] enable_i,
   // Globe
-  input  logic [3*Q-1:0] s0_centre_i,
-  input  logic [Q-1:0]   s0_radius_i,
-  // From rc_sight
-  input  logic [3*G-1:0] toward_i,
+  input  logic [3*GlobeBits-1:0]  s0_centre_i,
+  input  logic [GlobeBits-1:0]    s0_radius_i,
+  // From rc_globe_moment
+  input  logic [3*TowardBits-1:0] toward_i,
   input  logic [3*MomentW-1:0] moment_i,
   input  logic [WayW-1:0] way_i,
-  input  logic [N+3:0]   slack_i,
-  input  logic [G-1:0]   square_i,
-  input  logic [16:0]    inverse_i,
-  input  logic [5:0]     right_i,
+  input  logic [N+3:0]            slack_i,
+  input  logic [TowardBits-1:0]   square_i,
+  input  logic [16:0]             inverse_i,
+  input  logic [5:0]              right_i,
   // Result
-  output logic           met_o,
-  output logic [T-1:0]   near_o
+  output logic                    met_o,
+  output logic [TBits-1:0]        near_o
 );
   localparam int unsigned Cut      = rc_pkg::Cut;
   localparam int unsigned Mul      = rc_pkg::MulStages;
-  localparam int unsigned ProductW = Q + 1 + G;      // centre times direction, signed
-  localparam int unsigned SumW     = MomentW + 1;    // the product plus the node's moment, signed
-  localparam int unsigned Frac     = 3;              // eighths
-  localparam int unsigned Drop     = G - 2 - Frac;
-  localparam int unsigned FarW     = G - 1;          // a distance's component, if the ray may meet
-  localparam int unsigned ReachW   = Q + Frac + 1;   // width of a radius with its slack
-  localparam int unsigned SquareW  = 2 * FarW + 2;   // width of a squared distance
+  localparam int unsigned ProductW = GlobeBits + 1 + TowardBits;   // centre times direction, signed
+  localparam int unsigned SumW     = MomentW + 1;   // the product plus the node's moment, signed
+  localparam int unsigned Frac     = 3;                             // eighths
+  localparam int unsigned Drop     = TowardBits - 2 - Frac;
+  localparam int unsigned FarW     = TowardBits - 1;  // a distance's component, if the ray may meet
+  localparam int unsigned ReachW   = GlobeBits + Frac + 1;   // width of a radius with its slack
+  localparam int unsigned SquareW  = 2 * FarW + 2;           // width of a squared distance
 
   // Stages in which these are ready: the distance, the radius, both squares, half the chord, the
   // way minus half the chord, and its product.
@@ -51,11 +51,11 @@ module rc_chord #(
   localparam int unsigned Less  = Half + Cut;
   localparam int unsigned Times = Less + Mul + 1;
 
-  logic [3*Q-1:0] centre_q;
-  logic [Q-1:0]   radius_q, radius;
+  logic [3*GlobeBits-1:0] centre_q;
+  logic [GlobeBits-1:0]   radius_q, radius;
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[0]) {centre_q, radius_q} <= {s0_centre_i, s0_radius_i};
+    if (enable_i[0]) {centre_q, radius_q} <= {s0_centre_i, s0_radius_i};
   end
 
   // The distance, axis by axis, and its square.
@@ -63,21 +63,21 @@ module rc_chord #(
   logic [2:0]          over_q, over;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    localparam int unsigned A = (k + 1) % 3;   // the other two axes
-    localparam int unsigned B = (k + 2) % 3;
+    localparam int unsigned Axis1 = (k + 1) % 3;   // the other two axes
+    localparam int unsigned Axis2 = (k + 2) % 3;
     logic signed [ProductW-1:0] ab, ba, moment_q, moment_late;
     logic signed [SumW-1:0]     all, all_q;
     logic [SumW-1:0]            size;
     logic [FarW-1:0]            far_q;
 
-    rc_mul #(.AW(Q + 1), .BW(G)) u_ab (
-      .clk_i, .a_i($signed({1'b0, centre_q[A*Q +: Q]})), .b_i($signed(toward_i[B*G +: G])),
-      .p_o(ab));
-    rc_mul #(.AW(Q + 1), .BW(G)) u_ba (
-      .clk_i, .a_i($signed({1'b0, centre_q[B*Q +: Q]})), .b_i($signed(toward_i[A*G +: G])),
-      .p_o(ba));
+    rc_mul #(.AW(GlobeBits + 1), .BW(TowardBits)) u_ab (
+      .clk_i, .a_i($signed({1'b0, centre_q[Axis1*GlobeBits +: GlobeBits]})),
+      .b_i($signed(toward_i[Axis2*TowardBits +: TowardBits])), .p_o(ab));
+    rc_mul #(.AW(GlobeBits + 1), .BW(TowardBits)) u_ba (
+      .clk_i, .a_i($signed({1'b0, centre_q[Axis2*GlobeBits +: GlobeBits]})),
+      .b_i($signed(toward_i[Axis1*TowardBits +: TowardBits])), .p_o(ba));
 
-    always_ff @(posedge clk_i) if (moves_i[Mul+1]) moment_q <= ab - ba;
+    always_ff @(posedge clk_i) if (enable_i[Mul+1]) moment_q <= ab - ba;
     rc_path_register #(.Width(ProductW), .Stages(2 * Cut)) u_late (
       .clk_i, .data_i(moment_q), .data_o(moment_late));
 
@@ -87,7 +87,7 @@ module rc_chord #(
     assign size = ($unsigned(all_q) ^ {SumW{all_q[SumW-1]}}) >> Drop;
 
     always_ff @(posedge clk_i) begin
-      if (moves_i[Far-1]) begin
+      if (enable_i[Far-1]) begin
         far_q     <= size[FarW-1:0];
         over_q[k] <= |size[SumW-1:FarW];
       end
@@ -107,36 +107,36 @@ module rc_chord #(
     .clk_i, .data_i(squares[4*FarW +: 2*FarW]), .data_o(third_q));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[Both-1]) sum_q <= {1'b0, two_q} + {2'b0, third_q};
+    if (enable_i[Both-1]) sum_q <= {1'b0, two_q} + {2'b0, third_q};
   end
 
   rc_shift_register #(.Width(3), .Stages(Both - Far)) u_over (
-    .clk_i, .valid_i(moves_i[Both-1:Far]), .data_i(over_q), .data_o(over));
+    .clk_i, .enable_i(enable_i[Both-1:Far]), .data_i(over_q), .data_o(over));
 
   // The radius, its square, and that square times the direction's. Rounding costs 3 in any node.
-  logic [ReachW-1:0]     reach_q;
-  logic [2*ReachW-1:0]   reach_square;
-  logic [2*ReachW-2:0]   reach_square_q;
-  logic [2*ReachW+G-2:0] most;
-  logic [SquareW-1:0]    most_q;
+  logic [ReachW-1:0]              reach_q;
+  logic [2*ReachW-1:0]            reach_square;
+  logic [2*ReachW-2:0]            reach_square_q;
+  logic [2*ReachW+TowardBits-2:0] most;
+  logic [SquareW-1:0]             most_q;
 
-  rc_path_register #(.Width(Q), .Stages(4 * Cut)) u_radius (
+  rc_path_register #(.Width(GlobeBits), .Stages(4 * Cut)) u_radius (
     .clk_i, .data_i(radius_q), .data_o(radius));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + ReachW'(slack_i);
+    if (enable_i[Reach-1]) reach_q <= {1'b0, radius, Frac'(3)} + ReachW'(slack_i);
   end
 
   rc_mul #(.AW(ReachW), .BW(ReachW), .Signed(1'b0)) u_reach (
     .clk_i, .a_i(reach_q), .b_i(reach_q), .p_o(reach_square));
   always_ff @(posedge clk_i) begin
     // less than 2^15.02 squared
-    if (moves_i[Reach+Mul]) reach_square_q <= reach_square[2*ReachW-2:0];
+    if (enable_i[Reach+Mul]) reach_square_q <= reach_square[2*ReachW-2:0];
   end
 
-  rc_mul #(.AW(2 * ReachW - 1), .BW(G), .Signed(1'b0)) u_most (
+  rc_mul #(.AW(2 * ReachW - 1), .BW(TowardBits), .Signed(1'b0)) u_most (
     .clk_i, .a_i(reach_square_q), .b_i(square_i), .p_o(most));
   always_ff @(posedge clk_i) begin
-    if (moves_i[Both-1]) most_q <= SquareW'(most[2*ReachW+G-2:14]);
+    if (enable_i[Both-1]) most_q <= SquareW'(most[2*ReachW+TowardBits-2:14]);
   end
 
   // Half the chord, rounded up: a square root from a table.
@@ -180,7 +180,7 @@ module rc_chord #(
     .clk_i, .data_i(there), .data_o(there_late));
 
   always_ff @(posedge clk_i) begin
-    if (moves_i[Half-1]) {there_q, half_q} <= {there_late, half};
+    if (enable_i[Half-1]) {there_q, half_q} <= {there_late, half};
   end
 
   // The way to the centre along the ray: the way to the node plus the way from there. A globe is
@@ -194,9 +194,9 @@ module rc_chord #(
   logic signed [WayW:0]         on_eighths, on, way_q, way;
 
   for (genvar k = 0; k < 3; k++) begin : gen_part
-    rc_mul #(.AW(Q + 1), .BW(G)) u_part (
-      .clk_i, .a_i($signed({1'b0, centre_q[k*Q +: Q]})), .b_i($signed(toward_i[k*G +: G])),
-      .p_o(parts[k*ProductW +: ProductW]));
+    rc_mul #(.AW(GlobeBits + 1), .BW(TowardBits)) u_part (
+      .clk_i, .a_i($signed({1'b0, centre_q[k*GlobeBits +: GlobeBits]})),
+      .b_i($signed(toward_i[k*TowardBits +: TowardBits])), .p_o(parts[k*ProductW +: ProductW]));
   end
 
   assign on_two = (ProductW + 2)'($signed(parts[0 +: ProductW]))
@@ -205,16 +205,16 @@ module rc_chord #(
   rc_path_register #(.Width(ProductW + 2)) u_on_third (
     .clk_i, .data_i((ProductW + 2)'($signed(parts[2*ProductW +: ProductW]))), .data_o(on_third_q));
 
-  always_ff @(posedge clk_i) if (moves_i[Mul+1+Cut]) on_q <= on_two_q + on_third_q;
+  always_ff @(posedge clk_i) if (enable_i[Mul+1+Cut]) on_q <= on_two_q + on_third_q;
 
   assign on_eighths = (WayW + 1)'(on_q >>> Drop);
   rc_shift_register #(.Width(WayW + 1), .Stages(1 + 2 * Cut)) u_on (
-    .clk_i, .valid_i(moves_i[Mul+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
+    .clk_i, .enable_i(enable_i[Mul+2+Cut +: 1+2*Cut]), .data_i(on_eighths), .data_o(on));
 
-  always_ff @(posedge clk_i) if (moves_i[Along]) way_q <= (WayW + 1)'($signed(way_i)) + on;
+  always_ff @(posedge clk_i) if (enable_i[Along]) way_q <= (WayW + 1)'($signed(way_i)) + on;
 
   rc_shift_register #(.Width(WayW + 1), .Stages(Half - Along - 1)) u_way (
-    .clk_i, .valid_i(moves_i[Half-1:Along+1]), .data_i(way_q), .data_o(way));
+    .clk_i, .enable_i(enable_i[Half-1:Along+1]), .data_i(way_q), .data_o(way));
 
   // The way minus half the chord: where the ray enters the globe.
   logic signed [WayW+1:0] less, more, less_q, more_q;
@@ -232,35 +232,35 @@ module rc_chord #(
   assign times_way   = less_q[WayW+1] ? '0 : less_q[WayW-1:0];
 
   rc_shift_register #(.Width(1), .Stages(Mul + 1)) u_met (
-    .clk_i, .valid_i(moves_i[Less +: Mul+1]), .data_i(times_there), .data_o(met_late));
+    .clk_i, .enable_i(enable_i[Less +: Mul+1]), .data_i(times_there), .data_o(met_late));
 
   // The time of that point. An overflow at the top saturates.
   localparam int unsigned TimesW = WayW + 17;
-  logic [TimesW-1:0]   times, times_q, over_mask;
-  logic [TimesW+T-1:0] moved;
-  logic [T+6:0]        rest, rest_q;
-  logic [2:0]          fine;
-  logic                many, many_q;
+  logic [TimesW-1:0]       times, times_q, over_mask;
+  logic [TimesW+TBits-1:0] moved;
+  logic [TBits+6:0]        rest, rest_q;
+  logic [2:0]              fine;
+  logic                    many, many_q;
 
   rc_mul #(.AW(WayW), .BW(17), .Signed(1'b0)) u_times (
     .clk_i, .a_i(times_way), .b_i(inverse_i), .p_o(times));
 
-  always_ff @(posedge clk_i) if (moves_i[Times-1]) times_q <= times;
+  always_ff @(posedge clk_i) if (enable_i[Times-1]) times_q <= times;
 
   assign over_mask = {TimesW{1'b1}} << right_i;
-  assign moved     = {times_q, {T{1'b0}}} >> {right_i[5:3], 3'd0};
-  assign rest      = moved[T+6:0];
+  assign moved     = {times_q, {TBits{1'b0}}} >> {right_i[5:3], 3'd0};
+  assign rest      = moved[TBits+6:0];
   assign many      = |(times_q & over_mask);
 
-  rc_path_register #(.Width(T + 7)) u_rest (.clk_i, .data_i(rest), .data_o(rest_q));
+  rc_path_register #(.Width(TBits + 7)) u_rest (.clk_i, .data_i(rest), .data_o(rest_q));
   rc_path_register #(.Width(3)) u_fine (.clk_i, .data_i(right_i[2:0]), .data_o(fine));
   rc_path_register u_many (.clk_i, .data_i(many), .data_o(many_q));
   rc_path_register u_met_o (.clk_i, .data_i(met_late), .data_o(met_o));
 
-  assign near_o = T'(rest_q >> fine) | {T{many_q}};
+  assign near_o = TBits'(rest_q >> fine) | {TBits{many_q}};
 
   logic unused;
-  assign unused = ^{moves_i, reach_square[2*ReachW-1], most[13:0], slack_i, wide[7:0], less_q[WayW],
-                    moved[TimesW+T-1:T+7]};
+  assign unused = ^{enable_i, reach_square[2*ReachW-1], most[13:0], slack_i, wide[7:0],
+                    less_q[WayW], moved[TimesW+TBits-1:TBits+7]};
 endmodule
 `default_nettype wire

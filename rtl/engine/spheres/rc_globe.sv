@@ -17,12 +17,12 @@ module rc_globe (
   input  logic               rsp_ready_i,
   output rc_pkg::globe_rsp_t rsp_o
 );
-  localparam int unsigned W       = rc_pkg::NodeWidth;
-  localparam int unsigned Q       = rc_pkg::GlobeBits;
-  localparam int unsigned T       = rc_pkg::TBits;
-  localparam int unsigned Latency = rc_pkg::GlobeLatency;
-  localparam int unsigned Cut     = rc_pkg::Cut;
-  localparam int unsigned In      = Cut;
+  localparam int unsigned NodeWidth = rc_pkg::NodeWidth;
+  localparam int unsigned GlobeBits = rc_pkg::GlobeBits;
+  localparam int unsigned TBits     = rc_pkg::TBits;
+  localparam int unsigned Latency   = rc_pkg::GlobeLatency;
+  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned In        = Cut;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.
   logic               admit;
@@ -35,9 +35,9 @@ module rc_globe (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(1'b0),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
-  assign moves = valid | {(Latency+1){Cut != 0}};
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
+  assign enable = valid | {(Latency+1){Cut != 0}};
 
   // The node, unpacked.
   rc_pkg::globe_req_t           in;
@@ -47,51 +47,53 @@ module rc_globe (
   assign in = in_flat;
 
   // The part of the test that all globes of the node share.
-  localparam int unsigned N = rc_pkg::CoordBits;
-  localparam int unsigned G = rc_pkg::TowardBits;
-  localparam int unsigned S = rc_pkg::GlobeStages;
+  localparam int unsigned N           = rc_pkg::CoordBits;
+  localparam int unsigned TowardBits  = rc_pkg::TowardBits;
+  localparam int unsigned GlobeStages = rc_pkg::GlobeStages;
 
-  logic [3*(N+G+2)-1:0] moment;
-  logic [3*G-1:0]       toward;
-  logic [N+6:0]         way;
-  logic [N+3:0]         slack;
-  logic [G-1:0]         square;
-  logic [16:0]          inverse;
-  logic [5:0]           right;
+  logic [3*(N+TowardBits+2)-1:0] moment;
+  logic [3*TowardBits-1:0]       toward;
+  logic [N+6:0]                  way;
+  logic [N+3:0]                  slack;
+  logic [TowardBits-1:0]         square;
+  logic [16:0]                   inverse;
+  logic [5:0]                    right;
 
-  rc_sight u_sight (
-    .clk_i, .moves_i(moves[In +: S]), .s0_o_i(in.o), .s0_org_i(in.org), .s0_exp_i(in.exp),
+  rc_globe_moment u_globe_moment (
+    .clk_i, .enable_i(enable[In +: GlobeStages]), .s0_o_i(in.o), .s0_org_i(in.org),
+    .s0_exp_i(in.exp),
     .s0_toward_i(in.toward), .s0_len_i(in.len), .toward_o(toward), .moment_o(moment), .way_o(way),
     .slack_o(slack), .square_o(square), .inverse_o(inverse), .right_o(right));
 
   // The part of each globe.
-  logic [3*W*Q-1:0] in_centre;
-  logic [W*Q-1:0]   in_radius;
-  logic [W-1:0]     met;
-  logic [W*T-1:0]   near;
+  logic [3*NodeWidth*GlobeBits-1:0] in_centre;
+  logic [NodeWidth*GlobeBits-1:0]   in_radius;
+  logic [NodeWidth-1:0]             met;
+  logic [NodeWidth*TBits-1:0]       near;
 
   assign in_centre = in.centre;
   assign in_radius = in.radius;
 
-  for (genvar i = 0; i < W; i++) begin : gen_child
+  for (genvar i = 0; i < NodeWidth; i++) begin : gen_child
     rc_chord u_chord (
-      .clk_i, .moves_i(moves[In +: S]), .s0_centre_i(in_centre[3*i*Q +: 3*Q]),
-      .s0_radius_i(in_radius[i*Q +: Q]), .toward_i(toward), .moment_i(moment), .way_i(way),
-      .slack_i(slack), .square_i(square), .inverse_i(inverse), .right_i(right),
-      .met_o(met[i]), .near_o(near[i*T +: T]));
+      .clk_i, .enable_i(enable[In +: GlobeStages]),
+      .s0_centre_i(in_centre[3*i*GlobeBits +: 3*GlobeBits]),
+      .s0_radius_i(in_radius[i*GlobeBits +: GlobeBits]), .toward_i(toward), .moment_i(moment),
+      .way_i(way), .slack_i(slack), .square_i(square), .inverse_i(inverse), .right_i(right),
+      .met_o(met[i]), .near_o(near[i*TBits +: TBits]));
   end
 
   // Their order, and the result queue.
   logic [rc_pkg::GlobeRspW-1:0] rsp;
 
   rc_node_answer #(.Latency(Latency)) u_answer (
-    .clk_i, .rst_ni, .moves_i(moves[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),
     .kind_i(in.kind), .met_i(met), .near_i(near), .end_valid_i(valid_q[Latency-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
 
   assign rsp_o = rsp;
 
   logic unused;
-  assign unused = ^{valid[Latency], moves[Latency]};
+  assign unused = ^{valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

@@ -12,53 +12,58 @@
 // - t: the distance; p: the products with the best hit.
 `default_nettype none
 module rc_sphere #(
-  localparam int unsigned N = rc_pkg::CoordBits,
-  localparam int unsigned B = rc_pkg::OriginBits,
-  localparam int unsigned W = rc_pkg::OriginWidth,
-  localparam int unsigned H = rc_pkg::RayDirBits,
-  localparam int unsigned M = rc_pkg::DirBits,
-  localparam int unsigned F = rc_pkg::TFracBits,
-  localparam int unsigned T = rc_pkg::TBits,
-  localparam int unsigned U = rc_pkg::NumBits,
-  localparam int unsigned E = rc_pkg::EdgeBits
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned OriginBits  = rc_pkg::OriginBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
+  localparam int unsigned M           = rc_pkg::DirBits,
+  localparam int unsigned F           = rc_pkg::TFracBits,
+  localparam int unsigned TBits       = rc_pkg::TBits,
+  localparam int unsigned NumBits     = rc_pkg::NumBits,
+  localparam int unsigned EdgeBits    = rc_pkg::EdgeBits
 ) (
-  input  logic           clk_i,
-  input  logic           rst_ni,
-  input  logic           s0_valid_i,
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  logic                     s0_valid_i,
   // Ray
-  input  logic           s0_any_i,      // any hit will do: a ray from or to a light
-  input  logic           s0_leaves_i,   // from a surface; other rays with s0_any come from a light
-  input  logic           s0_own_i,      // the sphere on which the ray begins or ends
-  input  logic           s0_inside_i,   // the ray is inside its own sphere
-  input  logic [3*W-1:0] s0_o_i,
-  input  logic [3*H-1:0] s0_d_i,
+  input  logic                     s0_any_i,      // any hit will do: a ray from or to a light
+  // From a surface; other rays with s0_any come from a light.
+  input  logic                     s0_leaves_i,
+  input  logic                     s0_own_i,      // the sphere on which the ray begins or ends
+  input  logic                     s0_inside_i,   // the ray is inside its own sphere
+  input  logic [3*OriginWidth-1:0] s0_o_i,
+  input  logic [3*RayDirBits-1:0]  s0_d_i,
   // Sphere
-  input  logic [3*N-1:0] s0_c_i,        // centre
-  input  logic [2*N-1:0] s0_rr_i,       // square of the radius
-  input  logic           s0_glass_i,    // visible from inside as well: its material transmits
+  input  logic [3*N-1:0]           s0_c_i,        // centre
+  input  logic [2*N-1:0]           s0_rr_i,       // square of the radius
+  // Visible from inside as well: its material transmits.
+  input  logic                     s0_glass_i,
   // Best hit
-  output logic           best_next_o,   // requests the best hit for the next cycle
-  input  logic           best_found_i,
-  input  logic           best_first_i,  // this sphere's number is not the higher one
-  input  logic [U-1:0]   best_num_i,
-  input  logic [E-1:0]   best_det_i,
+  output logic                     best_next_o,   // requests the best hit for the next cycle
+  input  logic                     best_found_i,
+  input  logic                     best_first_i,  // this sphere's number is not the higher one
+  input  logic [NumBits-1:0]       best_num_i,
+  input  logic [EdgeBits-1:0]      best_det_i,
   // Result
-  output logic           closer_o,
-  output logic           blocked_o,     // instead of closer, if any hit will do
-  output logic           far_o,
-  output logic [T-1:0]   t_o            // if closer
+  output logic                     closer_o,
+  output logic                     blocked_o,     // instead of closer, if any hit will do
+  output logic                     far_o,
+  output logic [TBits-1:0]         t_o            // if closer
 );
-  localparam int unsigned VectorW     = W + 1;       // s
-  localparam int unsigned NearSquareW = 2 * M;       // d.d of all rays except shadow rays
-  localparam int unsigned PowerW      = 2 * W + 3;   // s.s - R2
+  localparam int unsigned VectorW     = OriginWidth + 1;       // s
+  localparam int unsigned NearSquareW = 2 * M;                 // d.d of all rays except shadow rays
+  localparam int unsigned PowerW      = 2 * OriginWidth + 3;   // s.s - R2
   // SquareW: d.d and a sign. WayW: d.s of all rays except shadow rays. AlongW: d.s of all rays.
   localparam int unsigned SquareW = PowerW > NearSquareW + 1 ? PowerW : NearSquareW + 1;
-  localparam int unsigned WayW    = M + W + 2 > NearSquareW + 1 ? M + W + 2 : NearSquareW + 1;
-  localparam int unsigned AlongW  = WayW > N + W + 3 ? WayW : N + W + 3;
-  localparam int unsigned DiscW   = 2 * (M + W) + 2 > 2 * (N + W) + 4
-                                  ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
+  localparam int unsigned WayW    = M + OriginWidth + 2 > NearSquareW + 1
+                                  ? M + OriginWidth + 2 : NearSquareW + 1;
+  localparam int unsigned AlongW  = WayW > N + OriginWidth + 3 ? WayW : N + OriginWidth + 3;
+  // DiscW: the discriminant. Plain: the same, if the sphere is met.
+  localparam int unsigned DiscW   = 2 * (M + OriginWidth) + 2 > 2 * (N + OriginWidth) + 4
+                                  ? 2 * (M + OriginWidth) + 2 : 2 * (N + OriginWidth) + 4;
   localparam int unsigned RootW  = rc_pkg::RootBits;
-  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // if met
+  localparam int unsigned Plain  = 2 * (M + OriginWidth) > 2 * RootW
+                                 ? 2 * (M + OriginWidth) : 2 * RootW;
   localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
   localparam int unsigned RightW = Levels > 0 ? Levels : 1;
   localparam int unsigned Cut    = rc_pkg::Cut;
@@ -70,7 +75,7 @@ module rc_sphere #(
   localparam bit          Parts  = rc_pkg::PairParts == 1;
   localparam int unsigned Bits   = rc_pkg::QuotientBits;   // of root and quotient, per step
   localparam int unsigned RootSteps = RootW / Bits;
-  localparam int unsigned DivSteps  = (T + Bits - 1) / Bits;
+  localparam int unsigned DivSteps  = (TBits + Bits - 1) / Bits;
 
   // Cycles from a sphere's arrival to each stage.
   localparam int unsigned AtS2 = 1 + Mul + Three;
@@ -87,25 +92,25 @@ module rc_sphere #(
     $error("rc_sphere: its stages are not those of model/core/stages.cpp");
   end
 
-  // there[k]: a sphere came k cycles ago. met, from s4 on: a ray that needs the distance meets it.
-  logic [End-1:0]    there_q;
-  logic [End:0]      there, moves;
-  logic [End-1:AtS4] met_q, met_moves, far_q, blocked_q;
+  // valid[k]: a sphere came k cycles ago. met, from s4 on: a ray that needs the distance meets it.
+  logic [End-1:0]    valid_q;
+  logic [End:0]      valid, enable;
+  logic [End-1:AtS4] met_q, met_enable, far_q, blocked_q;
   logic              s3_met, s3_blocks, s3_far;
 
-  assign there = {there_q, s0_valid_i};
+  assign valid = {valid_q, s0_valid_i};
 
   // In a fast chip the stages always accept, as in rc_tri.
-  assign moves     = there | {(End+1){Cut != 0}};
-  assign met_moves = met_q | {(End-AtS4){Cut != 0}};
+  assign enable     = valid | {(End+1){Cut != 0}};
+  assign met_enable = met_q | {(End-AtS4){Cut != 0}};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      there_q   <= '0;
+      valid_q   <= '0;
       met_q     <= '0;
       blocked_q <= '0;
     end else begin
-      there_q   <= there[End-1:0];
+      valid_q   <= valid[End-1:0];
       met_q     <= {met_q[End-2:AtS4], s3_met};
       blocked_q <= {blocked_q[End-2:AtS4], s3_blocks};
     end
@@ -114,51 +119,53 @@ module rc_sphere #(
     far_o     <= far_q[End-1];
   end
 
-  // ---- s1: the vector from the centre to the origin, 2^B (o - c); in lattice steps for a shadow
-  // ray.
-  logic [2*W-1:0] s1_rr_q, s2_rr;
-  logic           s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q;
-  logic           s2_any, s2_shadow, s2_own, s2_inside, s2_glass;
+  // ---- s1: the vector from the centre to the origin, 2^OriginBits (o - c); in lattice steps for
+  // a shadow ray.
+  logic [2*OriginWidth-1:0] s1_rr_q, s2_rr;
+  logic                     s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q;
+  logic                     s2_any, s2_shadow, s2_own, s2_inside, s2_glass;
 
   assign s0_shadow = s0_any_i && !s0_leaves_i;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    localparam int unsigned X = H > VectorW ? H : VectorW;
+    localparam int unsigned WiderW = RayDirBits > VectorW ? RayDirBits : VectorW;
 
-    logic signed [W-1:0]         s0_o;
-    logic signed [N-1:0]         s0_c;
-    logic signed [VectorW-1:0]   s0_s, s1_s_q;
-    logic signed [H-1:0]         s1_d_q;
-    logic signed [H+VectorW-1:0] along;
-    logic signed [2*H-1:0]       square;
-    logic signed [2*VectorW-1:0] power;
+    logic signed [OriginWidth-1:0]        s0_o;
+    logic signed [N-1:0]                  s0_c;
+    logic signed [VectorW-1:0]            s0_s, s1_s_q;
+    logic signed [RayDirBits-1:0]         s1_d_q;
+    logic signed [RayDirBits+VectorW-1:0] along;
+    logic signed [2*RayDirBits-1:0]       square;
+    logic signed [2*VectorW-1:0]          power;
 
-    assign s0_o = s0_o_i[k*W +: W];
+    assign s0_o = s0_o_i[k*OriginWidth +: OriginWidth];
     assign s0_c = s0_c_i[k*N +: N];
-    assign s0_s = VectorW'(s0_o) - (VectorW'(s0_c) <<< B);
+    assign s0_s = VectorW'(s0_o) - (VectorW'(s0_c) <<< OriginBits);
 
     always_ff @(posedge clk_i) begin
-      if (moves[0]) begin
-        s1_d_q <= s0_d_i[k*H +: H];
-        s1_s_q <= s0_shadow ? s0_s >>> B : s0_s;
+      if (enable[0]) begin
+        s1_d_q <= s0_d_i[k*RayDirBits +: RayDirBits];
+        s1_s_q <= s0_shadow ? s0_s >>> OriginBits : s0_s;
       end
     end
 
     if (Three == 1) begin : gen_at_once
-      rc_mul #(.AW(H), .BW(VectorW)) u_along (.clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
-      rc_mul #(.AW(H), .BW(H)) u_square (.clk_i, .a_i(s1_d_q), .b_i(s1_d_q), .p_o(square));
+      rc_mul #(.AW(RayDirBits), .BW(VectorW)) u_along (
+        .clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
+      rc_mul #(.AW(RayDirBits), .BW(RayDirBits)) u_square (
+        .clk_i, .a_i(s1_d_q), .b_i(s1_d_q), .p_o(square));
       rc_mul #(.AW(VectorW), .BW(VectorW)) u_power (
         .clk_i, .a_i(s1_s_q), .b_i(s1_s_q), .p_o(power));
     end else begin : gen_shared
-      logic [3*2*X-1:0] products;
+      logic [3*2*WiderW-1:0] products;
 
-      rc_mul_shared #(.AW(X), .BW(X), .Products(3), .Share(Three)) u_products (
-        .clk_i, .valid_i(there[1]), .a_i({X'(s1_d_q), X'(s1_d_q), X'(s1_s_q)}),
-        .b_i({X'(s1_s_q), X'(s1_d_q), X'(s1_s_q)}), .p_o(products));
+      rc_mul_shared #(.AW(WiderW), .BW(WiderW), .Products(3), .Share(Three)) u_products (
+        .clk_i, .valid_i(valid[1]), .a_i({WiderW'(s1_d_q), WiderW'(s1_d_q), WiderW'(s1_s_q)}),
+        .b_i({WiderW'(s1_s_q), WiderW'(s1_d_q), WiderW'(s1_s_q)}), .p_o(products));
 
       assign power  = products[0 +: 2*VectorW];
-      assign square = products[2*X +: 2*H];
-      assign along  = products[4*X +: H+VectorW];
+      assign square = products[2*WiderW +: 2*RayDirBits];
+      assign along  = products[4*WiderW +: RayDirBits+VectorW];
 
       logic unused;
       assign unused = ^products;
@@ -169,8 +176,8 @@ module rc_sphere #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves[0]) begin
-      s1_rr_q <= s0_shadow ? {{(2*B){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*B){1'b0}}};
+    if (enable[0]) begin
+      s1_rr_q <= s0_shadow ? {{(2*OriginBits){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*OriginBits){1'b0}}};
       {s1_any_q, s1_shadow_q}  <= {s0_any_i, s0_shadow};
       {s1_own_q, s1_glass_q}   <= {s0_own_i, s0_glass_i};
       s1_inside_q              <= s0_inside_i && s0_glass_i;
@@ -180,13 +187,13 @@ module rc_sphere #(
   if (Mul + Three == 1) begin : gen_rr_now
     assign s2_rr = s1_rr_q;
   end else begin : gen_rr_waits   // up to the cycle before s2
-    rc_interval_delay #(.Width(2 * W), .Stages(Mul + Three - 1), .Every(Every)) u_rr (
-      .clk_i, .rst_ni, .valid_i(moves[AtS2-2:1]), .there_i(there[AtS2-2:1]), .data_i(s1_rr_q),
+    rc_interval_delay #(.Width(2 * OriginWidth), .Stages(Mul + Three - 1), .Every(Every)) u_rr (
+      .clk_i, .rst_ni, .enable_i(enable[AtS2-2:1]), .valid_i(valid[AtS2-2:1]), .data_i(s1_rr_q),
       .data_o(s2_rr));
   end
 
   rc_shift_register #(.Width(5), .Stages(AtS2 - 1)) u_flags (
-    .clk_i, .valid_i(moves[AtS2-1:1]),
+    .clk_i, .enable_i(enable[AtS2-1:1]),
     .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q, s1_glass_q}),
     .data_o({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}));
 
@@ -196,13 +203,14 @@ module rc_sphere #(
   logic signed [PowerW-1:0]  s2_power_q;
 
   always_ff @(posedge clk_i) begin
-    if (moves[AtS2-1]) begin
+    if (enable[AtS2-1]) begin
       s2_along_q  <= AlongW'(gen_axis[0].along) + AlongW'(gen_axis[1].along)
                      + AlongW'(gen_axis[2].along);
       s2_square_q <= SquareW'(gen_axis[0].square) + SquareW'(gen_axis[1].square)
                      + SquareW'(gen_axis[2].square);
       s2_power_q  <= PowerW'(gen_axis[0].power) + PowerW'(gen_axis[1].power)
-                     + PowerW'(gen_axis[2].power) - $signed({{(PowerW-2*W){1'b0}}, s2_rr});
+                     + PowerW'(gen_axis[2].power)
+                     - $signed({{(PowerW-2*OriginWidth){1'b0}}, s2_rr});
     end
   end
 
@@ -226,32 +234,33 @@ module rc_sphere #(
     rc_mul #(.AW(Long), .BW(Short), .Sums(2)) u_ac (
       .clk_i, .a_i(s2_long), .b_i(s2_short), .p_o(s2_ac));
   end else begin : gen_shared
-    localparam int unsigned X = Long > AlongW ? Long : AlongW;
-    localparam int unsigned Y = Short > AlongW ? Short : AlongW;
-    logic [2*(X+Y)-1:0] products;
-    logic [2*X-1:0]     a;
-    logic [2*Y-1:0]     b;
+    localparam int unsigned WiderW      = Long > AlongW ? Long : AlongW;
+    localparam int unsigned WiderShortW = Short > AlongW ? Short : AlongW;
+    logic [2*(WiderW+WiderShortW)-1:0] products;
+    logic [2*WiderW-1:0]               a;
+    logic [2*WiderShortW-1:0]          b;
 
-    assign a = {X'(s2_along_q), X'(s2_long)};
-    assign b = {Y'(s2_along_q), Y'(s2_short)};
+    assign a = {WiderW'(s2_along_q), WiderW'(s2_long)};
+    assign b = {WiderShortW'(s2_along_q), WiderShortW'(s2_short)};
 
     if (Parts) begin : gen_parts
-      rc_mul_parts #(.AW(X), .BW(Y), .Sums(2), .Products(2), .Share(Share)) u_products (
-        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+      rc_mul_parts #(.AW(WiderW), .BW(WiderShortW), .Sums(2), .Products(2), .Share(Share))
+      u_products (
+        .clk_i, .valid_i(valid[AtS2]), .a_i(a), .b_i(b), .p_o(products));
     end else begin : gen_whole
-      rc_mul_shared #(.AW(X), .BW(Y), .Sums(2), .Share(Share)) u_products (
-        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+      rc_mul_shared #(.AW(WiderW), .BW(WiderShortW), .Sums(2), .Share(Share)) u_products (
+        .clk_i, .valid_i(valid[AtS2]), .a_i(a), .b_i(b), .p_o(products));
     end
 
     assign s2_ac = products[0 +: Long+Short];
-    assign s2_bb = products[X+Y +: 2*AlongW];
+    assign s2_bb = products[WiderW+WiderShortW +: 2*AlongW];
 
     logic unused;
     assign unused = ^products;
   end
 
   always_ff @(posedge clk_i) begin
-    if (moves[AtS3-1]) begin
+    if (enable[AtS3-1]) begin
       s3_bb_q <= DiscW'(s2_bb);
       s3_ac_q <= DiscW'(s2_ac);
     end
@@ -261,7 +270,8 @@ module rc_sphere #(
 
   // In parallel, for a shadow ray: |O - c|^2 - R2 at its end O, and whether its point nearest to
   // the centre comes before O.
-  localparam int unsigned Foot = (AlongW + B > SquareW ? AlongW + B : SquareW) + 1;
+  localparam int unsigned Foot =
+      (AlongW + OriginBits > SquareW ? AlongW + OriginBits : SquareW) + 1;
 
   logic signed [PowerW-1:0] s2_end, sum_end;
   logic signed [Foot-1:0]   s2_foot, sum_foot;
@@ -269,9 +279,9 @@ module rc_sphere #(
   logic                   s3_any, s3_shadow, s3_own, s3_inside, s3_glass;
   logic                   s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out;
 
-  assign s2_end   = PowerW'(s2_square_q) + (PowerW'(s2_along_q) <<< (B + 1))
-                  + (s2_power_q <<< (2 * B));
-  assign s2_foot  = (Foot'(s2_along_q) <<< B) + Foot'(s2_square_q);
+  assign s2_end   = PowerW'(s2_square_q) + (PowerW'(s2_along_q) <<< (OriginBits + 1))
+                  + (s2_power_q <<< (2 * OriginBits));
+  assign s2_foot  = (Foot'(s2_along_q) <<< OriginBits) + Foot'(s2_square_q);
   assign s2_on    = s2_power_q == '0;
   assign s2_still = s2_square_q == '0;
 
@@ -281,14 +291,14 @@ module rc_sphere #(
     .data_o({sum_end, sum_foot, sum_on, sum_still, sum_out, sum_nearing}));
 
   rc_shift_register #(.Width(7), .Stages(AtS3 - AtS2)) u_tests (
-    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2+Cut]),
+    .clk_i, .enable_i(enable[AtS3+Cut-1:AtS2+Cut]),
     .data_i({sum_still, sum_nearing, sum_out && !sum_on, sum_on,
              !sum_foot[Foot-1] && sum_foot != '0, sum_end[PowerW-1],
              !sum_end[PowerW-1] && sum_end != '0}),
     .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
 
   rc_shift_register #(.Width(5), .Stages(AtS3 + Cut - AtS2)) u_kind (
-    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]),
+    .clk_i, .enable_i(enable[AtS3+Cut-1:AtS2]),
     .data_i({s2_any, s2_shadow, s2_own, s2_inside, s2_glass}),
     .data_o({s3_any, s3_shadow, s3_own, s3_inside, s3_glass}));
 
@@ -299,7 +309,7 @@ module rc_sphere #(
   assign s3_meets = s3_nearing && !s3_disc[DiscW-1];
   assign s3_goes  = (!s3_own || s3_inside)
                  && (s3_outside ? s3_meets : s3_glass && (s3_on ? s3_nearing : !s3_still));
-  assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
+  assign s3_met   = valid[AtS4-1] && s3_goes && !s3_any;
   assign s3_far   = s3_own || !s3_outside;
 
   always_comb begin
@@ -310,7 +320,7 @@ module rc_sphere #(
     else                 s3_blocked = s3_end_out && (!s3_on || s3_nearing);
   end
 
-  assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
+  assign s3_blocks = valid[AtS4-1] && s3_any && s3_blocked;
 
   if (Plain > DiscW) begin : gen_short_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= Plain'(s3_disc);
@@ -322,12 +332,12 @@ module rc_sphere #(
   logic [2*RootW-1:0] s5_cut_q, s4_cut;
   logic [RightW:0]    s5_right_lost_q, s4_right_lost;
 
-  rc_shrink #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_shrink (
+  rc_normalise #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_normalise (
     .clk_i, .all_i(s4_disc_q), .cut_o(s4_cut), .right_o(s4_right_lost[RightW:1]),
     .lost_o(s4_right_lost[0]));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtS5-1]) begin
+    if (met_enable[AtS5-1]) begin
       s5_cut_q        <= s4_cut;
       s5_right_lost_q <= s4_right_lost;
     end
@@ -351,7 +361,7 @@ module rc_sphere #(
   assign s2_near_square = s2_square_q[NearSquareW-1:0];
 
   rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
-    .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
+    .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_enable[AtS5]), .square_i(s5_cut_q),
     .root_o(r_root), .inexact_o(r_inexact));
 
   rc_stage_delay #(.Width(RightW + 1), .Stages(RightLate), .Every(Every)) u_right (
@@ -359,7 +369,7 @@ module rc_sphere #(
     .data_o(late_right_lost));
 
   rc_stage_delay #(.Width(WayW + NearSquareW), .Stages(RayLate), .Every(Every)) u_ray (
-    .clk_i, .rst_ni, .enter_i(there[AtS2]), .leave_i(there[AtR-1]),
+    .clk_i, .rst_ni, .enter_i(valid[AtS2]), .leave_i(valid[AtR-1]),
     .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
 
   rc_path_register #(.Width(RightW + 1 + WayW + NearSquareW), .Stages(1)) u_late (
@@ -390,22 +400,23 @@ module rc_sphere #(
     .sum_o(w_way));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtW-1]) begin
+    if (met_enable[AtW-1]) begin
       w_way_q    <= w_way;
       w_square_q <= w_square;
     end
   end
 
-  // ---- Distance: ceil(2^(M-1+F-B) way / d.d), saturated, as in rc_hitdiv.
+  // ---- Distance: ceil(2^(M-1+F-OriginBits) way / d.d), saturated, as in rc_hitdiv.
   localparam int unsigned QuoW  = Bits * DivSteps;
-  localparam int unsigned Right = N + 3 + B > M ? N + 3 + B - M : 1;   // at least 2: M <= N + B + 1
+  // At least 2: M <= N + OriginBits + 1.
+  localparam int unsigned Right = N + 3 + OriginBits > M ? N + 3 + OriginBits - M : 1;
 
   logic [WayW-1:0]        w_above;
   logic [QuoW+WayW-1:0]   w_below;
   logic                   w_beyond, d_beyond, d_inexact, d_up, t_up;
   logic [NearSquareW-1:0] d_rem, d_den;
   logic [QuoW-1:0]        d_low, d_quo;
-  logic [T-1:0]           t_down, t;
+  logic [TBits-1:0]       t_down, t;
 
   assign w_above  = w_way_q >> Right;
   assign w_below  = {w_way_q, {QuoW{1'b0}}} >> Right;
@@ -420,51 +431,52 @@ module rc_sphere #(
   rc_divide #(
     .Width(NearSquareW), .Stages(DivSteps), .Bits(Bits), .Every(Every),
     .Lows(Right < QuoW ? Right : QuoW)) u_t (
-    .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_moves[AtW+Cut]), .rem_i(d_rem),
+    .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_enable[AtW+Cut]), .rem_i(d_rem),
     .low_i(d_low), .den_i(d_den), .quo_o(d_quo), .inexact_o(d_inexact));
 
   rc_shift_register #(.Width(1), .Stages(AtT - AtW)) u_beyond (
-    .clk_i, .valid_i(met_moves[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
+    .clk_i, .enable_i(met_enable[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
 
-  if (QuoW > T) begin : gen_spare_bit
+  if (QuoW > TBits) begin : gen_spare_bit
     assign d_up = d_inexact || d_quo[0];
   end else begin : gen_exact_bits
     assign d_up = d_inexact;
   end
 
-  rc_path_register #(.Width(T + 1)) u_last (
-    .clk_i, .data_i({d_up, d_quo[QuoW-1 -: T]}), .data_o({t_up, t_down}));
+  rc_path_register #(.Width(TBits + 1)) u_last (
+    .clk_i, .data_i({d_up, d_quo[QuoW-1 -: TBits]}), .data_o({t_up, t_down}));
 
-  assign t = d_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
+  assign t = d_beyond || (&t_down) ? '1 : t_down + {{(TBits-1){1'b0}}, t_up};
 
   // ---- Comparison: t / 2^(M-1+F) against best_num / best_det. Closer, or equally close with a
   // lower number.
-  localparam int unsigned ProductW = T + E > U + M - 1 + F ? T + E : U + M - 1 + F;
+  localparam int unsigned ProductW = TBits + EdgeBits > NumBits + M - 1 + F
+                                   ? TBits + EdgeBits : NumBits + M - 1 + F;
 
-  logic [T+E-1:0] t_mine;
-  logic           t_found, t_first, p_found_q, p_first_q, p_before, last_before;
-  logic [U-1:0]   t_num;
+  logic [TBits+EdgeBits-1:0] t_mine;
+  logic                      t_found, t_first, p_found_q, p_first_q, p_before, last_before;
+  logic [NumBits-1:0]        t_num;
   logic [ProductW-1:0] p_mine_q, p_theirs_q;
 
-  assign best_next_o = there[AtT-1];
+  assign best_next_o = valid[AtT-1];
 
   if (Parts) begin : gen_mine_in_parts
-    rc_mul_parts #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
-      .clk_i, .valid_i(there[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
+    rc_mul_parts #(.AW(TBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .valid_i(valid[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
   end else begin : gen_mine
-    rc_mul #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
+    rc_mul #(.AW(TBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
   end
 
-  rc_path_register #(.Width(U + 2), .Stages(AtP - AtT - 1)) u_theirs (
+  rc_path_register #(.Width(NumBits + 2), .Stages(AtP - AtT - 1)) u_theirs (
     .clk_i, .data_i({best_found_i, best_first_i, best_num_i}), .data_o({t_found, t_first, t_num}));
 
   always_ff @(posedge clk_i) begin
-    if (met_moves[AtP-1]) begin
+    if (met_enable[AtP-1]) begin
       p_found_q  <= t_found;
       p_first_q  <= t_first;
-      p_mine_q   <= {{(ProductW-T-E){1'b0}}, t_mine};
-      p_theirs_q <= {{(ProductW-U){1'b0}}, t_num} << (M - 1 + F);
+      p_mine_q   <= {{(ProductW-TBits-EdgeBits){1'b0}}, t_mine};
+      p_theirs_q <= {{(ProductW-NumBits){1'b0}}, t_num} << (M - 1 + F);
     end
   end
 
@@ -473,8 +485,8 @@ module rc_sphere #(
 
   always_ff @(posedge clk_i) closer_o <= met_q[End-1] && last_before;
 
-  rc_shift_register #(.Width(T), .Stages(End - AtT)) u_end (
-    .clk_i, .valid_i(met_moves[End-1:AtT]), .data_i(t), .data_o(t_o));
+  rc_shift_register #(.Width(TBits), .Stages(End - AtT)) u_end (
+    .clk_i, .enable_i(met_enable[End-1:AtT]), .data_i(t), .data_o(t_o));
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && met_q[AtW-1])
@@ -484,6 +496,6 @@ module rc_sphere #(
 `endif
 
   logic unused;
-  assign unused = ^{w_below[QuoW+WayW-1:QuoW], s2_bb, s2_ac, s3_disc, s4_cut, there, moves, up};
+  assign unused = ^{w_below[QuoW+WayW-1:QuoW], s2_bb, s2_ac, s3_disc, s4_cut, valid, enable, up};
 endmodule
 `default_nettype wire

@@ -29,13 +29,13 @@ module rc_tri (
   localparam bit          IsSheared = rc_pkg::PrimitiveTest == rc_pkg::TestSheared;
   localparam int unsigned N        = rc_pkg::CoordBits;
   localparam int unsigned M        = rc_pkg::DirBits;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned V        = rc_pkg::UvBits;
-  localparam int unsigned D        = rc_pkg::EdgeBits;   // width of det, u, v
-  localparam int unsigned U        = rc_pkg::NumBits;
-  localparam int unsigned E        = IsSheared ? 2 * N + M + 2 : D;   // width of den
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned P        = rc_pkg::PrimBits;
+  localparam int unsigned TBits    = rc_pkg::TBits;
+  localparam int unsigned UvBits   = rc_pkg::UvBits;
+  localparam int unsigned EdgeBits = rc_pkg::EdgeBits;   // width of det, u, v
+  localparam int unsigned NumBits  = rc_pkg::NumBits;
+  localparam int unsigned DenW     = IsSheared ? 2 * N + M + 2 : EdgeBits;   // width of den
+  localparam int unsigned RayBits  = rc_pkg::RayBits;
+  localparam int unsigned PrimBits = rc_pkg::PrimBits;
   localparam int unsigned Latency  = rc_pkg::TriLatency;
   localparam int unsigned Cut      = rc_pkg::Cut;
   localparam int unsigned Mul      = rc_pkg::MulStages;
@@ -54,8 +54,9 @@ module rc_tri (
   localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
   localparam int unsigned Extra = Latency - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
-  localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
-  localparam int unsigned HitW   = TailW + T + 2 * V;
+  // Closer, back, num, det, prim.
+  localparam int unsigned TailW  = 1 + BackW + NumBits + EdgeBits + PrimBits;
+  localparam int unsigned HitW   = TailW + TBits + 2 * UvBits;
 
   if (Latency < Core) begin : gen_refuse
     $error("rc_tri: TriLatency must be at least Core");
@@ -78,10 +79,10 @@ module rc_tri (
     assign occupied_o = 1'b0;
   end
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
 
-  assign moves = valid | {(Latency+1){Cut != 0}};
+  assign enable = valid | {(Latency+1){Cut != 0}};
 
   // The request.
   rc_pkg::tri_req_t           in;
@@ -92,24 +93,25 @@ module rc_tri (
 
   assign in = in_flat;
 
-  logic [I-1:0] end_ray;
+  logic [RayBits-1:0] end_ray;
 
-  rc_interval_delay #(.Width(I), .Stages(Latency - In), .Every(Interval)) u_ray (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:In]), .there_i(valid[Latency-1:In]), .data_i(in.ray),
-    .data_o(end_ray));
+  rc_interval_delay #(.Width(RayBits), .Stages(Latency - In), .Every(Interval)) u_ray (
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:In]), .valid_i(valid[Latency-1:In]),
+    .data_i(in.ray), .data_o(end_ray));
 
   // ---- Stages up to Front: the ray and the primitive, and whether they meet. num / den is t; num
   // / det is compared with other hits of the ray.
-  logic [3*N-1:0]             in_a, in_b, in_c;
-  logic                       f0_hit;
-  logic [D-1:0]               f0_det, f0_u, f0_v;
-  logic [U-1:0]               f0_num;
-  logic                       f0_back, f0_u_neg, f0_v_neg;
-  logic                       in_any;      // any hit will do: a ray from or to a light
-  logic                       in_leaves;   // from a surface: a bounce, or away to a light
-  logic                       in_plane, in_sphere;
-  logic                       in_far;   // the ray begins beyond the lattice, and tests planes only
-  logic                       in_skips;    // the ray does not test such a primitive
+  logic [3*N-1:0]                  in_a, in_b, in_c;
+  logic                            f0_hit;
+  logic [EdgeBits-1:0]             f0_det, f0_u, f0_v;
+  logic [NumBits-1:0]              f0_num;
+  logic                            f0_back, f0_u_neg, f0_v_neg;
+  logic                            in_any;      // any hit will do: a ray from or to a light
+  logic                            in_leaves;   // from a surface: a bounce, or away to a light
+  logic                            in_plane, in_sphere;
+  // The ray begins beyond the lattice, and tests planes only.
+  logic                            in_far;
+  logic                            in_skips;    // the ray does not test such a primitive
 
   assign in_a    = in.a;
   assign in_b    = in.b;
@@ -156,36 +158,36 @@ module rc_tri (
     assign flat = valid[Pre:In];
   end
 
-  logic [Pre:In] goes;   // moves, for primitives that are not spheres
+  logic [Pre:In] flat_enable;   // enable, for primitives that are not spheres
 
-  assign goes = flat | {(Pre-In+1){Cut != 0}};
+  assign flat_enable = flat | {(Pre-In+1){Cut != 0}};
 
   // t's divisor. In the sheared test it includes the direction's size as a factor; that product is
   // ready with those of the comparison.
-  logic [E-1:0] pre_den;
-  logic [D-1:0] pre_det;
+  logic [DenW-1:0]     pre_den;
+  logic [EdgeBits-1:0] pre_det;
 
   if (IsSheared) begin : gen_sheared
-    logic [M-1:0]   f0_size;
-    logic [D+M-1:0] f0_den;
-    logic [E-1:0]   f1_den, wide_den_q;
+    logic [M-1:0]          f0_size;
+    logic [EdgeBits+M-1:0] f0_den;
+    logic [DenW-1:0]       f1_den, wide_den_q;
 
     rc_shear u_shear (
-      .clk_i, .valid_i(goes[Front-1:In]),
+      .clk_i, .enable_i(flat_enable[Front-1:In]),
       .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
       .s0_o_i(in.o), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
 
-    rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
+    rc_mul #(.AW(EdgeBits), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
 
-    rc_path_register #(.Width(E), .Stages(Pair - 1)) u_den_late (
-      .clk_i, .data_i(f0_den[E-1:0]), .data_o(f1_den));
+    rc_path_register #(.Width(DenW), .Stages(Pair - 1)) u_den_late (
+      .clk_i, .data_i(f0_den[DenW-1:0]), .data_o(f1_den));
 
-    always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
-    rc_shift_register #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
-      .clk_i, .valid_i(goes[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
+    always_ff @(posedge clk_i) if (flat_enable[Wide-1]) wide_den_q <= f1_den;
+    rc_shift_register #(.Width(DenW), .Stages(Pre - Wide)) u_pre_den (
+      .clk_i, .enable_i(flat_enable[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
 
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
 
@@ -193,7 +195,7 @@ module rc_tri (
     assign unused = ^f0_den;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+      .clk_i, .enable_i(flat_enable[Front-1:In]), .valid_i(flat[Front-1:In]),
       .s0_leaves_i(in_leaves), .s0_far_i(in_far), .s0_plane_i(in_plane),
       .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
@@ -205,42 +207,45 @@ module rc_tri (
   // In parallel, the number and the hit to beat wait. A ray from a light must be blocked before its
   // end, t = 2^-B, and equality does not count. A ray away to a light has no end. A primitive that
   // the ray does not test always comes too late: the hit to beat is then at the ray's origin.
-  localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
+  localparam logic [EdgeBits-1:0] ShadowDet = EdgeBits'(1) << rc_pkg::OriginBits;
 
-  logic         in_found, in_first, wide_found, wide_first;
-  logic [U-1:0] in_best_num, f0_best_num;
-  logic [D-1:0] in_best_det, f0_best_det;
+  logic                in_found, in_first, wide_found, wide_first;
+  logic [NumBits-1:0]  in_best_num, f0_best_num;
+  logic [EdgeBits-1:0] in_best_det, f0_best_det;
 
   assign in_found    = in_skips || (in_any ? !in_leaves : in.found);
-  assign in_best_num = in_skips ? '0 : in_any ? U'(1) : in.best_num;
+  assign in_best_num = in_skips ? '0 : in_any ? NumBits'(1) : in.best_num;
   assign in_best_det = in_any ? ShadowDet : in.best_det;
   assign in_first    = in.prim <= in.best_prim && !in_any && !in_skips;
 
   rc_shift_register #(.Width(2), .Stages(Wide - In)) u_best (
-    .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
+    .clk_i, .enable_i(flat_enable[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
 
-  rc_interval_delay #(.Width(U + D), .Stages(Front - In), .Every(Interval)) u_best_hit (
-    .clk_i, .rst_ni, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+  rc_interval_delay #(.Width(NumBits + EdgeBits), .Stages(Front - In), .Every(Interval))
+  u_best_hit (
+    .clk_i, .rst_ni, .enable_i(flat_enable[Front-1:In]), .valid_i(flat[Front-1:In]),
     .data_i({in_best_num, in_best_det}), .data_o({f0_best_num, f0_best_det}));
 
   // ---- The comparison: num / det against best_num / best_det, cross-multiplied; all four are
   // positive. A hit is closer, or equally close with a lower number.
-  logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
-  logic           f1_hit, wide_before, last_before, last_hit, pre_closer_q;
+  logic [NumBits+EdgeBits-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
+  logic                        f1_hit, wide_before, last_before, last_hit, pre_closer_q;
 
   if (Share == 1) begin : gen_at_once
-    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
+    rc_mul #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_mine (
       .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
-    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
+    rc_mul #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2)) u_theirs (
       .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
   end else if (rc_pkg::PairParts == 1) begin : gen_parts
-    rc_mul_parts #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Products(2), .Share(Share))
+    rc_mul_parts #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2), .Products(2),
+                   .Share(Share))
     u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end else begin : gen_shared
-    rc_mul_shared #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Share(Share)) u_products (
+    rc_mul_shared #(.AW(NumBits), .BW(EdgeBits), .Signed(1'b0), .Sums(2), .Share(Share))
+    u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end
@@ -255,12 +260,12 @@ module rc_tri (
 `else
   logic f1_found;
   rc_shift_register #(.Width(1), .Stages(Wide - 1 - In)) u_f1_found (
-    .clk_i, .valid_i(goes[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
+    .clk_i, .enable_i(flat_enable[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
   assign f1_asks = Cut != 0 || f1_found;
 `endif
 
   always_ff @(posedge clk_i) begin
-    if (goes[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
+    if (flat_enable[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end
@@ -270,46 +275,47 @@ module rc_tri (
   rc_path_register #(.Width(1)) u_before (.clk_i, .data_i(wide_before), .data_o(last_before));
 
   rc_shift_register #(.Width(1), .Stages(Pre - Wide)) u_hit (
-    .clk_i, .valid_i(goes[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
+    .clk_i, .enable_i(flat_enable[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
 
-  always_ff @(posedge clk_i) if (goes[Pre-1]) pre_closer_q <= last_hit && last_before;
+  always_ff @(posedge clk_i) if (flat_enable[Pre-1]) pre_closer_q <= last_hit && last_before;
 
   // The hit waits for the comparison.
   localparam int unsigned Compare = Pre - Front;
-  logic [U-1:0] pre_num;
-  logic [D-1:0] pre_u, pre_v;
-  logic [P-1:0] pre_prim;
-  logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
+  logic [NumBits-1:0]  pre_num;
+  logic [EdgeBits-1:0] pre_u, pre_v;
+  logic [PrimBits-1:0] pre_prim;
+  logic                pre_any, pre_back, pre_u_neg, pre_v_neg;
 
-  rc_interval_delay #(.Width(U + 3 * D + 3), .Stages(Compare), .Every(Interval)) u_hit_aside (
-    .clk_i, .rst_ni, .valid_i(goes[Pre-1:Front]), .there_i(flat[Pre-1:Front]),
+  rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
+  u_hit_aside (
+    .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:Front]), .valid_i(flat[Pre-1:Front]),
     .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
     .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
 
-  rc_interval_delay #(.Width(P + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
-    .clk_i, .rst_ni, .valid_i(goes[Pre-1:In]), .there_i(flat[Pre-1:In]),
+  rc_interval_delay #(.Width(PrimBits + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
+    .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
     .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // ---- Divisions. Numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
-  logic         pre_divide, pre_block;
-  logic [T-1:0] t;
-  logic [V-1:0] u, v;
+  logic              pre_divide, pre_block;
+  logic [TBits-1:0]  t;
+  logic [UvBits-1:0] u, v;
 
   assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
   assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
 
-  rc_hitdiv #(.E(E)) u_hitdiv (
-    .clk_i, .valid_i(Cut != 0 || pre_divide), .there_i(pre_divide),
+  rc_hitdiv #(.DenW(DenW)) u_hitdiv (
+    .clk_i, .enable_i(Cut != 0 || pre_divide), .valid_i(pre_divide),
     .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
   // Valid bits of the division, and the fields that wait.
-  logic [Divide-1:0] closer_q, block_q, divides, tail_moves;
+  logic [Divide-1:0] closer_q, block_q, divides, tail_enable;
 
-  assign divides    = {closer_q[Divide-2:0], pre_divide};
-  assign tail_moves = divides | {Divide{Cut != 0}};
+  assign divides     = {closer_q[Divide-2:0], pre_divide};
+  assign tail_enable = divides | {Divide{Cut != 0}};
 
   logic [TailW-2:0]  pre_tail, tail;
 
@@ -326,30 +332,31 @@ module rc_tri (
   end
 
   rc_interval_delay #(.Width(TailW - 1), .Stages(Divide), .Every(Interval)) u_tail (
-    .clk_i, .rst_ni, .valid_i(tail_moves), .there_i(divides), .data_i(pre_tail), .data_o(tail));
+    .clk_i, .rst_ni, .enable_i(tail_enable), .valid_i(divides), .data_i(pre_tail), .data_o(tail));
 
   // ---- The hit: closer with all fields, or blocked without fields.
   logic            closer, blocked;
   logic [HitW-2:0] hit;
 
   if (rc_pkg::Spheres == 1) begin : gen_sphere
-    localparam int unsigned BallBestW = 2 + U + D;
+    localparam int unsigned BallBestW = 2 + NumBits + EdgeBits;
     localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
                                       - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);
 
     localparam int unsigned FlatLate  = Core - Flat;   // stages of waiting for the other
     localparam int unsigned BallLate  = Core - Ball;
-    localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
+    // Det of a sphere.
+    localparam logic [EdgeBits-1:0] Unit = EdgeBits'(1) << (M - 1 + rc_pkg::TFracBits);
 
     logic                 flat_closer, flat_block;
     logic [HitW-2:0]      flat_hit;
     logic [BallBestW-1:0] next_best, ball_best;
-    logic [P-1:0]         ball_prim;
+    logic [PrimBits-1:0]  ball_prim;
     logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
     logic                 late_closer, late_blocked, late_far;
-    logic [U-1:0]         ball_best_num;
-    logic [D-1:0]         ball_best_det;
-    logic [T-1:0]         ball_t, late_t;
+    logic [NumBits-1:0]   ball_best_num;
+    logic [EdgeBits-1:0]  ball_best_det;
+    logic [TBits-1:0]     ball_t, late_t;
     logic                 in_ball, in_ball_first, in_own, best_next;
 
     if (FlatLate == 0) begin : gen_flat_last
@@ -393,7 +400,7 @@ module rc_tri (
     rc_path_register #(.Width(BallBestW), .Stages(1)) u_best_last (
       .clk_i, .data_i(next_best), .data_o(ball_best));
 
-    rc_delay_ram #(.Width(P), .Stages(Core - In)) u_ball_prim (
+    rc_delay_ram #(.Width(PrimBits), .Stages(Core - In)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
 
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
@@ -407,14 +414,15 @@ module rc_tri (
       .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
 
-    rc_path_register #(.Width(T + 3), .Stages(BallLate)) u_ball_late (
+    rc_path_register #(.Width(TBits + 3), .Stages(BallLate)) u_ball_late (
       .clk_i, .data_i({ball_closer, ball_blocked, ball_far, ball_t}),
       .data_o({late_closer, late_blocked, late_far, late_t}));
 
     assign closer  = flat_closer || late_closer;
     assign blocked = flat_block || late_blocked;
     assign hit     = flat_closer ? flat_hit
-                   : {late_far, {(U-T){1'b0}}, late_t, Unit, ball_prim, late_t, {(2*V){1'b0}}};
+                   : {late_far, {(NumBits-TBits){1'b0}}, late_t, Unit, ball_prim, late_t,
+                      {(2*UvBits){1'b0}}};
   end else begin : gen_no_sphere
     assign closer  = closer_q[Divide-1];
     assign blocked = block_q[Divide-1];
@@ -429,7 +437,7 @@ module rc_tri (
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
     rc_shift_register #(.Width(HitW + 1), .Stages(Extra)) u_end (
-      .clk_i, .valid_i(moves[Latency-1:Core]), .data_i({closer, blocked, hit}),
+      .clk_i, .enable_i(enable[Latency-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
@@ -456,7 +464,7 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[Latency], moves, goes, in_flat, in_leaves, in_far, in_plane,
-                    in_sphere, pre_back};
+  assign unused = ^{queue_ready, valid[Latency], enable, flat_enable, in_flat, in_leaves, in_far,
+                    in_plane, in_sphere, pre_back};
 endmodule
 `default_nettype wire

@@ -13,6 +13,14 @@
 // neither waits for the other; tri's rays go first. One triangle per ray is in flight. A triangle
 // from memory goes on to tri, with its ray, in the same cycle.
 //
+// An answer of tri passes through three stages. A signal's prefix is its stage.
+//
+// - s0 reads the ray's leaves and its cursor, which is the leaf and triangle in flight.
+// - s1 stores a closer hit, and compares: does a triangle or a leaf follow?
+// - s2 writes the new cursor, and requests the next triangle or returns the ray to trav.
+//
+// In a relaxed chip they lie in one cycle. In a fast chip there is a register before each.
+//
 // A ray's start clears its hit. When the ray goes to trav, list only stores it for tri. With two
 // levels tri gets the ray in the space of the instance that it entered last. The number of the
 // instance's first primitive is added to a primitive's own number. Model: model/unit/list/list.hpp.
@@ -61,77 +69,77 @@ module rc_list (
   input  logic              closest_ready_i,
   output rc_pkg::closest_t  closest_o
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned A        = rc_pkg::AddrBits;
-  localparam int unsigned O        = rc_pkg::OffsetBits;
-  localparam int unsigned C        = rc_pkg::CountBits;
-  localparam int unsigned G        = rc_pkg::GroupBits;
-  localparam int unsigned S        = rc_pkg::SlotBits;
-  localparam int unsigned W        = rc_pkg::NodeWidth;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned Contexts = rc_pkg::Contexts;
+  localparam int unsigned RayBits    = rc_pkg::RayBits;
+  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
+  localparam int unsigned CountBits  = rc_pkg::CountBits;
+  localparam int unsigned GroupBits  = rc_pkg::GroupBits;
+  localparam int unsigned SlotBits   = rc_pkg::SlotBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned Contexts   = rc_pkg::Contexts;
 
-  // ---- The two events of a cycle: leaves from trav (in), an answer from tri (came). In a fast
-  // chip the answer is in a register first.
-  logic             in_fires, came_fires, closer, tri_prim;
-  rc_pkg::leaves_t  in;
-  rc_pkg::tri_rsp_t came;
-  logic [rc_pkg::TriRspW-1:0] came_flat;
+  // ---- The two events of a cycle: leaves from trav, and an answer from tri. In a fast chip the
+  // answer is in a register before s0.
+  logic             leaves_fires, s0_fires, s0_closer, tri_prim;
+  rc_pkg::leaves_t  leaves;
+  rc_pkg::tri_rsp_t s0_rsp;
+  logic [rc_pkg::TriRspW-1:0] s0_rsp_flat;
 
   assign tri_rsp_ready_o = 1'b1;
-  assign in_fires        = leaves_fires_i;
-  assign in              = leaves_i;
+  assign leaves_fires    = leaves_fires_i;
+  assign leaves          = leaves_i;
 
-  rc_path_register #(.Width(rc_pkg::TriRspW)) u_came (
-    .clk_i, .data_i(tri_rsp_i), .data_o(came_flat));
-  assign came = came_flat;
+  rc_path_register #(.Width(rc_pkg::TriRspW)) u_s0_rsp (
+    .clk_i, .data_i(tri_rsp_i), .data_o(s0_rsp_flat));
+  assign s0_rsp = s0_rsp_flat;
 
-  rc_pulse_register u_came_fires (.clk_i, .rst_ni, .fires_i(tri_rsp_valid_i), .fires_o(came_fires));
-  rc_pulse_register u_closer (
-    .clk_i, .rst_ni, .fires_i(tri_rsp_valid_i && tri_rsp_i.closer), .fires_o(closer));
+  rc_pulse_register u_s0_fires (.clk_i, .rst_ni, .fires_i(tri_rsp_valid_i), .fires_o(s0_fires));
+  rc_pulse_register u_s0_closer (
+    .clk_i, .rst_ni, .fires_i(tri_rsp_valid_i && tri_rsp_i.closer), .fires_o(s0_closer));
 
-  // Results of an answer, stored one cycle later in a fast chip (it), because a few hundred cells
-  // hold them. They are read with the ray's next primitive at the earliest.
+  // Results of an answer, stored in s1, because a few hundred cells hold them. They are read with
+  // the ray's next primitive at the earliest.
   localparam int unsigned BestW    = rc_pkg::BestW;
   localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
 
-  logic                it_fires, it_closer;
-  logic [I-1:0]        it_ray;
-  logic [T-1:0]        it_came_t;
-  rc_pkg::best_t       came_best;
-  logic [BestW-1:0]    it_best;
-  rc_pkg::kept_hit_t   came_hit;
-  logic [KeptHitW-1:0] it_hit;
+  logic                s1_fires, s1_closer;
+  logic [RayBits-1:0]  s1_ray;
+  logic [TBits-1:0]    s1_rsp_t;
+  rc_pkg::best_t       s0_best;
+  logic [BestW-1:0]    s1_best;
+  rc_pkg::kept_hit_t   s0_hit;
+  logic [KeptHitW-1:0] s1_hit;
 
-  assign came_best.best_num  = came.num;
-  assign came_best.best_det  = came.det;
-  assign came_best.best_prim = came.prim;
+  assign s0_best.best_num  = s0_rsp.num;
+  assign s0_best.best_det  = s0_rsp.det;
+  assign s0_best.best_prim = s0_rsp.prim;
 
   if (rc_pkg::Shading != 0) begin : gen_side
-    assign came_hit.back = came.back;
+    assign s0_hit.back = s0_rsp.back;
   end
-  assign came_hit.prim = came.prim;
-  assign came_hit.t    = came.t;
-  assign came_hit.u    = came.u;
-  assign came_hit.v    = came.v;
+  assign s0_hit.prim = s0_rsp.prim;
+  assign s0_hit.t    = s0_rsp.t;
+  assign s0_hit.u    = s0_rsp.u;
+  assign s0_hit.v    = s0_rsp.v;
 
-  rc_pulse_register u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
-  rc_pulse_register u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
-  rc_path_register #(.Width(I + T + BestW + KeptHitW)) u_it_kept (
-    .clk_i, .data_i({came.ray, came.t, came_best, came_hit}),
-    .data_o({it_ray, it_came_t, it_best, it_hit}));
+  rc_pulse_register u_s1_fires (.clk_i, .rst_ni, .fires_i(s0_fires), .fires_o(s1_fires));
+  rc_pulse_register u_s1_closer (.clk_i, .rst_ni, .fires_i(s0_closer), .fires_o(s1_closer));
+  rc_path_register #(.Width(RayBits + TBits + BestW + KeptHitW)) u_s1_kept (
+    .clk_i, .data_i({s0_rsp.ray, s0_rsp.t, s0_best, s0_hit}),
+    .data_o({s1_ray, s1_rsp_t, s1_best, s1_hit}));
 
   // ---- Best hits. found: the memories hold a hit of the ray.
-  logic [I-1:0]        start_ray;
+  logic [RayBits-1:0]  start_ray;
   logic [Contexts-1:0] found;
-  logic                ends_at_any, it_blocked;
+  logic                ends_at_any, s1_blocked;
 
   assign start_ray  = start_i.ray;
-  assign it_blocked = it_closer && ends_at_any;
+  assign s1_blocked = s1_closer && ends_at_any;
 
   rc_flags #(.Flags(Contexts)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
-    .set_i(it_closer), .set_at_i(it_ray), .flags_o(found));
+    .set_i(s1_closer), .set_at_i(s1_ray), .flags_o(found));
 
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic                to_light;
@@ -142,148 +150,154 @@ module rc_list (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(to_light),
       .marks_o(any_hit));
     rc_bit_select #(.Flags(Contexts)) u_ends_at_any (
-      .clk_i, .flags_i(any_hit), .index_i(came.ray), .flag_o(ends_at_any));
+      .clk_i, .flags_i(any_hit), .index_i(s0_rsp.ray), .flag_o(ends_at_any));
   end else begin : gen_camera
     assign ends_at_any = 1'b0;
   end
 
   // ---- Distances to beat.
-  logic [T-1:0]   old_t;   // distance to beat for came's ray; in a fast chip one cycle later
-  logic [2*T-1:0] nears;   // nearest points of the leaves that may follow
-  logic [1:0]     it_within, old_within;
+  logic [TBits-1:0]   old_t;   // distance to beat of s1's ray
+  logic [2*TBits-1:0] nears;   // nearest points of the leaves that may follow
+  logic [1:0]         s1_within, old_within;
 
   rc_ray_t_max #(.Nears(2)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
-    .write_i(it_closer), .write_ray_i(it_ray), .write_t_i(it_came_t),
-    .read_ray_i(came.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
+    .write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t),
+    .read_ray_i(s0_rsp.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
 
   // ---- Leaves in flight per ray: written by trav's leaves, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeafGroupW;
-  rc_pkg::leaf_group_t in_group;
-  logic [GroupW-1:0]   tri_group;
+  rc_pkg::leaf_group_t leaves_group;
+  logic [GroupW-1:0]   s0_group;
 
-  assign in_group.base   = in.base;
-  assign in_group.leaves = in.leaves;
-  assign in_group.t_near = in.t_near;
-  assign in_group.offset = in.offset;
-  assign in_group.count  = in.count;
+  assign leaves_group.base   = leaves.base;
+  assign leaves_group.leaves = leaves.leaves;
+  assign leaves_group.t_near = leaves.t_near;
+  assign leaves_group.offset = leaves.offset;
+  assign leaves_group.count  = leaves.count;
 
   rc_ram_prefetch #(.Width(GroupW), .Depth(Contexts)) u_group (
-    .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
-    .write_data_i(in_group), .head_addr_i(came.ray),
-    .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
+    .clk_i, .rst_ni, .write_i(leaves_fires), .write_addr_i(leaves.ray),
+    .write_data_i(leaves_group), .head_addr_i(s0_rsp.ray),
+    .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(s0_group));
 
   // ---- Cursors: leaf and triangle in flight per ray. They are 0, 0 until tri has answered once.
   logic [Contexts-1:0] moved;
-  logic [S-1:0]   cursor_leaf, next_leaf;
-  logic [C-1:0]   cursor_triangle, next_triangle;
-  logic [S+C-1:0] cursor, it_cursor;
-  logic           was_moved;
-  logic           end_fires;
-  logic [I-1:0]   end_ray;
+  logic [SlotBits-1:0]           cursor_leaf, next_leaf;
+  logic [CountBits-1:0]          cursor_triangle, next_triangle;
+  logic [SlotBits+CountBits-1:0] s0_cursor, s1_cursor;
+  logic                          was_moved;
+  logic                          s2_fires;
+  logic [RayBits-1:0]            s2_ray;
 
-  rc_ram #(.Width(S + C), .Depth(Contexts)) u_cursor (
-    .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
+  rc_ram #(.Width(SlotBits + CountBits), .Depth(Contexts)) u_cursor (
+    .clk_i, .write_i(s2_fires), .write_addr_i(s2_ray),
     .write_data_i({next_leaf, next_triangle}),
-    .read_addr_i(came.ray), .read_data_o(cursor));
+    .read_addr_i(s0_rsp.ray), .read_data_o(s0_cursor));
 
   rc_flags #(.Flags(Contexts)) u_moved (
-    .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
-    .set_i(it_fires), .set_at_i(it_ray), .flags_o(moved));
+    .clk_i, .rst_ni, .clear_i(leaves_fires), .clear_at_i(leaves.ray),
+    .set_i(s1_fires), .set_at_i(s1_ray), .flags_o(moved));
 
   rc_bit_select #(.Flags(Contexts)) u_was_moved (
-    .clk_i, .flags_i(moved), .index_i(came.ray), .flag_o(was_moved));
+    .clk_i, .flags_i(moved), .index_i(s0_rsp.ray), .flag_o(was_moved));
 
-  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. A fast
-  // chip reads the ray's state in two cycles, compares in one, and sends in one.
-  logic           end_blocked;
-  logic [T-1:0]   it_t, end_t;
-  logic [A-1:0]   end_base;
-  logic [G-1:0]   group_leaves;
-  logic [W*T-1:0] group_near;
-  logic [W*O-1:0] group_offset;
-  logic [W*C-1:0] group_count;
+  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested.
+  logic                            s2_blocked;
+  logic [TBits-1:0]                s1_t, s2_t;
+  logic [AddrBits-1:0]             s2_base;
+  logic [GroupBits-1:0]            group_leaves;
+  logic [NodeWidth*TBits-1:0]      group_near;
+  logic [NodeWidth*OffsetBits-1:0] group_offset;
+  logic [NodeWidth*CountBits-1:0]  group_count;
 
-  rc_path_register #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
+  rc_path_register #(.Width(SlotBits + CountBits)) u_s1_cursor (
+    .clk_i, .data_i(s0_cursor), .data_o(s1_cursor));
 
-  assign it_t = it_closer ? it_came_t : old_t;
-  assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
+  assign s1_t = s1_closer ? s1_rsp_t : old_t;
+  assign {cursor_leaf, cursor_triangle} = was_moved ? s1_cursor : '0;
 
   rc_pkg::leaf_group_t group;
   logic [GroupW-1:0]   group_flat;
 
-  rc_path_register #(.Width(GroupW)) u_it_group (
-    .clk_i, .data_i(tri_group), .data_o(group_flat));
+  rc_path_register #(.Width(GroupW)) u_s1_group (
+    .clk_i, .data_i(s0_group), .data_o(group_flat));
   assign group        = group_flat;
   assign group_leaves = group.leaves;
   assign group_near   = group.t_near;
   assign group_offset = group.offset;
   assign group_count  = group.count;
 
-  logic [S-1:0] at_next, it_leaf, it_next, end_leaf;
-  logic [C-1:0] leaf_count, end_triangle;
-  logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
-  logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
+  logic [SlotBits-1:0]   at_next, s1_leaf, s1_next, s2_leaf;
+  logic [CountBits-1:0]  leaf_count, s2_triangle;
+  logic                  more_triangles, more_leaves, s2_more_triangles, s2_more_leaves;
+  logic [OffsetBits-1:0] this_offset, next_offset, s2_this_offset, s2_next_offset, s2_offset;
 
   // Whether another leaf follows: computed for both cursors, because the selection is known late.
-  logic [T-1:0] it_near;
-  logic         more_after_it, more_after_first;
+  logic [TBits-1:0] s1_near;
+  logic             more_after_cursor, more_after_first;
 
-  assign it_leaf     = it_cursor[C +: S];
-  assign it_next     = it_leaf + S'(1);
-  assign nears       = {it_near, group_near[T +: T]};
-  assign it_within   = it_closer ? {it_near <= it_came_t, nears[T-1:0] <= it_came_t} : old_within;
+  assign s1_leaf     = s1_cursor[CountBits +: SlotBits];
+  assign s1_next     = s1_leaf + SlotBits'(1);
+  assign nears       = {s1_near, group_near[TBits +: TBits]};
+  assign s1_within   = s1_closer ? {s1_near <= s1_rsp_t, nears[TBits-1:0] <= s1_rsp_t} : old_within;
 
   always_comb begin
     leaf_count  = '0;
     this_offset = '0;
     next_offset = '0;
-    it_near     = '0;
-    for (int i = 0; i < W; i++) begin
-      if (cursor_leaf == S'(i)) leaf_count  = leaf_count | group_count[i*C +: C];
-      if (cursor_leaf == S'(i)) this_offset = this_offset | group_offset[i*O +: O];
-      if (at_next == S'(i))     next_offset = next_offset | group_offset[i*O +: O];
-      if (it_next == S'(i))     it_near     = it_near | group_near[i*T +: T];
+    s1_near     = '0;
+    for (int i = 0; i < NodeWidth; i++) begin
+      if (cursor_leaf == SlotBits'(i)) begin
+        leaf_count  = leaf_count | group_count[i*CountBits +: CountBits];
+        this_offset = this_offset | group_offset[i*OffsetBits +: OffsetBits];
+      end
+      if (at_next == SlotBits'(i))
+        next_offset = next_offset | group_offset[i*OffsetBits +: OffsetBits];
+      if (s1_next == SlotBits'(i)) s1_near = s1_near | group_near[i*TBits +: TBits];
     end
   end
 
-  assign at_next          = cursor_leaf + S'(1);
-  assign more_triangles   = cursor_triangle + C'(1) < leaf_count;
-  assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_within[1];
-  assign more_after_first = group_leaves > G'(1) && it_within[0];
-  assign more_leaves      = was_moved ? more_after_it : more_after_first;
+  assign at_next           = cursor_leaf + SlotBits'(1);
+  assign more_triangles    = cursor_triangle + CountBits'(1) < leaf_count;
+  assign more_after_cursor = {{(GroupBits-SlotBits){1'b0}}, s1_leaf} + GroupBits'(1) < group_leaves
+                           && s1_within[1];
+  assign more_after_first  = group_leaves > GroupBits'(1) && s1_within[0];
+  assign more_leaves       = was_moved ? more_after_cursor : more_after_first;
 
-  rc_path_register #(.Width(I + 3 + T + A + S + C + 2 * O)) u_end (
+  rc_path_register #(.Width(RayBits + 3 + TBits + AddrBits + SlotBits + CountBits + 2 * OffsetBits))
+  u_s2 (
     .clk_i,
-    .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group.base, cursor_leaf,
+    .data_i({s1_ray, s1_blocked, more_triangles, more_leaves, s1_t, group.base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
-    .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
-             end_triangle, end_this_offset, end_next_offset}));
+    .data_o({s2_ray, s2_blocked, s2_more_triangles, s2_more_leaves, s2_t, s2_base, s2_leaf,
+             s2_triangle, s2_this_offset, s2_next_offset}));
 
-  rc_pulse_register u_end_fires (.clk_i, .rst_ni, .fires_i(it_fires), .fires_o(end_fires));
+  rc_pulse_register u_s2_fires (.clk_i, .rst_ni, .fires_i(s1_fires), .fires_o(s2_fires));
 
-  assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + S'(1);
-  assign next_triangle = end_more_triangles ? end_triangle + C'(1) : '0;
-  assign end_offset    = end_more_triangles ? end_this_offset : end_next_offset;
-  assign tri_prim      = (end_more_triangles || end_more_leaves) && !end_blocked;
+  assign next_leaf     = s2_more_triangles ? s2_leaf : s2_leaf + SlotBits'(1);
+  assign next_triangle = s2_more_triangles ? s2_triangle + CountBits'(1) : '0;
+  assign s2_offset     = s2_more_triangles ? s2_this_offset : s2_next_offset;
+  assign tri_prim      = (s2_more_triangles || s2_more_leaves) && !s2_blocked;
 
   // ---- Triangles to fetch.
-  logic         next_valid, next_ready, first_valid, first_ready;
-  logic [I+A:0] next_data, first_data;
-  logic [A:0]   next_addr, first_addr;
+  logic                      next_valid, next_ready, first_valid, first_ready;
+  logic [RayBits+AddrBits:0] next_data, first_data;
+  logic [AddrBits:0]         next_addr, first_addr;
 
-  assign next_addr  = {end_base, 1'b0} + {{(A+1-O){1'b0}}, end_offset}
-      + {{(A+1-C){1'b0}}, next_triangle};
-  assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in.offset[O-1:0]};
+  assign next_addr  = {s2_base, 1'b0} + {{(AddrBits+1-OffsetBits){1'b0}}, s2_offset}
+      + {{(AddrBits+1-CountBits){1'b0}}, next_triangle};
+  assign first_addr = {leaves.base, 1'b0}
+                    + {{(AddrBits+1-OffsetBits){1'b0}}, leaves.offset[OffsetBits-1:0]};
 
-  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_next (
-    .clk_i, .rst_ni, .push_i(end_fires && tri_prim), .data_i({end_ray, next_addr}),
+  rc_queue #(.Width(RayBits + AddrBits + 1), .Depth(Contexts)) u_next (
+    .clk_i, .rst_ni, .push_i(s2_fires && tri_prim), .data_i({s2_ray, next_addr}),
     .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
-  rc_queue #(.Width(I + A + 1), .Depth(Contexts)) u_first (
-    .clk_i, .rst_ni, .push_i(in_fires), .data_i({in.ray, first_addr}),
+  rc_queue #(.Width(RayBits + AddrBits + 1), .Depth(Contexts)) u_first (
+    .clk_i, .rst_ni, .push_i(leaves_fires), .data_i({leaves.ray, first_addr}),
     .valid_o(first_valid), .pop_i(first_valid && first_ready), .data_o(first_data));
 
-  rc_priority_merge #(.Width(I + A + 1)) u_prim (
+  rc_priority_merge #(.Width(RayBits + AddrBits + 1)) u_prim (
     .clk_i, .rst_ni,
     .first_valid_i(next_valid), .first_ready_o(next_ready), .first_i(next_data),
     .second_valid_i(first_valid), .second_ready_o(first_ready), .second_i(first_data),
@@ -292,20 +306,20 @@ module rc_list (
   // ---- Rays whose leaves are tested, back to trav.
   rc_pkg::tested_t ended;
 
-  assign ended.ray    = end_ray;
-  assign ended.t_best = end_t;
+  assign ended.ray    = s2_ray;
+  assign ended.t_best = s2_t;
   if (rc_pkg::Shading != 0) begin : gen_stop   // the first hit of a ray that any hit ends
-    assign ended.stop = end_blocked;
+    assign ended.stop = s2_blocked;
   end
 
   rc_queue #(.Width(rc_pkg::TestedW), .Depth(Contexts)) u_tested (
-    .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i(ended),
+    .clk_i, .rst_ni, .push_i(s2_fires && !tri_prim), .data_i(ended),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i), .data_o(tested_o));
 
   // ---- To tri: the ray, the primitive and the hit to beat.
   localparam int unsigned TriRayW = rc_pkg::TriRayW;
   logic               keep, keeps, tri_found;
-  logic [I-1:0]       keep_ray, keeps_ray;
+  logic [RayBits-1:0] keep_ray, keeps_ray;
   rc_pkg::tri_ray_t   ray_for_tri;   // the record omits members that this chip does not use
   logic [TriRayW-1:0] keeps_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
@@ -360,7 +374,7 @@ module rc_list (
 
   // A fast chip stores the ray one cycle later. Its first primitive comes much later.
   rc_pulse_register u_keeps (.clk_i, .rst_ni, .fires_i(keep), .fires_o(keeps));
-  rc_path_register #(.Width(I + TriRayW)) u_keeps_ray (
+  rc_path_register #(.Width(RayBits + TriRayW)) u_keeps_ray (
     .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
 
   rc_ram_prefetch #(.Width(TriRayW), .Depth(Contexts)) u_ray (
@@ -369,7 +383,7 @@ module rc_list (
     .read_data_o(tri_ray));
 
   rc_ram_prefetch #(.Width(BestW), .Depth(Contexts)) u_best (
-    .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
+    .clk_i, .rst_ni, .write_i(s1_closer), .write_addr_i(s1_ray), .write_data_i(s1_best),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_best));
 
@@ -379,8 +393,8 @@ module rc_list (
   if (rc_pkg::Cut == 0) begin : gen_found_now
     assign tri_found = found[prim_rsp_i.ray];
   end else begin : gen_found_before
-    logic         asked_q, was_found;
-    logic [I-1:0] asked_ray_q;
+    logic               asked_q, was_found;
+    logic [RayBits-1:0] asked_ray_q;
 
     always_ff @(posedge clk_i) begin
       asked_q     <= prim_req_valid_o && prim_req_ready_i;
@@ -434,21 +448,21 @@ module rc_list (
   // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
   // placed far from the other state of a hit.
   logic                kept, is_found;
-  logic [I-1:0]        kept_ray;
-  logic [KeptHitW-1:0] kept_hit, end_hit;
+  logic [RayBits-1:0]  kept_ray;
+  logic [KeptHitW-1:0] kept_hit, done_hit;
   rc_pkg::kept_hit_t   closest_hit;
 
   rc_pulse_register #(.Stages(rc_pkg::FarCut)) u_is_kept (
-    .clk_i, .rst_ni, .fires_i(it_closer), .fires_o(kept));
-  rc_path_register #(.Width(I + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
-    .clk_i, .data_i({it_ray, it_hit}), .data_o({kept_ray, kept_hit}));
+    .clk_i, .rst_ni, .fires_i(s1_closer), .fires_o(kept));
+  rc_path_register #(.Width(RayBits + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
+    .clk_i, .data_i({s1_ray, s1_hit}), .data_o({kept_ray, kept_hit}));
 
   rc_ram_prefetch #(.Width(KeptHitW), .Depth(Contexts)) u_hit (
     .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_hit),
     .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
-    .read_data_o(end_hit));
+    .read_data_o(done_hit));
 
-  assign closest_hit     = is_found ? end_hit : '0;
+  assign closest_hit     = is_found ? done_hit : '0;
   assign closest_o.ray   = done_i.ray;
   assign closest_o.found = is_found;
   assign closest_o.prim  = closest_hit.prim;
@@ -461,18 +475,18 @@ module rc_list (
   end
 
   if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in
-    logic [A-1:0] here, it_here, end_place;
+    logic [AddrBits-1:0] s0_here, s1_here, done_place;
 
-    rc_path_register #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
-    rc_ram #(.Width(A), .Depth(Contexts)) u_here (
+    rc_path_register #(.Width(AddrBits)) u_s1_here (.clk_i, .data_i(s0_here), .data_o(s1_here));
+    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
-      .read_addr_i(came.ray), .read_data_o(here));
-    rc_ram_prefetch #(.Width(A), .Depth(Contexts)) u_place (
-      .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
+      .read_addr_i(s0_rsp.ray), .read_data_o(s0_here));
+    rc_ram_prefetch #(.Width(AddrBits), .Depth(Contexts)) u_place (
+      .clk_i, .rst_ni, .write_i(s1_closer), .write_addr_i(s1_ray), .write_data_i(s1_here),
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
-      .read_data_o(end_place));
+      .read_data_o(done_place));
 
-    assign closest_o.place = is_found ? end_place : '0;
+    assign closest_o.place = is_found ? done_place : '0;
   end
 
   rc_bit_prefetch #(.Flags(Contexts)) u_was_best (
@@ -483,6 +497,6 @@ module rc_list (
   assign done_ready_o    = closest_ready_i;
 
   logic unused;
-  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came};
+  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, s0_rsp};
 endmodule
 `default_nettype wire

@@ -11,41 +11,44 @@
 // short.
 `default_nettype none
 module rc_direction #(
-  parameter  int unsigned G      = rc_pkg::GuardDirBits,   // a sum, with G - DirBits fraction bits
-  localparam int unsigned M      = rc_pkg::DirBits,
-  localparam int unsigned Stages = rc_pkg::DirectionStages
+  // A sum, with GuardSumW - DirBits fraction bits.
+  parameter  int unsigned GuardSumW = rc_pkg::GuardDirBits,
+  localparam int unsigned M         = rc_pkg::DirBits,
+  localparam int unsigned Stages    = rc_pkg::DirectionStages
 ) (
-  input  logic           clk_i,
-  input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a ray, or the chip is fast
-  input  logic [3*G-1:0] sum_i,
-  output logic [3*M-1:0] dir_o
+  input  logic                   clk_i,
+  // enable_i[i]: stage i holds a ray, or the chip is fast
+  input  logic [Stages-1:0]      enable_i,
+  input  logic [3*GuardSumW-1:0] sum_i,
+  output logic [3*M-1:0]         dir_o
 );
   localparam int unsigned Cut    = rc_pkg::Cut;
   localparam int unsigned Most   = rc_pkg::MostShift;
   localparam int unsigned ShiftW = $clog2(Most + 1);
 
   // s0: the bits that differ from the sign in any component, and the free bits above them.
-  logic [3*G-1:0] s0_sum;
+  logic [3*GuardSumW-1:0] s0_sum;
 
-  rc_path_register #(.Width(3 * G)) u_sum (.clk_i, .data_i(sum_i), .data_o(s0_sum));
+  rc_path_register #(.Width(3 * GuardSumW)) u_sum (.clk_i, .data_i(sum_i), .data_o(s0_sum));
 
-  logic [G-2:0]      s0_used;
-  logic [ShiftW-1:0] s0_shift;
+  logic [GuardSumW-2:0] s0_used;
+  logic [ShiftW-1:0]    s0_shift;
 
   always_comb begin
     s0_used = '0;
     for (int k = 0; k < 3; k++) begin
-      s0_used = s0_used | (s0_sum[k*G +: G-1] ^ {(G-1){s0_sum[k*G+G-1]}});
+      s0_used = s0_used | (s0_sum[k*GuardSumW +: GuardSumW-1]
+                           ^ {(GuardSumW-1){s0_sum[k*GuardSumW+GuardSumW-1]}});
     end
     s0_shift = ShiftW'(Most);
-    for (int i = Most - 1; i >= 0; i--) if (s0_used[G-2-i]) s0_shift = ShiftW'(i);
+    for (int i = Most - 1; i >= 0; i--) if (s0_used[GuardSumW-2-i]) s0_shift = ShiftW'(i);
   end
 
-  logic [3*G-1:0]    s1_sum_q;
-  logic [ShiftW-1:0] s1_shift_q;
+  logic [3*GuardSumW-1:0] s1_sum_q;
+  logic [ShiftW-1:0]      s1_shift_q;
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[Cut]) begin
+    if (enable_i[Cut]) begin
       s1_sum_q   <= s0_sum;
       s1_shift_q <= s0_shift;
     end
@@ -53,17 +56,17 @@ module rc_direction #(
 
   // s1: the shift, then the rounding, Q(M).0.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic [G-1:0] s1_moved;
-    logic [M-1:0] s1_whole, whole, rounded;
-    logic         s1_up, up;
+    logic [GuardSumW-1:0] s1_moved;
+    logic [M-1:0]         s1_whole, whole, rounded;
+    logic                 s1_up, up;
 
-    assign s1_moved = s1_sum_q[k*G +: G] << s1_shift_q;
-    assign s1_whole = s1_moved[G-1 -: M];
+    assign s1_moved = s1_sum_q[k*GuardSumW +: GuardSumW] << s1_shift_q;
+    assign s1_whole = s1_moved[GuardSumW-1 -: M];
 
     if (rc_pkg::Levels == 1) begin : gen_nearest
-      assign s1_up = s1_moved[G-M-1];
+      assign s1_up = s1_moved[GuardSumW-M-1];
     end else begin : gen_with_opposite   // the least number has no opposite, and a mirror needs it
-      assign s1_up = s1_moved[G-M-1] || s1_whole == {1'b1, {(M-1){1'b0}}};
+      assign s1_up = s1_moved[GuardSumW-M-1] || s1_whole == {1'b1, {(M-1){1'b0}}};
     end
 
     rc_path_register #(.Width(M + 1)) u_whole (
@@ -73,10 +76,10 @@ module rc_direction #(
     assign dir_o[k*M +: M] = !whole[M-1] && rounded[M-1] ? whole : rounded;
 
     logic unused;
-    assign unused = ^s1_moved[G-M-2:0];
+    assign unused = ^s1_moved[GuardSumW-M-2:0];
   end
 
   logic unused;
-  assign unused = ^valid_i;
+  assign unused = ^enable_i;
 endmodule
 `default_nettype wire

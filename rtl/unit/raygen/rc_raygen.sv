@@ -26,19 +26,19 @@ module rc_raygen (
   output rc_pkg::ray_t   ray_o,
   output logic           occupied_o      // begins no ray: the last one is in division
 );
-  localparam int unsigned M       = rc_pkg::DirBits;
-  localparam int unsigned RD      = rc_pkg::RayDirBits;
-  localparam int unsigned R1      = rc_pkg::RecipBits + 1;
-  localparam int unsigned P       = rc_pkg::PixelBits;
-  localparam int unsigned E       = rc_pkg::ExpBits;
-  localparam int unsigned I       = rc_pkg::RayBits;
-  localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? rc_pkg::SampleStages : 0;
-  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? rc_pkg::SubPixelBits : 0;
-  localparam int unsigned Q       = P + 1 + SubBits;   // position, signed
-  localparam int unsigned GD      = rc_pkg::GuardDirBits;
-  localparam int unsigned G       = GD + SubBits;
-  localparam int unsigned RecipL  = rc_pkg::RecipStages;
+  localparam int unsigned M            = rc_pkg::DirBits;
+  localparam int unsigned RayDirBits   = rc_pkg::RayDirBits;
+  localparam int unsigned R1           = rc_pkg::RecipBits + 1;
+  localparam int unsigned PixelBits    = rc_pkg::PixelBits;
+  localparam int unsigned ExpBits      = rc_pkg::ExpBits;
+  localparam int unsigned RayBits      = rc_pkg::RayBits;
+  localparam int unsigned Every        = rc_pkg::RaygenInterval;
+  localparam int unsigned SampleL      = rc_pkg::Supersampling != 0 ? rc_pkg::SampleStages : 0;
+  localparam int unsigned SubBits      = rc_pkg::Supersampling != 0 ? rc_pkg::SubPixelBits : 0;
+  localparam int unsigned PositionW    = PixelBits + 1 + SubBits;   // position, signed
+  localparam int unsigned GuardDirBits = rc_pkg::GuardDirBits;
+  localparam int unsigned GuardSumW    = GuardDirBits + SubBits;
+  localparam int unsigned RecipL       = rc_pkg::RecipStages;
 
   // Stages that hold the pixel's steps, and the ray's direction.
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
@@ -96,47 +96,47 @@ module rc_raygen (
     assign occupied_o = 1'b0;
   end
 
-  // moves[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
-  logic [Latency:0] moves;
+  // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
+  logic [Latency:0] enable;
 
-  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
 
-  logic [I-1:0] end_ray;
+  logic [RayBits-1:0] end_ray;
 
-  rc_interval_delay #(.Width(I), .Stages(Latency), .Every(Every)) u_ray (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+  rc_interval_delay #(.Width(RayBits), .Stages(Latency), .Every(Every)) u_ray (
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
     .data_i(req.ray), .data_o(end_ray));
 
   // Position in the picture, in pixels with SubBits of fraction, at the start of stage SampleL.
-  logic [rc_pkg::FrameW-1:0] frame_flat;
-  logic signed [Q-1:0]       x, y;
+  logic [rc_pkg::FrameW-1:0]   frame_flat;
+  logic signed [PositionW-1:0] x, y;
 
   assign frame_flat = frame_i;
 
   if (rc_pkg::Supersampling != 0) begin : gen_sample
     logic signed [SubBits-1:0] offset_x, offset_y;
-    logic [P-1:0]              wait_x, wait_y;
+    logic [PixelBits-1:0]      wait_x, wait_y;
 
     rc_sample u_sample (
-      .clk_i, .valid_i(moves[SampleL-1:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
+      .clk_i, .enable_i(enable[SampleL-1:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
       .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
       .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
 
-    rc_shift_register #(.Width(2 * P), .Stages(SampleL)) u_pixel (
-      .clk_i, .valid_i(moves[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
+    rc_shift_register #(.Width(2 * PixelBits), .Stages(SampleL)) u_pixel (
+      .clk_i, .enable_i(enable[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
 
-    assign x = $signed({1'b0, wait_x, {SubBits{1'b0}}}) + Q'(offset_x);
-    assign y = $signed({1'b0, wait_y, {SubBits{1'b0}}}) + Q'(offset_y);
+    assign x = $signed({1'b0, wait_x, {SubBits{1'b0}}}) + PositionW'(offset_x);
+    assign y = $signed({1'b0, wait_y, {SubBits{1'b0}}}) + PositionW'(offset_y);
   end else begin : gen_middle
     assign x = $signed({1'b0, req.x});
     assign y = $signed({1'b0, req.y});
   end
 
   // Camera vectors.
-  logic [3*R1-1:0] recip;
-  logic [3*E-1:0]  len;
-  logic [3*GD-1:0] corner, right, down;
+  logic [3*R1-1:0]           recip;
+  logic [3*ExpBits-1:0]      len;
+  logic [3*GuardDirBits-1:0] corner, right, down;
   logic [3*rc_pkg::CoordBits-1:0] eye;
 
   if (rc_pkg::Streams == 0) begin : gen_camera_vectors   // tools also parse a chip for streams
@@ -149,109 +149,112 @@ module rc_raygen (
   end
 
   // Axes: direction and reciprocal.
-  logic [3*G-1:0]  sum;
-  logic [3*M-1:0]  made_dir;
-  logic [3*RD-1:0] new_dir, dir_q, end_dir;
-  logic            is_short;
+  logic [3*GuardSumW-1:0]  sum;
+  logic [3*M-1:0]          made_dir;
+  logic [3*RayDirBits-1:0] new_dir, dir_q, end_dir;
+  logic                    is_short;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    // Pixel steps, modulo 2^G, because only the sum is sure to fit. Of the multiplier's sums the
-    // last one is in a register that a relaxed chip has as well.
-    logic signed [GD+Q-1:0] right_wide, down_wide;
-    logic signed [G-1:0]    s1_right_q, s1_down_q, s1_corner;
+    // Pixel steps, modulo 2^GuardSumW, because only the sum is sure to fit. Of the multiplier's
+    // sums the last one is in a register that a relaxed chip has as well.
+    logic signed [GuardDirBits+PositionW-1:0] right_wide, down_wide;
+    logic signed [GuardSumW-1:0]              s1_right_q, s1_down_q, s1_corner;
 
-    rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_right (
-      .clk_i, .a_i($signed(right[k*GD +: GD])), .b_i(x), .p_o(right_wide));
-    rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_down (
-      .clk_i, .a_i($signed(down[k*GD +: GD])), .b_i(y), .p_o(down_wide));
+    rc_mul #(.AW(GuardDirBits), .BW(PositionW), .Stages(rc_pkg::PixelStages - 1)) u_right (
+      .clk_i, .a_i($signed(right[k*GuardDirBits +: GuardDirBits])), .b_i(x), .p_o(right_wide));
+    rc_mul #(.AW(GuardDirBits), .BW(PositionW), .Stages(rc_pkg::PixelStages - 1)) u_down (
+      .clk_i, .a_i($signed(down[k*GuardDirBits +: GuardDirBits])), .b_i(y), .p_o(down_wide));
 
     always_ff @(posedge clk_i) begin
-      if (moves[Step-1]) begin
-        s1_right_q <= right_wide[G-1:0];
-        s1_down_q  <= down_wide[G-1:0];
+      if (enable[Step-1]) begin
+        s1_right_q <= right_wide[GuardSumW-1:0];
+        s1_down_q  <= down_wide[GuardSumW-1:0];
       end
     end
 
     // Their sum with the corner. rc_direction makes the direction from all three axes.
-    assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
+    assign s1_corner = GuardSumW'($signed(corner[k*GuardDirBits +: GuardDirBits])) <<< SubBits;
     // In a simulation, a sum without a ray costs no work.
     logic asks;
 `ifdef SYNTHESIS
     assign asks = 1'b1;
 `else
-    assign asks = moves[Step];
+    assign asks = enable[Step];
 `endif
 
-    assign sum[k*G +: G] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
+    assign sum[k*GuardSumW +: GuardSumW] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
 
-    logic [R1+E-1:0] made;
+    logic [R1+ExpBits-1:0] made;
     rc_recip #(.Every(Every)) u_recip (
-      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : moves[Dir]), .short_i(is_short),
-      .d_i($signed(dir_q[k*RD +: RD])),
-      .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
+      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : enable[Dir]), .short_i(is_short),
+      .d_i($signed(dir_q[k*RayDirBits +: RayDirBits])),
+      .recip_o(made[R1-1:0]), .len_o(made[R1+ExpBits-1:R1]));
 
     if (Latency - Dir == RecipL) begin : gen_last
-      assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
+      assign {len[k*ExpBits +: ExpBits], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
-      rc_shift_register #(.Width(R1 + E), .Stages(Latency - Dir - RecipL)) u_made (
-        .clk_i, .valid_i(moves[Latency-1:Dir+RecipL]), .data_i(made),
-        .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
+      rc_shift_register #(.Width(R1 + ExpBits), .Stages(Latency - Dir - RecipL)) u_made (
+        .clk_i, .enable_i(enable[Latency-1:Dir+RecipL]), .data_i(made),
+        .data_o({len[k*ExpBits +: ExpBits], recip[k*R1 +: R1]}));
     end
 
     logic unused;
     assign unused = ^{right_wide, down_wide};
   end
 
-  rc_direction #(.G(G)) u_direction (
-    .clk_i, .valid_i(moves[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
+  rc_direction #(.GuardSumW(GuardSumW)) u_direction (
+    .clk_i, .enable_i(enable[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin are delayed to match the reciprocals.
-  localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
+  localparam int unsigned HeadW = rc_pkg::RayW - RayBits - 3 * (RayDirBits + R1 + ExpBits);
   logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
 
-  always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
+  always_ff @(posedge clk_i) if (enable[Dir-1]) dir_q <= new_dir;
 
-  rc_interval_delay #(.Width(3 * RD), .Stages(Latency - Dir), .Every(Every)) u_dir (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+  rc_interval_delay #(.Width(3 * RayDirBits), .Stages(Latency - Dir), .Every(Every)) u_dir (
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
   if (rc_pkg::Shading != 0) begin : gen_given
-    localparam int unsigned OW = rc_pkg::OriginWidth;
-    localparam int unsigned N  = rc_pkg::CoordBits;
-    logic [1:0]      kind, dir_kind_q, end_kind;
-    logic [3*OW-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
-    logic [3*RD-1:0] given_d;
-    logic            is_camera;
+    localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
+    localparam int unsigned N           = rc_pkg::CoordBits;
+    logic [1:0]               kind, dir_kind_q, end_kind;
+    logic [3*OriginWidth-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
+    logic [3*RayDirBits-1:0]  given_d;
+    logic                     is_camera;
 
     // The ray of a new pixel has neither field: it may carry those of a waiting ray, which costs no
     // gates.
-    rc_interval_delay #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1), .Every(Every)) u_given (
-      .clk_i, .rst_ni, .valid_i(moves[Dir-2:0]), .there_i(valid[Dir-2:0]),
+    rc_interval_delay #(.Width(2 + 3 * (OriginWidth + RayDirBits)), .Stages(Dir - 1), .Every(Every))
+    u_given (
+      .clk_i, .rst_ni, .enable_i(enable[Dir-2:0]), .valid_i(valid[Dir-2:0]),
       .data_i({req.kind, spawn_i.o, spawn_i.d}),
       .data_o({kind, given_o, given_d}));
 
     assign is_camera = kind == rc_pkg::RayCamera;
 
     for (genvar k = 0; k < 3; k++) begin : gen_eye
-      assign new_dir[k*RD +: RD] = is_camera ? RD'($signed(made_dir[k*M +: M]))
-                                             : given_d[k*RD +: RD];
-      assign camera_o[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
+      assign new_dir[k*RayDirBits +: RayDirBits] = is_camera
+                                                 ? RayDirBits'($signed(made_dir[k*M +: M]))
+                                                 : given_d[k*RayDirBits +: RayDirBits];
+      assign camera_o[k*OriginWidth +: OriginWidth] = {eye[k*N +: N], {(OriginWidth-N){1'b0}}};
     end
 
     assign new_o = is_camera ? camera_o : given_o;
-    always_ff @(posedge clk_i) if (moves[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
+    always_ff @(posedge clk_i) if (enable[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
 
-    rc_interval_delay #(.Width(2 + 3 * OW), .Stages(Latency - Dir), .Every(Every)) u_head (
-      .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+    rc_interval_delay #(.Width(2 + 3 * OriginWidth), .Stages(Latency - Dir), .Every(Every)) u_head (
+      .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
       .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
 
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
 
     // The fields that select the primitives that the ray tests stay as they came.
-    localparam int unsigned TagW = HeadW - 2 - 3 * OW;
+    localparam int unsigned TagW = HeadW - 2 - 3 * OriginWidth;
     if (TagW != 0) begin : gen_tag
-      localparam int unsigned HomeW = rc_pkg::Homes == 1 ? rc_pkg::AddrBits + 3 * (OW + RD) : 0;
+      localparam int unsigned HomeW = rc_pkg::Homes == 1
+                                    ? rc_pkg::AddrBits + 3 * (OriginWidth + RayDirBits) : 0;
       logic [TagW-1:0] req_tag, asks, home, end_tag;
 
       assign req_tag = asks << HomeW | home;
@@ -273,7 +276,7 @@ module rc_raygen (
       end
 
       rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
-        .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+        .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
         .data_i(req_tag), .data_o(end_tag));
 
       assign end_head = {end_kind, end_tag, end_o};
@@ -292,13 +295,13 @@ module rc_raygen (
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear;
 
-      rc_slope u_slope (.clk_i, .valid_i(moves[Dir]), .d_i(dir_q), .shear_o(made));
+      rc_slope u_slope (.clk_i, .enable_i(enable[Dir]), .d_i(dir_q), .shear_o(made));
 
       if (Latency - Dir == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
         rc_shift_register #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
-          .clk_i, .valid_i(moves[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
+          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
       end
       assign end_head = {shear, eye};
     end else begin : gen_plain
@@ -324,6 +327,6 @@ module rc_raygen (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, frame_flat, req, valid[Latency], moves[Latency]};
+  assign unused = ^{queue_ready, frame_flat, req, valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

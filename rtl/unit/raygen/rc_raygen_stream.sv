@@ -17,12 +17,12 @@ module rc_raygen_stream (
   output rc_pkg::ray_t    ray_o,
   output logic            occupied_o      // begins no ray: the last one is in division
 );
-  localparam int unsigned D       = rc_pkg::RayDirBits;
-  localparam int unsigned R1      = rc_pkg::RecipBits + 1;
-  localparam int unsigned E       = rc_pkg::ExpBits;
-  localparam int unsigned Latency = rc_pkg::RaygenLatency;
-  localparam int unsigned Every   = rc_pkg::RaygenInterval;
-  localparam int unsigned RecordW = rc_pkg::RecordW;
+  localparam int unsigned RayDirBits = rc_pkg::RayDirBits;
+  localparam int unsigned R1         = rc_pkg::RecipBits + 1;
+  localparam int unsigned ExpBits    = rc_pkg::ExpBits;
+  localparam int unsigned Latency    = rc_pkg::RaygenLatency;
+  localparam int unsigned Every      = rc_pkg::RaygenInterval;
+  localparam int unsigned RecordW    = rc_pkg::RecordW;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a ray.
   logic               admit;
@@ -47,39 +47,39 @@ module rc_raygen_stream (
 
   // s0: the record comes from the cache's queue. In a fast chip a stage accepts unconditionally, as
   // in rc_raygen.
-  logic [Latency:0] moves;
+  logic [Latency:0] enable;
   rc_pkg::record_t  s1_q;
 
-  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
-  always_ff @(posedge clk_i) if (moves[0]) s1_q <= record_i;
+  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  always_ff @(posedge clk_i) if (enable[0]) s1_q <= record_i;
 
   // s1: reciprocals of the direction.
-  logic [3*D-1:0]  s1_d;
-  logic [3*R1-1:0] recip;
-  logic [3*E-1:0]  len;
-  logic            s1_short;
+  logic [3*RayDirBits-1:0] s1_d;
+  logic [3*R1-1:0]         recip;
+  logic [3*ExpBits-1:0]    len;
+  logic                    s1_short;
 
   assign s1_d     = s1_q.d;
   assign s1_short = s1_q.kind != rc_pkg::RayShadow;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_recip #(.Every(Every)) u_recip (
-      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[1] : moves[1]), .short_i(s1_short),
-      .d_i($signed(s1_d[k*D +: D])),
-      .recip_o(recip[k*R1 +: R1]), .len_o(len[k*E +: E]));
+      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[1] : enable[1]), .short_i(s1_short),
+      .d_i($signed(s1_d[k*RayDirBits +: RayDirBits])),
+      .recip_o(recip[k*R1 +: R1]), .len_o(len[k*ExpBits +: ExpBits]));
   end
 
   // The record is delayed to match them.
   logic [RecordW-1:0] end_record;
 
   rc_interval_delay #(.Width(RecordW), .Stages(Latency - 1), .Every(Every)) u_record (
-    .clk_i, .rst_ni, .valid_i(moves[Latency-1:1]), .there_i(valid[Latency-1:1]),
+    .clk_i, .rst_ni, .enable_i(enable[Latency-1:1]), .valid_i(valid[Latency-1:1]),
     .data_i(s1_q), .data_o(end_record));
 
   // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
   // without a home: with two levels no recorded ray starts from an instance.
   localparam int unsigned HomeW =
-      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * E : 0;
+      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * ExpBits : 0;
 
   rc_pkg::record_t         last;
   logic                    queue_ready;
@@ -106,6 +106,6 @@ module rc_raygen_stream (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[Latency], moves[Latency]};
+  assign unused = ^{queue_ready, valid[Latency], enable[Latency]};
 endmodule
 `default_nettype wire

@@ -4,27 +4,27 @@
 // middle. With jitter a hash of seed, pixel and sample gives its place in the cell. The hash is
 // Jenkins's one at a time (1997), over the words x, y and s.
 //
-// Latency rc_pkg::SampleStages, throughput 1 per cycle, no stall; stage i works when valid_i[i] is
+// Latency rc_pkg::SampleStages, throughput 1 per cycle, no stall; stage i works when enable_i[i] is
 // set. Model: sample_offset() in model/scene/whitted.cpp. The host ensures that side is in 1..8,
 // stride at most side, and s below side^2.
 `default_nettype none
 module rc_sample #(
-  localparam int unsigned P       = rc_pkg::PixelBits,
-  localparam int unsigned S       = rc_pkg::SampleBits,
-  localparam int unsigned Stages  = rc_pkg::SampleStages,
-  localparam int unsigned SubBits = rc_pkg::SubPixelBits
+  localparam int unsigned PixelBits  = rc_pkg::PixelBits,
+  localparam int unsigned SampleBits = rc_pkg::SampleBits,
+  localparam int unsigned Stages     = rc_pkg::SampleStages,
+  localparam int unsigned SubBits    = rc_pkg::SubPixelBits
 ) (
-  input  logic              clk_i,
-  input  logic [Stages-1:0] valid_i,
+  input  logic                  clk_i,
+  input  logic [Stages-1:0]     enable_i,
   // From the frame
-  input  logic [3:0]        side_i,
-  input  logic [S-1:0]      stride_i,
-  input  logic              jitter_i,
-  input  logic [31:0]       seed_i,
+  input  logic [3:0]            side_i,
+  input  logic [SampleBits-1:0] stride_i,
+  input  logic                  jitter_i,
+  input  logic [31:0]           seed_i,
   // Sample
-  input  logic [P-1:0]      x_i,
-  input  logic [P-1:0]      y_i,
-  input  logic [S-1:0]      sample_i,
+  input  logic [PixelBits-1:0]  x_i,
+  input  logic [PixelBits-1:0]  y_i,
+  input  logic [SampleBits-1:0] sample_i,
   // Position
   output logic signed [SubBits-1:0] x_o,   // right
   output logic signed [SubBits-1:0] y_o    // down
@@ -42,29 +42,29 @@ module rc_sample #(
   endfunction
 
   // One step of s * stride mod side^2, from the top bit of s on.
-  logic [S:0] cells;
-  assign cells = (S+1)'(side_i) * (S+1)'(side_i);
+  logic [SampleBits:0] cells;
+  assign cells = (SampleBits+1)'(side_i) * (SampleBits+1)'(side_i);
 
-  function automatic logic [S-1:0] take(input logic [S-1:0] at, input logic more,
-      input logic [S-1:0] stride, input logic [S:0] all);
-    logic [S+1:0] far, once;
+  function automatic logic [SampleBits-1:0] take(input logic [SampleBits-1:0] at, input logic more,
+      input logic [SampleBits-1:0] stride, input logic [SampleBits:0] all);
+    logic [SampleBits+1:0] far, once;
     far  = {1'b0, at, 1'b0} + (more ? {2'b00, stride} : '0);
     once = far >= {1'b0, all} ? far - {1'b0, all} : far;
-    take = once >= {1'b0, all} ? S'(once - {1'b0, all}) : S'(once);
+    take = once >= {1'b0, all} ? SampleBits'(once - {1'b0, all}) : SampleBits'(once);
   endfunction
 
   // s1, s2: x and y, and three bits of s each. s3: s, the last mix, the cell's column and row.
-  logic [31:0]  s1_hash_q, s2_hash_q, s2_last, s2_turned;
-  logic [15:0]  s3_hash_q;
-  logic [P-1:0] s1_y_q;
-  logic [S-1:0] s0_at, s1_at, s1_at_q, s2_at_q, s1_sample_q, s2_sample_q;
-  logic [2:0]   s3_column_q, s3_row_q;
+  logic [31:0]           s1_hash_q, s2_hash_q, s2_last, s2_turned;
+  logic [15:0]           s3_hash_q;
+  logic [PixelBits-1:0]  s1_y_q;
+  logic [SampleBits-1:0] s0_at, s1_at, s1_at_q, s2_at_q, s1_sample_q, s2_sample_q;
+  logic [2:0]            s3_column_q, s3_row_q;
 
   always_comb begin
     s0_at = '0;
     s1_at = s1_at_q;
-    for (int i = S - 1; i >= 0; i--) begin
-      if (i >= S / 2) s0_at = take(s0_at, sample_i[i], stride_i, cells);
+    for (int i = SampleBits - 1; i >= 0; i--) begin
+      if (i >= SampleBits / 2) s0_at = take(s0_at, sample_i[i], stride_i, cells);
       else            s1_at = take(s1_at, s1_sample_q[i], stride_i, cells);
     end
   end
@@ -72,33 +72,33 @@ module rc_sample #(
   assign s2_last   = mix(s2_hash_q, 32'(s2_sample_q));
   assign s2_turned = s2_last + (s2_last << 3);
 
-  logic [S-1:0] s2_rest;
-  logic [2:0]   s2_row;
+  logic [SampleBits-1:0] s2_rest;
+  logic [2:0]            s2_row;
 
   always_comb begin
     s2_rest = s2_at_q;
     s2_row  = '0;
     for (int i = 2; i >= 0; i--) begin
-      if (s2_rest >= S'(side_i) << i) begin
-        s2_rest   = s2_rest - (S'(side_i) << i);
+      if (s2_rest >= SampleBits'(side_i) << i) begin
+        s2_rest   = s2_rest - (SampleBits'(side_i) << i);
         s2_row[i] = 1'b1;
       end
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) begin
+    if (enable_i[0]) begin
       s1_hash_q   <= mix(seed_i, 32'(x_i));
       s1_y_q      <= y_i;
       s1_sample_q <= sample_i;
       s1_at_q     <= s0_at;
     end
-    if (valid_i[1]) begin
+    if (enable_i[1]) begin
       s2_hash_q   <= mix(s1_hash_q, 32'(s1_y_q));
       s2_sample_q <= s1_sample_q;
       s2_at_q     <= s1_at;
     end
-    if (valid_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
+    if (enable_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
       s3_hash_q   <= s2_turned[15:0] ^ s2_turned[26:11]
                      ^ {s2_turned[0] ^ s2_turned[11], 15'd0};
       s3_column_q <= s2_rest[2:0];
@@ -124,14 +124,14 @@ module rc_sample #(
   assign s3_over_y = 26'({s3_row_q, s3_down}) * 26'(share);
 
   always_ff @(posedge clk_i) begin
-    if (valid_i[3]) begin
+    if (enable_i[3]) begin
       x_o <= {~s3_over_x[21], s3_over_x[20:14]};
       y_o <= {~s3_over_y[21], s3_over_y[20:14]};
     end
   end
 
   logic unused;
-  assign unused = ^{s2_rest[S-1:3], s2_turned[31:27], s3_over_x[25:22], s3_over_x[13:0],
+  assign unused = ^{s2_rest[SampleBits-1:3], s2_turned[31:27], s3_over_x[25:22], s3_over_x[13:0],
       s3_over_y[25:22], s3_over_y[13:0]};
 endmodule
 `default_nettype wire

@@ -12,7 +12,7 @@ module rc_slope #(
   localparam int unsigned M = rc_pkg::DirBits
 ) (
   input  logic           clk_i,
-  input  logic           valid_i,
+  input  logic           enable_i,
   input  logic [3*M-1:0] d_i,
   output logic [3*M+2:0] shear_o
 );
@@ -45,13 +45,13 @@ module rc_slope #(
   end
 
   // s1: a slope of 0 or 1 in magnitude needs no division.
-  logic         s1_valid_q, s1_x_one_q, s1_y_one_q, s1_x_neg_q, s1_y_neg_q, s1_z_neg_q;
+  logic         s1_enable_q, s1_x_one_q, s1_y_one_q, s1_x_neg_q, s1_y_neg_q, s1_z_neg_q;
   logic [1:0]   s1_axis_q;
   logic [M-1:0] s1_x_q, s1_y_q, s1_z_q;
 
   always_ff @(posedge clk_i) begin
-    s1_valid_q <= valid_i;
-    if (valid_i) begin
+    s1_enable_q <= enable_i;
+    if (enable_i) begin
       s1_x_q     <= s0_x == s0_z ? '0 : s0_x;
       s1_y_q     <= s0_y == s0_z ? '0 : s0_y;
       s1_z_q     <= s0_z;
@@ -69,22 +69,22 @@ module rc_slope #(
   logic                x_inexact, y_inexact;
 
   rc_divide #(.Width(M), .Stages(Stages)) u_x (
-    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_x_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
+    .clk_i, .valid_i(s1_enable_q), .rem_i(s1_x_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
     .quo_o(x_quo), .inexact_o(x_inexact));
   rc_divide #(.Width(M), .Stages(Stages)) u_y (
-    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_y_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
+    .clk_i, .valid_i(s1_enable_q), .rem_i(s1_y_q), .low_i((2*Stages)'(0)), .den_i(s1_z_q),
     .quo_o(y_quo), .inexact_o(y_inexact));
 
   // The other fields are delayed to match the dividers.
-  logic [Stages-1:0] wait_valid_q;
+  logic [Stages-1:0] wait_enable_q;
   logic              x_one, y_one, x_neg, y_neg, z_neg;
   logic [1:0]        axis;
   logic [M-1:0]      z;
 
-  always_ff @(posedge clk_i) wait_valid_q <= {wait_valid_q[Stages-2:0], s1_valid_q};
+  always_ff @(posedge clk_i) wait_enable_q <= {wait_enable_q[Stages-2:0], s1_enable_q};
 
   rc_shift_register #(.Width(M + 7), .Stages(Stages)) u_wait (
-    .clk_i, .valid_i({wait_valid_q[Stages-2:0], s1_valid_q}),
+    .clk_i, .enable_i({wait_enable_q[Stages-2:0], s1_enable_q}),
     .data_i({s1_x_one_q, s1_y_one_q, s1_x_neg_q, s1_y_neg_q, s1_z_neg_q, s1_axis_q, s1_z_q}),
     .data_o({x_one, y_one, x_neg, y_neg, z_neg, axis, z}));
 
@@ -96,6 +96,6 @@ module rc_slope #(
   assign shear_o = {axis, z_neg, z, y_neg ? -y_size : y_size, x_neg ? -x_size : x_size};
 
   logic unused;
-  assign unused = ^{x_inexact, y_inexact, x_quo[0], y_quo[0], wait_valid_q[Stages-1]};
+  assign unused = ^{x_inexact, y_inexact, x_quo[0], y_quo[0], wait_enable_q[Stages-1]};
 endmodule
 `default_nettype wire

@@ -18,42 +18,43 @@ module rc_dispatch (
   // What it did: rc_pkg::dispatch_cause_e
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  localparam int unsigned P  = rc_pkg::Pipelines;
-  localparam int unsigned PB = P < 2 ? 1 : $clog2(P);
-  localparam int unsigned C  = rc_pkg::TileCoordBits;
-  localparam int unsigned S  = rc_pkg::PixelBits + 1;  // side of a picture
+  localparam int unsigned Pipelines     = rc_pkg::Pipelines;
+  localparam int unsigned PipelineIdW   = Pipelines < 2 ? 1 : $clog2(Pipelines);
+  localparam int unsigned TileCoordBits = rc_pkg::TileCoordBits;
+  localparam int unsigned SideW         = rc_pkg::PixelBits + 1;  // side of a picture
 
   // Next tile, and the next pipeline in turn.
-  logic [C-1:0]  x_q, y_q;
-  logic          more_q;
-  logic [PB-1:0] next_q;  // the pipeline that is first in turn
+  logic [TileCoordBits-1:0] x_q, y_q;
+  logic                     more_q;
+  logic [PipelineIdW-1:0]   next_q;  // the pipeline that is first in turn
 
   // Pipeline that gets the tile: the last assignment wins, so the first in turn is tested last.
-  logic          give;
-  logic [PB-1:0] to;
+  logic                   give;
+  logic [PipelineIdW-1:0] to;
 
   always_comb begin
     to = next_q;
-    for (int i = P - 1; i >= 0; i--) begin
-      if (want_i[PB'(next_q + PB'(i))]) to = PB'(next_q + PB'(i));
+    for (int i = Pipelines - 1; i >= 0; i--) begin
+      if (want_i[PipelineIdW'(next_q + PipelineIdW'(i))])
+        to = PipelineIdW'(next_q + PipelineIdW'(i));
     end
   end
 
   assign give         = more_q && want_i != '0;
-  assign tile_fires_o = {{(P-1){1'b0}}, give} << to;
+  assign tile_fires_o = {{(Pipelines-1){1'b0}}, give} << to;
   assign tile_o       = {x_q, y_q};
   assign cause_o      = give ? rc_pkg::DispatchBusyWork
                       : more_q ? rc_pkg::DispatchStalledSched : rc_pkg::DispatchStarvedFrame;
 
   // Position of the next tile.
-  logic [C:0] x_after, y_after;
-  logic       last_x, last;
+  logic [TileCoordBits:0] x_after, y_after;
+  logic                   last_x, last;
 
   assign x_after = {1'b0, x_q} + 1'b1;
   assign y_after = {1'b0, y_q} + 1'b1;
 
   if (rc_pkg::Streams != 0) begin : gen_rays   // {y_q, x_q} counts groups of 4^TileBits rays
-    logic [2*C:0] after;
+    logic [2*TileCoordBits:0] after;
 
     assign after  = {1'b0, y_q, x_q} + 1'b1;
     assign last_x = x_q == '1;
@@ -62,8 +63,8 @@ module rc_dispatch (
   end else begin : gen_picture
     logic last_y;
 
-    assign last_x = S'(x_after) << rc_pkg::TileBits >= frame_i.width;
-    assign last_y = S'(y_after) << rc_pkg::TileBits >= frame_i.height;
+    assign last_x = SideW'(x_after) << rc_pkg::TileBits >= frame_i.width;
+    assign last_y = SideW'(y_after) << rc_pkg::TileBits >= frame_i.height;
     assign last   = last_x && last_y;
   end
 
@@ -74,15 +75,15 @@ module rc_dispatch (
     end else if (start_i) begin
       more_q <= 1'b1;
     end else if (give) begin
-      next_q <= (to + 1'b1) & PB'(P - 1);
+      next_q <= (to + 1'b1) & PipelineIdW'(Pipelines - 1);
       more_q <= !last;
     end
     if (start_i) begin
       x_q <= '0;
       y_q <= '0;
     end else if (give) begin
-      x_q <= last_x ? '0 : x_after[C-1:0];
-      if (last_x) y_q <= y_after[C-1:0];
+      x_q <= last_x ? '0 : x_after[TileCoordBits-1:0];
+      if (last_x) y_q <= y_after[TileCoordBits-1:0];
     end
   end
 

@@ -34,46 +34,46 @@ module rc_sched (
   // What it did: rc_pkg::sched_cause_e
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned P        = rc_pkg::PixelBits;
-  localparam int unsigned Contexts = rc_pkg::Contexts;
-  localparam int unsigned K        = rc_pkg::TileBits;
-  localparam int unsigned AW       = K == 0 ? 1 : 2 * K;
+  localparam int unsigned RayBits   = rc_pkg::RayBits;
+  localparam int unsigned PixelBits = rc_pkg::PixelBits;
+  localparam int unsigned Contexts  = rc_pkg::Contexts;
+  localparam int unsigned TileBits  = rc_pkg::TileBits;
+  localparam int unsigned InTileW   = TileBits == 0 ? 1 : 2 * TileBits;
   localparam logic [rc_pkg::CauseBits-1:0] Stalled =
       rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream : rc_pkg::SchedStalledRaygen;
 
   // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
   // The tile's position relative to the picture, inside or on the edge, is computed when the tile
   // comes. The pixel's position is computed one pixel ahead, because many cells depend on it.
-  logic          tile_valid, last, in_frame, at_hand, pass, give;
-  logic          tile_begins, begins;   // a tile's first pixel lies inside
-  logic [3:0]    tile_lies, lies;
+  logic               tile_valid, last, in_frame, at_hand, pass, give;
+  logic               tile_begins, begins;   // a tile's first pixel lies inside
+  logic [3:0]         tile_lies, lies;
   rc_pkg::tile_t tile;
-  logic [AW-1:0] at_q;
+  logic [InTileW-1:0] at_q;
 
   rc_fifo #(.Width(rc_pkg::TileW + 5), .Depth(2)) u_tiles (
     .clk_i, .rst_ni(rst_ni && !start_i),
     .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies, tile_begins}),
     .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies, begins}));
 
-  logic [P-1:0]  x, y;
-  logic [AW-1:0] next;      // the next pixel's place in the tile
-  logic          first_q, inside_q, next_inside;
+  logic [PixelBits-1:0] x, y;
+  logic [InTileW-1:0]   next;      // the next pixel's place in the tile
+  logic                 first_q, inside_q, next_inside;
 
-  assign last = K == 0 || at_q == '1;
-  assign next = K == 0 ? '0 : at_q + 1'b1;
+  assign last = TileBits == 0 || at_q == '1;
+  assign next = TileBits == 0 ? '0 : at_q + 1'b1;
 
   if (rc_pkg::Streams != 0) begin : gen_rays   // a tile holds rays in sequence; {y, x}: number
-    logic [2*P-1:0] number, next_number, first_number;
+    logic [2*PixelBits-1:0] number, next_number, first_number;
 
-    if (K == 0) begin : gen_single
+    if (TileBits == 0) begin : gen_single
       assign number       = {tile.y, tile.x};
       assign next_number  = number;
       assign first_number = {tile_i.y, tile_i.x};
     end else begin : gen_group
       assign number       = {tile.y, tile.x, at_q};
       assign next_number  = {tile.y, tile.x, next};
-      assign first_number = {tile_i.y, tile_i.x, {(2*K){1'b0}}};
+      assign first_number = {tile_i.y, tile_i.x, {(2*TileBits){1'b0}}};
     end
 
     assign {y, x}      = number;
@@ -84,36 +84,38 @@ module rc_sched (
     logic unused;
     assign unused = ^lies;
   end else begin : gen_pixels
-    logic [P:0] width, height;
+    logic [PixelBits:0] width, height;
 
     assign width     = frame_i.width;
     assign height    = frame_i.height;
-    assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
-                        {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
+    assign tile_lies = {{1'b0, tile_i.x} < width[PixelBits:TileBits],
+                        {1'b0, tile_i.x} == width[PixelBits:TileBits],
+                        {1'b0, tile_i.y} < height[PixelBits:TileBits],
+                        {1'b0, tile_i.y} == height[PixelBits:TileBits]};
 
-    assign x[P-1:K] = tile.x;
-    assign y[P-1:K] = tile.y;
+    assign x[PixelBits-1:TileBits] = tile.x;
+    assign y[PixelBits-1:TileBits] = tile.y;
 
-    if (K == 0) begin : gen_single
+    if (TileBits == 0) begin : gen_single
       assign tile_begins = tile_lies[3] && tile_lies[1];
       assign next_inside = 1'b0;   // a tile has one pixel
 
       logic unused;
       assign unused = ^lies;
     end else begin : gen_morton
-      logic [K-1:0] next_x, next_y;
+      logic [TileBits-1:0] next_x, next_y;
 
-      for (genvar i = 0; i < K; i++) begin : gen_bit
+      for (genvar i = 0; i < TileBits; i++) begin : gen_bit
         assign x[i]      = at_q[2*i];
         assign y[i]      = at_q[2*i+1];
         assign next_x[i] = next[2*i];
         assign next_y[i] = next[2*i+1];
       end
 
-      assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[K-1:0] != '0))
-                        && (tile_lies[1] || (tile_lies[0] && height[K-1:0] != '0));
-      assign next_inside = (lies[3] || (lies[2] && next_x < width[K-1:0]))
-                        && (lies[1] || (lies[0] && next_y < height[K-1:0]));
+      assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[TileBits-1:0] != '0))
+                        && (tile_lies[1] || (tile_lies[0] && height[TileBits-1:0] != '0));
+      assign next_inside = (lies[3] || (lies[2] && next_x < width[TileBits-1:0]))
+                        && (lies[1] || (lies[0] && next_y < height[TileBits-1:0]));
     end
   end
 
@@ -134,13 +136,13 @@ module rc_sched (
   end
 
   // ---- Its context: a fresh one, or the one that has been free longest.
-  logic [I:0]   started_q;  // contexts used so far, 0..Contexts
-  logic         fresh, freed, free_valid;
-  logic [I-1:0] free_ray, slot_ray;
+  logic [RayBits:0]   started_q;  // contexts used so far, 0..Contexts
+  logic               fresh, freed, free_valid;
+  logic [RayBits-1:0] free_ray, slot_ray;
 
-  assign fresh        = started_q != (I+1)'(Contexts);
+  assign fresh        = started_q != (RayBits+1)'(Contexts);
   assign slot_valid_o = at_hand && (fresh || free_valid);
-  assign slot_ray     = fresh ? started_q[I-1:0] : free_ray;
+  assign slot_ray     = fresh ? started_q[RayBits-1:0] : free_ray;
   assign slot_o       = {slot_ray, x, y};
   assign give         = slot_valid_o && slot_ready_i;
   assign freed        = hit_valid_o && hit_ready_i;
@@ -150,14 +152,14 @@ module rc_sched (
     else if (give && fresh) started_q <= started_q + 1'b1;
   end
 
-  rc_queue #(.Width(I), .Depth(Contexts)) u_free (
+  rc_queue #(.Width(RayBits), .Depth(Contexts)) u_free (
     .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),
     .valid_o(free_valid), .pop_i(give && !fresh), .data_o(free_ray));
 
   // ---- Finished pixels get their position.
-  logic [2*P-1:0] place;
+  logic [2*PixelBits-1:0] place;
 
-  rc_ram #(.Width(2 * P), .Depth(Contexts)) u_pixel (
+  rc_ram #(.Width(2 * PixelBits), .Depth(Contexts)) u_pixel (
     .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x, y}),
     .read_addr_i(pixel_i.ray), .read_data_o(place));
 

@@ -7,8 +7,8 @@
 // model/unit/shade/dot.hpp.
 `default_nettype none
 module rc_angles #(
-  localparam int unsigned VB = rc_pkg::ValueBits,
-  localparam int unsigned AB = rc_pkg::AxisBits,
+  localparam int unsigned ValueBits = rc_pkg::ValueBits,
+  localparam int unsigned AxisBits  = rc_pkg::AxisBits,
   parameter  int unsigned UnitW = 44,
   localparam int unsigned M = rc_pkg::DirBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
@@ -17,46 +17,46 @@ module rc_angles #(
   input  logic               rst_ni,
   input  logic [14:0]        surf_i,
   input  logic [14:0]        light_i,
-  input  logic [14*Every-1:0] phase_i,     // the cycle of each stage
-  input  logic               s13_surf_i,   // s13 holds a surface's pass
+  input  logic [14*Every-1:0] phase_i,        // the cycle of each stage
+  input  logic                  s13_surf_i,   // s13 holds a surface's pass
   // Vectors
-  input  logic [3*M-1:0]     s0_d_i,
-  input  logic [3*UnitW-1:0] s5_toward_i,
-  input  logic [3*AB-1:0]    s13_normal_i,
-  input  logic [3*AB-1:0]    s13_view_i,
+  input  logic [3*M-1:0]        s0_d_i,
+  input  logic [3*UnitW-1:0]    s5_toward_i,
+  input  logic [3*AxisBits-1:0] s13_normal_i,
+  input  logic [3*AxisBits-1:0] s13_view_i,
   // Results
-  output logic [3*AB-1:0]    s13_unit_o,
-  output logic [3*AB-1:0]    s13_view_o,
-  output logic [VB-1:0]      s15_cosine_o,  // surface: unit . view; light: normal . unit
-  output logic signed [18:0] s15_mirror_o   // light: unit . view
+  output logic [3*AxisBits-1:0] s13_unit_o,
+  output logic [3*AxisBits-1:0] s13_view_o,
+  output logic [ValueBits-1:0]  s15_cosine_o,  // surface: unit . view; light: normal . unit
+  output logic signed [18:0]    s15_mirror_o   // light: unit . view
 );
 
   // s13: the unit vector.
-  rc_unit #(.W(UnitW)) u_unit (
+  rc_unit #(.VectorW(UnitW)) u_unit (
     .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : phase_i[5*Every]),
     .v_i(s5_toward_i), .u_o(s13_unit_o));
 
   // s13: the view, against the ray.
-  logic [3*AB-1:0] s8_along, s8_view;
+  logic [3*AxisBits-1:0] s8_along, s8_view;
 
-  rc_unit #(.W(M)) u_view (
+  rc_unit #(.VectorW(M)) u_view (
     .clk_i, .valid_i(Every == 1 ? surf_i[0] : phase_i[0]), .v_i(s0_d_i), .u_o(s8_along));
 
   for (genvar k = 0; k < 3; k++) begin : gen_view
-    assign s8_view[k*AB +: AB] = -s8_along[k*AB +: AB];
+    assign s8_view[k*AxisBits +: AxisBits] = -s8_along[k*AxisBits +: AxisBits];
   end
 
-  rc_stage_delay #(.Width(3 * AB), .Stages(5)) u_wait (
+  rc_stage_delay #(.Width(3 * AxisBits), .Stages(5)) u_wait (
     .clk_i, .rst_ni, .enter_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view),
     .data_o(s13_view_o));
 
   // Products of the unit vector with the view or the normal, and with the earlier view.
-  logic [3*AB-1:0] s13_with;
+  logic [3*AxisBits-1:0] s13_with;
 
   assign s13_with = s13_surf_i ? s13_view_o : s13_normal_i;
-  logic [6*2*AB-1:0] product;   // [with, view][axis]
+  logic [6*2*AxisBits-1:0] product;   // [with, view][axis]
 
-  rc_mul_held #(.AW(AB), .BW(AB), .Products(6)) u_products (
+  rc_mul_held #(.AW(AxisBits), .BW(AxisBits), .Products(6)) u_products (
     .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({2{s13_unit_o}}),
     .b_i({s13_view_i, s13_with}), .p_o(product));
 
@@ -65,9 +65,9 @@ module rc_angles #(
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     always_ff @(posedge clk_i) begin
       if (surf_i[13] || light_i[13])
-        s14_cosine_q[k*36 +: 36] <= product[k*2*AB +: 2*AB];
+        s14_cosine_q[k*36 +: 36] <= product[k*2*AxisBits +: 2*AxisBits];
       if (light_i[13])
-        s14_mirror_q[k*36 +: 36] <= product[(3+k)*2*AB +: 2*AB];
+        s14_mirror_q[k*36 +: 36] <= product[(3+k)*2*AxisBits +: 2*AxisBits];
     end
   end
 

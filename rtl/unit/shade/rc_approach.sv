@@ -11,19 +11,19 @@
 // the depth shows whether the slab lies ahead. Model: model/unit/shade/approach.hpp.
 `default_nettype none
 module rc_approach #(
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned M  = rc_pkg::DirBits,
-  localparam int unsigned B  = rc_pkg::OriginBits,
-  localparam int unsigned P  = rc_pkg::OriginWidth,
-  localparam int unsigned PW = rc_pkg::PointWidth
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned M           = rc_pkg::DirBits,
+  localparam int unsigned OriginBits  = rc_pkg::OriginBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned PointWidth  = rc_pkg::PointWidth
 ) (
-  input  logic            clk_i,
-  input  logic            rst_ni,
-  input  logic [12:0]     valid_i,        // of s15 to s27
-  input  logic [3*PW-1:0] s15_p_i,
-  input  logic [3*M-1:0]  s15_d_i,        // no component exceeds 2^(M-2)
-  output logic            s28_enters_o,   // 0: the ray passes by the lattice
-  output logic [3*P-1:0]  s28_entry_o
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  logic [12:0]              valid_i,        // of s15 to s27
+  input  logic [3*PointWidth-1:0]  s15_p_i,
+  input  logic [3*M-1:0]           s15_d_i,        // no component exceeds 2^(M-2)
+  output logic                     s28_enters_o,   // 0: the ray passes by the lattice
+  output logic [3*OriginWidth-1:0] s28_entry_o
 );
 
   localparam int unsigned Steps = rc_pkg::ApproachSteps;   // 12
@@ -32,9 +32,9 @@ module rc_approach #(
 
   // Width of a point on the ray: all steps together are 2^(Shift + Steps) directions.
   localparam int unsigned Reach  = Shift + Steps + M - 1;
-  localparam int unsigned PlaceW = (Reach > PW ? Reach : PW) + 2;
+  localparam int unsigned PlaceW = (Reach > PointWidth ? Reach : PointWidth) + 2;
 
-  localparam logic signed [PlaceW-1:0] End = PlaceW'(((65'(1) << (N - 1)) - 65'd1) << B);
+  localparam logic signed [PlaceW-1:0] End = PlaceW'(((65'(1) << (N - 1)) - 65'd1) << OriginBits);
 
   localparam int unsigned TwiceW = Reach + 1;   // width of twice a way
 
@@ -48,7 +48,7 @@ module rc_approach #(
     logic signed [PlaceW-1:0] p;
     logic [M-1:0]             d, size;
 
-    assign p           = PlaceW'($signed(s15_p_i[k*PW +: PW]));
+    assign p           = PlaceW'($signed(s15_p_i[k*PointWidth +: PointWidth]));
     assign d           = s15_d_i[k*M +: M];
     assign s15_down[k] = d[M-1];
     assign s15_depth[k*PlaceW +: PlaceW] = d[M-1] ? End - p : p + End;
@@ -128,9 +128,9 @@ module rc_approach #(
                                               gen_stage[Last].down_q};
 
   // The step that enters: the depth becomes non-negative on every axis.
-  logic [2:0]     fits;
-  logic           enters;
-  logic [3*P-1:0] entry;
+  logic [2:0]               fits;
+  logic                     enters;
+  logic [3*OriginWidth-1:0] entry;
 
   for (genvar k = 0; k < 3; k++) begin : gen_last
     logic signed [PlaceW-1:0] depth, there;
@@ -138,7 +138,7 @@ module rc_approach #(
     assign depth   = last_depth[k*PlaceW +: PlaceW] + PlaceW'(last_way[k*TwiceW +: TwiceW]);
     assign there   = last_down[k] ? End - depth : depth - End;
     assign fits[k] = !depth[PlaceW-1] && depth <= 2 * End;
-    assign entry[k*P +: P] = there[P-1:0];
+    assign entry[k*OriginWidth +: OriginWidth] = there[OriginWidth-1:0];
 
     logic unused;
     assign unused = ^there;
@@ -153,16 +153,16 @@ module rc_approach #(
     logic unused;
     assign unused = ^began;
   end else begin : gen_end_waits
-    logic           done_q, made_enters_q;
-    logic [3*P-1:0] made_entry_q;
-    logic [3*P:0]   waited;
+    logic                     done_q, made_enters_q;
+    logic [3*OriginWidth-1:0] made_entry_q;
+    logic [3*OriginWidth:0]   waited;
 
     always_ff @(posedge clk_i) begin
       done_q <= rst_ni && done;
       if (done) {made_enters_q, made_entry_q} <= {enters, entry};
     end
 
-    rc_stage_delay #(.Width(1 + 3 * P), .Stages(Steps)) u_beside (
+    rc_stage_delay #(.Width(1 + 3 * OriginWidth), .Stages(Steps)) u_beside (
       .clk_i, .rst_ni, .enter_i(done_q), .leave_i(valid_i[Steps]),
       .data_i({made_enters_q, made_entry_q}), .data_o(waited));
 

@@ -8,40 +8,41 @@
 // model/unit/shade/bounce.hpp.
 `default_nettype none
 module rc_bounce #(
-  localparam int unsigned VB = rc_pkg::ValueBits,
-  localparam int unsigned AB = rc_pkg::AxisBits,
-  localparam int unsigned UB = rc_pkg::UnitBits,
-  localparam int unsigned RB = rc_pkg::RatioBits,
-  localparam int unsigned M  = rc_pkg::DirBits,
+  localparam int unsigned ValueBits = rc_pkg::ValueBits,
+  localparam int unsigned AxisBits  = rc_pkg::AxisBits,
+  localparam int unsigned UnitBits  = rc_pkg::UnitBits,
+  localparam int unsigned RatioBits = rc_pkg::RatioBits,
+  localparam int unsigned M         = rc_pkg::DirBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
-  input  logic                 clk_i,
-  input  logic                 rst_ni,
-  input  logic [14:0]          valid_i,
-  input  logic [14*Every-1:0]  phase_i,       // the cycle of each stage
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+  input  logic [14:0]           valid_i,
+  input  logic [14*Every-1:0]   phase_i,       // the cycle of each stage
   // Pass
-  input  logic                 s0_refract_i,  // refract, not reflect
-  input  rc_pkg::shade_state_t s0_state_i,
-  input  logic [3*AB-1:0]      s13_normal_i,
-  input  logic [3*AB-1:0]      s13_view_i,
+  input  logic                  s0_refract_i,  // refract, not reflect
+  input  rc_pkg::shade_state_t  s0_state_i,
+  input  logic [3*AxisBits-1:0] s13_normal_i,
+  input  logic [3*AxisBits-1:0] s13_view_i,
   // Results
-  output logic [VB-1:0]        s9_weight_o,
-  output logic                 s13_total_o,   // total reflection
-  output logic [3*M-1:0]       s15_d_o
+  output logic [ValueBits-1:0]  s9_weight_o,
+  output logic                  s13_total_o,   // total reflection
+  output logic [3*M-1:0]        s15_d_o
 );
-  localparam int unsigned ProductW = 2 * VB;                            // product of two values
-  localparam int unsigned ShareW   = VB + 1;                            // up to 2
-  localparam int unsigned AlongW   = RB - rc_pkg::IndexFrac + VB + 2;   // as in rc_snell, signed
-  localparam int unsigned NormalW  = AlongW + AB;                       // along * normal
-  localparam int unsigned ViewW    = RB + 1 + AB;                       // ratio * view
+  localparam int unsigned ProductW = 2 * ValueBits;   // product of two values
+  localparam int unsigned ShareW   = ValueBits + 1;                                   // up to 2
+  // As in rc_snell, signed.
+  localparam int unsigned AlongW   = RatioBits - rc_pkg::IndexFrac + ValueBits + 2;
+  localparam int unsigned NormalW  = AlongW + AxisBits;   // along * normal
+  localparam int unsigned ViewW    = RatioBits + 1 + AxisBits;   // ratio * view
   localparam int unsigned SumW     = NormalW + 1;
-  localparam int unsigned UnitW    = SumW - UB;                         // the sum, S.16
-  localparam logic signed [SumW-1:0]  Half = SumW'(1) << (UB - 1);
-  localparam logic signed [UnitW-1:0] One  = UnitW'(1) << UB;
+  localparam int unsigned UnitW    = SumW - UnitBits;                         // the sum, S.16
+  localparam logic signed [SumW-1:0]  Half = SumW'(1) << (UnitBits - 1);
+  localparam logic signed [UnitW-1:0] One  = UnitW'(1) << UnitBits;
 
-  logic [VB-1:0] s0_cosine, s0_weight;
-  logic [RB-1:0] s0_ratio;
-  logic [VB-1:0] s0_mirror, s0_transmit, s0_r0;
+  logic [ValueBits-1:0] s0_cosine, s0_weight;
+  logic [RatioBits-1:0] s0_ratio;
+  logic [ValueBits-1:0] s0_mirror, s0_transmit, s0_r0;
   logic        s0_schlick, s0_total;
 
   assign s0_cosine   = s0_state_i.cosine;
@@ -55,7 +56,7 @@ module rc_bounce #(
 
   // Factors of both directions, and the share of the weight.
   logic signed [AlongW-1:0] s13_along;
-  logic [RB-1:0]            s13_ratio;
+  logic [RatioBits-1:0]     s13_ratio;
   logic [ShareW-1:0]        s7_share;
 
   if (rc_pkg::Refraction == 1) begin : gen_refraction
@@ -70,16 +71,16 @@ module rc_bounce #(
       .s0_mirror_i(s0_mirror), .s0_transmit_i(s0_transmit), .s0_r0_i(s0_r0),
       .s0_schlick_i(s0_schlick), .s0_total_i(s0_total), .s7_share_o(s7_share));
   end else begin : gen_reflection
-    logic [VB-1:0] s13_cosine;
-    logic [VB-1:0] s7_mirror;
-    rc_stage_delay #(.Width(VB), .Stages(13)) u_cosine (
+    logic [ValueBits-1:0] s13_cosine;
+    logic [ValueBits-1:0] s7_mirror;
+    rc_stage_delay #(.Width(ValueBits), .Stages(13)) u_cosine (
       .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
       .data_o(s13_cosine));
-    rc_shift_register #(.Width(VB), .Stages(7)) u_mirror (
-      .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
+    rc_shift_register #(.Width(ValueBits), .Stages(7)) u_mirror (
+      .clk_i, .enable_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
 
-    assign s13_along   = $signed({{(AlongW-VB-1){1'b0}}, s13_cosine, 1'b0});
-    assign s13_ratio   = RB'(1) << rc_pkg::IndexFrac;
+    assign s13_along   = $signed({{(AlongW-ValueBits-1){1'b0}}, s13_cosine, 1'b0});
+    assign s13_ratio   = RatioBits'(1) << rc_pkg::IndexFrac;
     assign s13_total_o = 1'b0;
     assign s7_share    = {1'b0, s7_mirror};
 
@@ -92,25 +93,26 @@ module rc_bounce #(
   logic [3*NormalW-1:0] s13_along_normal;
   logic [3*ViewW-1:0]   s13_ratio_view;
 
-  rc_mul_held #(.AW(AlongW), .BW(AB), .Products(3)) u_normal (
+  rc_mul_held #(.AW(AlongW), .BW(AxisBits), .Products(3)) u_normal (
     .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
     .p_o(s13_along_normal));
 
-  rc_mul_held #(.AW(RB + 1), .BW(AB), .Products(3)) u_view (
+  rc_mul_held #(.AW(RatioBits + 1), .BW(AxisBits), .Products(3)) u_view (
     .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
     .p_o(s13_ratio_view));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [NormalW-1:0] s14_normal_q;
-    logic signed [ViewW-1:0]   s14_view_q;
-    logic signed [SumW-1:0]    s14_sum;
-    logic signed [UnitW-1:0]   s14_unit;   // registered in the stage if a pass stays long enough
-    logic signed [AB-1:0]      s15_unit_q;
-    logic signed [M-1:0]       d;
+    logic signed [NormalW-1:0]  s14_normal_q;
+    logic signed [ViewW-1:0]    s14_view_q;
+    logic signed [SumW-1:0]     s14_sum;
+    logic signed [UnitW-1:0]    s14_unit;   // registered in the stage if a pass stays long enough
+    logic signed [AxisBits-1:0] s15_unit_q;
+    logic signed [M-1:0]        d;
 
-    assign s14_sum = SumW'(s14_normal_q) - (SumW'(s14_view_q) <<< (UB - rc_pkg::IndexFrac)) + Half;
+    assign s14_sum = SumW'(s14_normal_q) - (SumW'(s14_view_q) <<< (UnitBits - rc_pkg::IndexFrac))
+                   + Half;
     rc_path_register #(.Width(UnitW), .Stages(rc_pkg::ShadeCut)) u_unit (
-      .clk_i, .data_i(s14_sum[SumW-1:UB]), .data_o(s14_unit));
+      .clk_i, .data_i(s14_sum[SumW-1:UnitBits]), .data_o(s14_unit));
 
     always_ff @(posedge clk_i) begin
       if (valid_i[13]) begin
@@ -118,36 +120,37 @@ module rc_bounce #(
         s14_view_q   <= s13_ratio_view[k*ViewW +: ViewW];
       end
       if (valid_i[14])
-        s15_unit_q <= s14_unit > One ? AB'(One) : s14_unit < -One ? -AB'(One) : s14_unit[AB-1:0];
+        s15_unit_q <= s14_unit > One ? AxisBits'(One)
+                    : s14_unit < -One ? -AxisBits'(One) : s14_unit[AxisBits-1:0];
     end
 
     rc_to_direction u_turn (.unit_i(s15_unit_q), .d_o(d));
     assign s15_d_o[k*M +: M] = d;
 
     logic unused;
-    assign unused = ^s14_sum[UB-1:0];
+    assign unused = ^s14_sum[UnitBits-1:0];
   end
 
   // s9: weight of the new ray, U1.16.
-  logic [VB-1:0]       s7_weight, s7_cut;
-  logic [ProductW-1:0] s7_product, s8_weight_q, s8_rounded;
+  logic [ValueBits-1:0] s7_weight, s7_cut;
+  logic [ProductW-1:0]  s7_product, s8_weight_q, s8_rounded;
 
-  rc_shift_register #(.Width(VB), .Stages(7)) u_weight (
-    .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
+  rc_shift_register #(.Width(ValueBits), .Stages(7)) u_weight (
+    .clk_i, .enable_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
 
-  assign s7_cut = s7_share[ShareW-1:UB] != '0 ? rc_pkg::ValueOne : s7_share[VB-1:0];
+  assign s7_cut = s7_share[ShareW-1:UnitBits] != '0 ? rc_pkg::ValueOne : s7_share[ValueBits-1:0];
 
-  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_weighted (
+  rc_mul_held #(.AW(ValueBits), .BW(ValueBits), .Signed(1'b0)) u_weighted (
     .clk_i, .phase_i(phase_i[7*Every +: Every]), .a_i(s7_weight), .b_i(s7_cut), .p_o(s7_product));
 
   assign s8_rounded = s8_weight_q + rc_pkg::ProductHalf;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[7]) s8_weight_q <= s7_product;
-    if (valid_i[8]) s9_weight_o <= s8_rounded[UB +: VB];
+    if (valid_i[8]) s9_weight_o <= s8_rounded[UnitBits +: ValueBits];
   end
 
   logic unused;
-  assign unused = ^{s0_state_i, s8_rounded[ProductW-1], s8_rounded[UB-1:0], phase_i};
+  assign unused = ^{s0_state_i, s8_rounded[ProductW-1], s8_rounded[UnitBits-1:0], phase_i};
 endmodule
 `default_nettype wire

@@ -9,13 +9,13 @@
 // only what it has changed: a surface's material when it begins, other groups when it ends.
 `default_nettype none
 module rc_contexts #(
-  localparam int unsigned I        = rc_pkg::RayBits,
-  localparam int unsigned Contexts = rc_pkg::Contexts,
-  localparam int unsigned M        = rc_pkg::DirBits,
-  localparam int unsigned P        = rc_pkg::OriginWidth,
-  localparam int unsigned D        = rc_pkg::RayDirBits,
-  localparam int unsigned HitW     = rc_pkg::ShadeHitW,
-  localparam int unsigned PlaceW   = rc_pkg::ShadePlaceW
+  localparam int unsigned RayBits     = rc_pkg::RayBits,
+  localparam int unsigned Contexts    = rc_pkg::Contexts,
+  localparam int unsigned M           = rc_pkg::DirBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
+  localparam int unsigned HitW        = rc_pkg::ShadeHitW,
+  localparam int unsigned PlaceW      = rc_pkg::ShadePlaceW
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -26,30 +26,30 @@ module rc_contexts #(
   input  rc_pkg::ray_t                 ray_i,
   output logic [1:0]                   kind_o,         // kind of ray_i
   input  logic                         closest_fires_i,
-  input  logic [I-1:0]                 closest_ray_i,
+  input  logic [RayBits-1:0]           closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
   // The instance that was hit: its line, a, b
   input  logic                         place_fires_i,
-  input  logic [I-1:0]                 place_ray_i,
+  input  logic [RayBits-1:0]           place_ray_i,
   input  logic [PlaceW-1:0]            place_i,
   // To rc_pass
   input  logic                         read_i,
-  input  logic [I-1:0]                 read_ray_i,
+  input  logic [RayBits-1:0]           read_ray_i,
   output logic                         read_valid_o,
   output logic [HitW-1:0]              hit_o,
-  output logic [3*P-1:0]               o_o,
+  output logic [3*OriginWidth-1:0]     o_o,
   output logic [3*M-1:0]               d_o,
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
   // From rc_pass: a pass has begun with a surface that has this material
   input  logic                         material_valid_i,
-  input  logic [I-1:0]                 material_ray_i,
+  input  logic [RayBits-1:0]           material_ray_i,
   input  logic [rc_pkg::MaterialW-1:0] material_i,
   // From rc_pass: a pass has ended. It has changed these groups, and the group that every pass
   // changes
   input  logic                         write_i,
-  input  logic [I-1:0]                 write_ray_i,
+  input  logic [RayBits-1:0]           write_ray_i,
   input  logic [3:0]                   changes_i,      // point, inner, face, share
   input  rc_pkg::shade_state_t         write_state_i,
   input  logic                         push_i,
@@ -60,10 +60,10 @@ module rc_contexts #(
   // memories' ports. The data of a pass stays stable for that time.
   localparam int unsigned Parts = rc_pkg::ShadeParts;
 
-  logic         reads;
-  logic [I-1:0] reads_ray;
+  logic               reads;
+  logic [RayBits-1:0] reads_ray;
 
-  rc_path_register #(.Width(I), .Stages(rc_pkg::ShadeCut)) u_reads_ray (
+  rc_path_register #(.Width(RayBits), .Stages(rc_pkg::ShadeCut)) u_reads_ray (
     .clk_i, .data_i(read_ray_i), .data_o(reads_ray));
 
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_reads (
@@ -73,10 +73,10 @@ module rc_contexts #(
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(read_valid_o));
 
   logic                         material_valid, writes;
-  logic [I-1:0]                 material_ray;
+  logic [RayBits-1:0]           material_ray;
   logic [rc_pkg::MaterialW-1:0] material;
 
-  rc_path_register #(.Width(I + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_material (
+  rc_path_register #(.Width(RayBits + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_material (
     .clk_i, .data_i({material_ray_i, material_i}), .data_o({material_ray, material}));
 
   rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_material_valid (
@@ -87,7 +87,7 @@ module rc_contexts #(
 
   // ---- Rays, except shadow rays and rays away to a light.
   logic [rc_pkg::RayW-1:0] ray;
-  logic [3*D-1:0]          ray_d;
+  logic [3*RayDirBits-1:0] ray_d;
   logic [3*M-1:0]          d;
   logic                    is_kept;
 
@@ -102,21 +102,21 @@ module rc_contexts #(
   end
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    assign d[k*M +: M] = ray_d[k*D +: M];
+    assign d[k*M +: M] = ray_d[k*RayDirBits +: M];
   end
 
-  rc_context_ram #(.Width(3 * P + 3 * M), .Depth(Contexts)) u_ray (
+  rc_context_ram #(.Width(3 * OriginWidth + 3 * M), .Depth(Contexts)) u_ray (
     .clk_i, .rst_ni, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
     .write_data_i({ray_i.o, d}), .read_i(reads), .read_addr_i(reads_ray),
     .read_data_o({o_o, d_o}));
 
   // ---- Answers, as late as in rc_shade.
   localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
-  logic            answers;
-  logic [I-1:0]    answer_ray;
-  logic [HitW-1:0] answer;
+  logic               answers;
+  logic [RayBits-1:0] answer_ray;
+  logic [HitW-1:0]    answer;
 
-  rc_path_register #(.Width(I + HitW), .Stages(Late)) u_answer (
+  rc_path_register #(.Width(RayBits + HitW), .Stages(Late)) u_answer (
     .clk_i, .data_i({closest_ray_i, closest_hit_i}), .data_o({answer_ray, answer}));
 
   rc_pulse_register #(.Stages(Late)) u_answers (
@@ -142,7 +142,7 @@ module rc_contexts #(
   localparam int unsigned PixelW  = rc_pkg::ShadePixelW;
   localparam int unsigned EveryW  = rc_pkg::ShadeEveryW;
   localparam int unsigned PointW  = rc_pkg::ShadePointW;
-  localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * P : 0;
+  localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * OriginWidth : 0;
   localparam int unsigned FaceW   = rc_pkg::ShadeFaceW;
   localparam int unsigned ShareW  = rc_pkg::ShadeShareW;
   localparam int unsigned SampleW = rc_pkg::ShadeSamplesW;
@@ -174,11 +174,11 @@ module rc_contexts #(
   assign {new_look, new_bend, new_self}    = material;
 
   // Begin of a pixel. A fast chip writes it one cycle later; the pixel's passes come much later.
-  logic              begins;
-  logic [I-1:0]      begins_ray;
-  logic [PixelW-1:0] begins_pixel;
+  logic               begins;
+  logic [RayBits-1:0] begins_ray;
+  logic [PixelW-1:0]  begins_pixel;
 
-  rc_path_register #(.Width(I + PixelW)) u_begins (
+  rc_path_register #(.Width(RayBits + PixelW)) u_begins (
     .clk_i, .data_i({slot_i.ray, slot_i.x, slot_i.y}), .data_o({begins_ray, begins_pixel}));
 
   rc_pulse_register u_pixel_begins (.clk_i, .rst_ni, .fires_i(slot_fires_i), .fires_o(begins));
@@ -278,16 +278,16 @@ module rc_contexts #(
   always_comb begin
     begun = state;
     if (fresh) begin
-      begun.purpose = rc_pkg::EventArrive;
-      begun.pending = rc_pkg::PendingNone;
-      begun.colour  = '0;
-      begun.weight  = rc_pkg::ValueOne;
-      begun.depth   = '0;
-      begun.waiting = '0;
-      begun.sample  = '0;
-      begun.sum     = '0;
-      begun.least   = {3{rc_pkg::ValueOne}};
-      begun.most    = '0;
+      begun.next_event = rc_pkg::EventArrive;
+      begun.pending    = rc_pkg::PendingNone;
+      begun.colour     = '0;
+      begun.weight     = rc_pkg::ValueOne;
+      begun.depth      = '0;
+      begun.waiting    = '0;
+      begun.sample     = '0;
+      begun.sum        = '0;
+      begun.least      = {3{rc_pkg::ValueOne}};
+      begun.most       = '0;
     end
   end
 
@@ -310,26 +310,26 @@ module rc_contexts #(
   assign new_top_at = write_state_i.waiting - 4'd1;
 
   if (rc_pkg::Refraction == 1) begin : gen_stack
-    localparam int unsigned Up = $clog2(rc_pkg::Bounces);
-    localparam int unsigned AW = I + Up;
-    logic [I-1:0] top_ray;   // with ShadeInterval above 1: one cycle after the state
+    localparam int unsigned Up    = $clog2(rc_pkg::Bounces);
+    localparam int unsigned AddrW = RayBits + Up;
+    logic [RayBits-1:0] top_ray;   // with ShadeInterval above 1: one cycle after the state
 
     if (rc_pkg::ShadeInterval == 1) begin : gen_top_now
       assign top_ray = reads_ray;
     end else begin : gen_top_next
-      logic [I-1:0] top_ray_q;
+      logic [RayBits-1:0] top_ray_q;
 
       assign top_ray = top_ray_q;
       always_ff @(posedge clk_i) if (reads) top_ray_q <= reads_ray;
     end
 
-    logic [AW-1:0] write_at, read_at;
+    logic [AddrW-1:0] write_at, read_at;
 
     assign top_at   = state.waiting - 4'd1;
-    assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
-    assign read_at  = AW'(top_ray) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
+    assign write_at = AddrW'(write_ray_i) << Up | AddrW'(new_top_at);
+    assign read_at  = AddrW'(top_ray) << Up | (AddrW'(top_at) & AddrW'((1 << Up) - 1));
 
-    rc_context_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
+    rc_context_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AddrW)) u_stack (
       .clk_i, .rst_ni, .write_i(write_i && push_i), .write_addr_i(write_at),
       .write_data_i(pushed_i), .read_i(read_valid_o), .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack

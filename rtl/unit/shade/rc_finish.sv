@@ -3,29 +3,29 @@
 // Model: finish() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_finish #(
-  localparam int unsigned VB    = rc_pkg::ValueBits,
-  localparam int unsigned SB    = rc_pkg::SumBits,
-  localparam int unsigned Every = rc_pkg::ShadeInterval
+  localparam int unsigned ValueBits = rc_pkg::ValueBits,
+  localparam int unsigned SumBits   = rc_pkg::SumBits,
+  localparam int unsigned Every     = rc_pkg::ShadeInterval
 ) (
-  input  logic                 clk_i,
-  input  rc_pkg::shade_frame_t frame_i,
-  input  logic [3:0]           valid_i,
-  input  logic [Every-1:0]     phase_i,     // the cycle of s1
-  input  rc_pkg::shade_state_t s0_state_i,
-  input  logic [3*VB-1:0]      s0_colour_i,
-  output logic                 s4_more_o,
-  output logic [3*SB-1:0]      s4_sum_o,
-  output logic [3*VB-1:0]      s4_least_o,
-  output logic [3*VB-1:0]      s4_most_o,
-  output logic [3*VB-1:0]      s4_colour_o
+  input  logic                   clk_i,
+  input  rc_pkg::shade_frame_t   frame_i,
+  input  logic [3:0]             valid_i,
+  input  logic [Every-1:0]       phase_i,     // the cycle of s1
+  input  rc_pkg::shade_state_t   s0_state_i,
+  input  logic [3*ValueBits-1:0] s0_colour_i,
+  output logic                   s4_more_o,
+  output logic [3*SumBits-1:0]   s4_sum_o,
+  output logic [3*ValueBits-1:0] s4_least_o,
+  output logic [3*ValueBits-1:0] s4_most_o,
+  output logic [3*ValueBits-1:0] s4_colour_o
 );
 
   // s1: the number of samples so far, and their limit.
   logic [6:0] s0_done, all;
   logic       s0_some, s0_fourth, s3_some, s3_fourth, s3_same;
   logic [2:0] s2_same;
-  logic [3*SB-1:0] s0_sum, s3_sum;
-  logic [3*VB-1:0] s0_least, s0_most, s3_least, s3_most;
+  logic [3*SumBits-1:0]   s0_sum, s3_sum;
+  logic [3*ValueBits-1:0] s0_least, s0_most, s3_least, s3_most;
 
   assign all       = {3'd0, frame_i.side} * {3'd0, frame_i.side};
   assign s0_done   = {1'b0, s0_state_i.sample} + 7'd1;
@@ -36,43 +36,43 @@ module rc_finish #(
   assign s0_most   = s0_state_i.most;
 
   rc_shift_register #(.Width(2), .Stages(3)) u_flags (
-    .clk_i, .valid_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
+    .clk_i, .enable_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
     .data_o({s3_some, s3_fourth}));
 
   // s1: sums and extremes. s2: mean, and the contrast. s3: rounded mean.
-  logic [VB-1:0] s1_share_q, contrast;
+  logic [ValueBits-1:0] s1_share_q, contrast;
 
   assign contrast = frame_i.contrast;
 
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
-  localparam int unsigned Q = SB + VB;   // a product
-  logic [3*SB-1:0] s1_sum;
-  logic [3*Q-1:0]  s1_product;
+  localparam int unsigned ProductW = SumBits + ValueBits;   // a product
+  logic [3*SumBits-1:0]  s1_sum;
+  logic [3*ProductW-1:0] s1_product;
 
-  rc_mul_held #(.AW(SB), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
+  rc_mul_held #(.AW(SumBits), .BW(ValueBits), .Signed(1'b0), .Products(3)) u_mean (
     .clk_i, .phase_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [SB-1:0] s1_sum_q, s2_sum_q, s3_sum_q;
-    logic [VB-1:0] colour, least, most;
-    logic [VB-1:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
-    logic [VB-1:0] s1_apart;
+    logic [SumBits-1:0]   s1_sum_q, s2_sum_q, s3_sum_q;
+    logic [ValueBits-1:0] colour, least, most;
+    logic [ValueBits-1:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
+    logic [ValueBits-1:0] s1_apart;
     logic        s2_same_q;
-    logic [Q-1:0] s2_mean_q, s2_rounded;
-    logic [VB-1:0] s3_mean_q;
+    logic [ProductW-1:0] s2_mean_q, s2_rounded;
+    logic [ValueBits-1:0] s3_mean_q;
 
-    assign colour   = s0_colour_i[k*VB +: VB];
-    assign least    = s0_least[k*VB +: VB];
-    assign most     = s0_most[k*VB +: VB];
-    assign s1_sum[k*SB +: SB] = s1_sum_q;
+    assign colour   = s0_colour_i[k*ValueBits +: ValueBits];
+    assign least    = s0_least[k*ValueBits +: ValueBits];
+    assign most     = s0_most[k*ValueBits +: ValueBits];
+    assign s1_sum[k*SumBits +: SumBits] = s1_sum_q;
     assign s1_apart = s1_most_q - s1_least_q;
-    assign s2_rounded = s2_mean_q + Q'(rc_pkg::ProductHalf);
+    assign s2_rounded = s2_mean_q + ProductW'(rc_pkg::ProductHalf);
 
     always_ff @(posedge clk_i) begin
       if (valid_i[0]) begin
-        s1_sum_q   <= s0_sum[k*SB +: SB] + SB'(colour);
+        s1_sum_q   <= s0_sum[k*SumBits +: SumBits] + SumBits'(colour);
         s1_least_q <= colour < least ? colour : least;
         s1_most_q  <= colour > most ? colour : most;
       end
@@ -81,21 +81,22 @@ module rc_finish #(
         s2_least_q <= s1_least_q;
         s2_most_q  <= s1_most_q;
         s2_same_q  <= s1_apart <= contrast && contrast != '0;
-        s2_mean_q  <= s1_product[k*Q +: Q];
+        s2_mean_q  <= s1_product[k*ProductW +: ProductW];
       end
       if (valid_i[2]) begin
         s3_sum_q   <= s2_sum_q;
         s3_least_q <= s2_least_q;
         s3_most_q  <= s2_most_q;
-        s3_mean_q  <= s2_rounded[Q-1:32] != '0 ? rc_pkg::ValueOne : {1'b0, s2_rounded[31:16]};
+        s3_mean_q  <= s2_rounded[ProductW-1:32] != '0 ? rc_pkg::ValueOne
+                    : {1'b0, s2_rounded[31:16]};
       end
-      if (valid_i[3]) s4_colour_o[k*VB +: VB] <= s3_mean_q;
+      if (valid_i[3]) s4_colour_o[k*ValueBits +: ValueBits] <= s3_mean_q;
     end
 
-    assign s2_same[k]             = s2_same_q;
-    assign s3_sum[k*SB +: SB]     = s3_sum_q;
-    assign s3_least[k*VB +: VB]   = s3_least_q;
-    assign s3_most[k*VB +: VB]    = s3_most_q;
+    assign s2_same[k]                           = s2_same_q;
+    assign s3_sum[k*SumBits +: SumBits]         = s3_sum_q;
+    assign s3_least[k*ValueBits +: ValueBits]   = s3_least_q;
+    assign s3_most[k*ValueBits +: ValueBits]    = s3_most_q;
 
     logic unused;
     assign unused = ^s2_rounded[15:0];

@@ -11,39 +11,39 @@
 // model/unit/shade/pass.hpp.
 `default_nettype none
 module rc_pass #(
-  localparam int unsigned VB = rc_pkg::ValueBits,
-  localparam int unsigned AB = rc_pkg::AxisBits,
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned M  = rc_pkg::DirBits,
-  localparam int unsigned P  = rc_pkg::OriginWidth,
-  localparam int unsigned PW = rc_pkg::PointWidth,
-  localparam int unsigned D  = rc_pkg::RayDirBits,
-  localparam int unsigned U  = rc_pkg::UvBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned CB = rc_pkg::ColourBits,
-  localparam int unsigned SB = rc_pkg::SumBits
+  localparam int unsigned ValueBits   = rc_pkg::ValueBits,
+  localparam int unsigned AxisBits    = rc_pkg::AxisBits,
+  localparam int unsigned RayBits     = rc_pkg::RayBits,
+  localparam int unsigned M           = rc_pkg::DirBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned PointWidth  = rc_pkg::PointWidth,
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
+  localparam int unsigned UvBits      = rc_pkg::UvBits,
+  localparam int unsigned TBits       = rc_pkg::TBits,
+  localparam int unsigned ColourBits  = rc_pkg::ColourBits,
+  localparam int unsigned SumBits     = rc_pkg::SumBits
 ) (
-  input  logic                 clk_i,
-  input  logic                 rst_ni,
-  input  rc_pkg::shade_frame_t frame_i,
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  rc_pkg::shade_frame_t     frame_i,
   // From rc_contexts and surf_cache
-  input  logic                 valid_i,
-  input  logic [I-1:0]         ray_i,
-  input  rc_pkg::shade_state_t state_i,
-  input  rc_pkg::shade_hit_t   hit_i,      // of the last ray
-  input  logic [3*P-1:0]       o_i,        // of the last camera ray or bounce
-  input  logic [3*M-1:0]       d_i,
-  input  rc_pkg::surface_t     surface_i,  // if the ray arrives now and has hit something
+  input  logic                     valid_i,
+  input  logic [RayBits-1:0]       ray_i,
+  input  rc_pkg::shade_state_t     state_i,
+  input  rc_pkg::shade_hit_t       hit_i,      // of the last ray
+  input  logic [3*OriginWidth-1:0] o_i,        // of the last camera ray or bounce
+  input  logic [3*M-1:0]           d_i,
+  input  rc_pkg::surface_t         surface_i,  // if the ray arrives now and has hit something
   // Top of the waiting rays. If a pass stays for more than one cycle, it comes one cycle later.
-  input  rc_pkg::waiting_t     top_i,
+  input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
-  input  rc_pkg::shade_place_t place_i,
+  input  rc_pkg::shade_place_t     place_i,
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
-  output logic [I-1:0]                material_ray_o,
+  output logic [RayBits-1:0]          material_ray_o,
   output rc_pkg::material_t           material_o,
   output logic                        end_valid_o,
-  output logic [I-1:0]                end_ray_o,
+  output logic [RayBits-1:0]          end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
   output logic [3:0]                  changes_o,   // groups of end_state_o
   output logic                        push_o,  // a ray must wait
@@ -53,14 +53,15 @@ module rc_pass #(
   output logic [rc_pkg::SpawnW-1:0] spawn_o,
   output logic [rc_pkg::PixelW-1:0] pixel_o
 );
-  localparam int unsigned Stages   = rc_pkg::ShadeStages;
-  localparam int unsigned Every    = rc_pkg::ShadeInterval;
-  localparam int unsigned N        = rc_pkg::CoordBits;
-  localparam int unsigned NB       = rc_pkg::NormalBits;
-  localparam int unsigned ToLightW = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
-  localparam int unsigned LongW    = ToLightW > NB ? ToLightW : NB;   // or a sum of corner normals
-  localparam int unsigned TurnW    = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
-  localparam int unsigned UnitW    = LongW > TurnW ? LongW : TurnW;
+  localparam int unsigned Stages     = rc_pkg::ShadeStages;
+  localparam int unsigned Every      = rc_pkg::ShadeInterval;
+  localparam int unsigned N          = rc_pkg::CoordBits;
+  localparam int unsigned NormalBits = rc_pkg::NormalBits;
+  localparam int unsigned ToLightW   = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
+  // Or a sum of corner normals.
+  localparam int unsigned LongW      = ToLightW > NormalBits ? ToLightW : NormalBits;
+  localparam int unsigned TurnW      = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AxisBits + 2 : 0;
+  localparam int unsigned UnitW      = LongW > TurnW ? LongW : TurnW;
 
   // The inputs of the end are ready before it. The end is computed in registers on the way.
   // rc_pass_end latches it at the end of the last stage; then the next inputs may come.
@@ -69,14 +70,14 @@ module rc_pass #(
   localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d begins
 
   // ---- Input: held if a pass stays for more than one cycle.
-  logic                 valid;
-  logic [I-1:0]         ray;
+  logic                       valid;
+  logic [RayBits-1:0]         ray;
   rc_pkg::shade_state_t state;
-  rc_pkg::shade_hit_t   hit;
-  logic [3*P-1:0]       o;
-  logic [3*M-1:0]       d;
-  rc_pkg::surface_t     surface;
-  rc_pkg::waiting_t     top_came;
+  rc_pkg::shade_hit_t         hit;
+  logic [3*OriginWidth-1:0]   o;
+  logic [3*M-1:0]             d;
+  rc_pkg::surface_t           surface;
+  rc_pkg::waiting_t           top_came;
   rc_pkg::shade_place_t place;
 
   if (Every == 1) begin : gen_as_it_comes
@@ -90,30 +91,31 @@ module rc_pass #(
     assign top_came = top_i;
     assign place    = place_i;
   end else begin : gen_held
-    localparam int unsigned RayW = I + rc_pkg::ShadeHitW + 3 * P + 3 * M
+    localparam int unsigned RayW = RayBits + rc_pkg::ShadeHitW + 3 * OriginWidth + 3 * M
                                  + rc_pkg::ShadePlaceW;
 
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
 
     rc_shift_register #(.Width(RayW), .Stages(1)) u_ray (
-      .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i, place_i}),
+      .clk_i, .enable_i(valid_i), .data_i({ray_i, hit_i, o_i, d_i, place_i}),
       .data_o({ray, hit, o, d, place}));
 
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
-      .clk_i, .valid_i, .data_i({state_i, surface_i}), .data_o({state, surface}));
+      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({state, surface}));
 
     rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
-      .clk_i, .valid_i(valid), .data_i(top_i), .data_o(top_came));
+      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
-  // ---- s0: purpose of the pass.
-  logic [Stages:0]      ends;   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
-  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
-  logic [T-1:0]         t;
-  logic [U-1:0]         u, v;
-  logic [3*VB-1:0]      colour;
+  // ---- s0: event of the pass.
+  // ends[i]: a pass leaves stage i; the last bit: a pass is complete
+  logic [Stages:0]             ends;
+  logic                        back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
+  logic [TBits-1:0]            t;
+  logic [UvBits-1:0]           u, v;
+  logic [3*ValueBits-1:0]      colour;
   rc_pkg::shade_state_t known;
-  logic                 has_material;
+  logic                        has_material;
 
   assign back = hit.back;
   assign t    = hit.t;
@@ -149,7 +151,7 @@ module rc_pass #(
   assign ends[Stages] = phase[Stages*Every];
   assign end_valid_o  = ends[Stages];
 
-  // The purposes of the passes that leave their stages.
+  // The events of the passes that leave their stages.
   // face: surf or transform
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, face_at;
   logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at;
@@ -182,10 +184,10 @@ module rc_pass #(
   assign face_at = surf_at | transform_at;
 
   // ---- State known at the start of the pass: delayed to the end.
-  logic                 goes_on, mirrors, transmits;   // goes_on: one cycle before the first stage
-  logic [I-1:0]         end_ray;                       // ends, with fewer loads
+  logic                   goes_on, mirrors, transmits;  // goes_on: one cycle before the first stage
+  logic [RayBits-1:0]     end_ray;                       // ends, with fewer loads
   rc_pkg::shade_state_t begin_state;
-  rc_pkg::waiting_t     top;
+  rc_pkg::waiting_t       top;
 
   assign goes_on = Every > 2 ? phase[Every < 2 ? 0 : Every-2] : ends[0];
 
@@ -198,24 +200,24 @@ module rc_pass #(
     .data_o(top));
 
   // Vectors that are needed on the way.
-  logic [3*AB-1:0] s13_normal, s13_view;
-  logic [3*NB-1:0] side_n;
+  logic [3*AxisBits-1:0]   s13_normal, s13_view;
+  logic [3*NormalBits-1:0] side_n;
 
-  rc_stage_delay #(.Width(6 * AB), .Stages(13)) u_vectors (
+  rc_stage_delay #(.Width(6 * AxisBits), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
 
-  rc_stage_delay #(.Width(3 * NB), .Stages(Side)) u_n (
+  rc_stage_delay #(.Width(3 * NormalBits), .Stages(Side)) u_n (
     .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce),
     .leave_i(light_at[Side] || bounce_at[Side]), .data_i(state.n), .data_o(side_n));
 
   // ---- Surface.
-  logic [3*PW-1:0]    s5_o, surf_o;
-  logic [3*NB-1:0]    s5_n, surf_n;
-  logic [3*UnitW-1:0] s5_toward, s5_target, s5_turned;
-  logic               s5_far, surf_far, s5_lost, surf_lost;
-  logic [3*CB-1:0]    s6_albedo, surf_albedo;
-  logic [3*VB-1:0]    s7_ambient, surf_ambient;
+  logic [3*PointWidth-1:0] s5_o, surf_o;
+  logic [3*NormalBits-1:0] s5_n, surf_n;
+  logic [3*UnitW-1:0]      s5_toward, s5_target, s5_turned;
+  logic                    s5_far, surf_far, s5_lost, surf_lost;
+  logic [3*ColourBits-1:0] s6_albedo, surf_albedo;
+  logic [3*ValueBits-1:0]  s7_ambient, surf_ambient;
 
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .phase_i(phase[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
@@ -225,25 +227,26 @@ module rc_pass #(
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
 
-  rc_stage_delay #(.Width(3 * PW + 3 * NB + 2), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts))
+  rc_stage_delay #(.Width(3 * PointWidth + 3 * NormalBits + 2), .Stages(Out - 5),
+                   .Parts(rc_pkg::ShadeParts))
     u_point (
     .clk_i, .rst_ni, .enter_i(surf_at[5]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
-  rc_stage_delay #(.Width(3 * CB), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
+  rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
     .clk_i, .rst_ni, .enter_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
-  rc_stage_delay #(.Width(3 * VB), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
+  rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
     .clk_i, .rst_ni, .enter_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
   logic [3*ToLightW-1:0] s5_to;
-  logic [3*AB-1:0]    s13_unit, s13_new_view, surf_normal, surf_view;
-  logic [VB-1:0]      s15_cosine, surf_cosine;
-  logic signed [18:0] s15_mirror;
+  logic [3*AxisBits-1:0] s13_unit, s13_new_view, surf_normal, surf_view;
+  logic [ValueBits-1:0]  s15_cosine, surf_cosine;
+  logic signed [18:0]    s15_mirror;
 
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
@@ -258,22 +261,23 @@ module rc_pass #(
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
 
-  rc_stage_delay #(.Width(6 * AB), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
+  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts))
+  u_surf_vectors (
     .clk_i, .rst_ni, .enter_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
 
-  rc_stage_delay #(.Width(VB), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
     .clk_i, .rst_ni, .enter_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- Light and bounce.
-  logic            light_near, light_clear, s13_total, bounce_total, s15_near;
-  logic [3*D-1:0]  s15_light_d, s15_d, end_d;
-  logic [3*N-1:0]  s15_place, light_place;
-  logic [3*VB-1:0] light_share;
-  logic [VB-1:0]   s9_weight, bounce_weight;
-  logic [3*M-1:0]  s15_bounce_d;
+  logic                    light_near, light_clear, s13_total, bounce_total, s15_near;
+  logic [3*RayDirBits-1:0] s15_light_d, s15_d, end_d;
+  logic [3*N-1:0]          s15_place, light_place;
+  logic [3*ValueBits-1:0]  light_share;
+  logic [ValueBits-1:0]    s9_weight, bounce_weight;
+  logic [3*M-1:0]          s15_bounce_d;
 
   rc_light u_light (
     .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .phase_i(phase[28*Every-1:0]),
@@ -291,7 +295,7 @@ module rc_pass #(
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
 
-  rc_stage_delay #(.Width(VB), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
     .clk_i, .rst_ni, .enter_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
 
@@ -300,8 +304,8 @@ module rc_pass #(
     .data_o(bounce_total));
 
   // ---- Background, for a ray that met nothing or a bounce that is not traced.
-  logic [3*VB-1:0] background, end_background;
-  logic [VB-1:0]   state_weight;
+  logic [3*ValueBits-1:0] background, end_background;
+  logic [ValueBits-1:0]   state_weight;
 
   assign state_weight = state.weight;
   assign background   = frame_i.background;
@@ -313,14 +317,14 @@ module rc_pass #(
 
   // ---- Side of the surface to which a direction leaves: exact.
   logic above, below, end_above, end_below, end_positive;
-  logic [3*D-1:0] side_d;
+  logic [3*RayDirBits-1:0] side_d;
 
   for (genvar k = 0; k < 3; k++) begin : gen_d
-    assign s15_d[k*D +: D] = light_q[15] ? s15_light_d[k*D +: D]
-                                          : D'($signed(s15_bounce_d[k*M +: M]));
+    assign s15_d[k*RayDirBits +: RayDirBits] = light_q[15] ? s15_light_d[k*RayDirBits +: RayDirBits]
+                                          : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
   end
 
-  rc_side u_side (
+  rc_normal_side u_normal_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
     .phase_i(phase[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
@@ -330,30 +334,30 @@ module rc_pass #(
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
 
-  rc_stage_delay #(.Width(3 * D + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
+  rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
     .clk_i, .rst_ni, .enter_i(light_at[15] || bounce_at[15]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
   // ---- With two levels: from a mesh's space, and into it.
-  logic [3*P-1:0]              turned_o, end_home_o;
-  logic [3*D-1:0]              end_home_d;
+  logic [3*OriginWidth-1:0]    turned_o, end_home_o;
+  logic [3*RayDirBits-1:0]     end_home_d;
   logic [rc_pkg::AddrBits-1:0] end_home;
 
   if (rc_pkg::Homes == 1) begin : gen_homes
-    localparam int unsigned E = rc_pkg::MapBits;
-    localparam int unsigned H = N + rc_pkg::MapFrac;
-    logic [3*P-1:0]              s5_turned_o, s19_home_o;
-    logic [3*D-1:0]              s19_home_d;
+    localparam int unsigned MapBits    = rc_pkg::MapBits;
+    localparam int unsigned TranslateW = N + rc_pkg::MapFrac;
+    logic [3*OriginWidth-1:0]    s5_turned_o, s19_home_o;
+    logic [3*RayDirBits-1:0]     s19_home_d;
     logic [rc_pkg::AddrBits-1:0] here;
-    logic [9*E-1:0]              map_a;
-    logic [3*H-1:0]              map_b;
+    logic [9*MapBits-1:0]        map_a;
+    logic [3*TranslateW-1:0]     map_b;
 
     assign here  = place.here;
     assign map_a = place.a;
     assign map_b = place.b;
 
-    rc_homes #(.UnitW(UnitW)) u_homes (
+    rc_instance_space #(.UnitW(UnitW)) u_instance_space (
       .clk_i, .rst_ni, .transform_valid_i(transform_at[4:0]), .s0_phase_i(phase[Every-1:0]),
       .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
@@ -365,11 +369,14 @@ module rc_pass #(
 
     assign side_d = s19_home_d;
 
-    rc_stage_delay #(.Width(3 * P), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_turned (
+    rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts))
+    u_turned (
       .clk_i, .rst_ni, .enter_i(transform_at[5]), .leave_i(transform_at[Out]), .data_i(s5_turned_o),
       .data_o(turned_o));
 
-    rc_stage_delay #(.Width(3 * (P + D)), .Stages(Out - 19), .Parts(rc_pkg::ShadeParts)) u_home (
+    rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
+                     .Parts(rc_pkg::ShadeParts))
+    u_home (
       .clk_i, .rst_ni, .enter_i(light_at[19] || bounce_at[19]),
       .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
@@ -388,21 +395,21 @@ module rc_pass #(
   end
 
   // ---- From beyond the lattice: the point of entry.
-  logic           enters;
-  logic [3*P-1:0] entry;
+  logic                     enters;
+  logic [3*OriginWidth-1:0] entry;
 
   if (rc_pkg::Planes == 1) begin : gen_approach
-    logic [3*PW-1:0] s0_o, s15_o;
-    logic [3*M-1:0]  s15_new_d, s15_short_d;
+    logic [3*PointWidth-1:0] s0_o, s15_o;
+    logic [3*M-1:0]          s15_new_d, s15_short_d;
 
     assign s0_o = state.o;
 
-    rc_stage_delay #(.Width(3 * PW), .Stages(15)) u_o (
+    rc_stage_delay #(.Width(3 * PointWidth), .Stages(15)) u_o (
       .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
       .data_i(s0_o), .data_o(s15_o));
 
     for (genvar k = 0; k < 3; k++) begin : gen_short
-      assign s15_new_d[k*M +: M] = s15_d[k*D +: M];
+      assign s15_new_d[k*M +: M] = s15_d[k*RayDirBits +: M];
     end
 
     rc_path_register #(.Width(3 * M), .Stages(rc_pkg::ShadeCut)) u_short (
@@ -421,13 +428,13 @@ module rc_pass #(
   logic [2:0] end_up;
 
   if (rc_pkg::Horizon == 1) begin : gen_horizon
-    logic [3*NB-1:0] s0_n;
-    logic [2:0]      s0_up;
+    logic [3*NormalBits-1:0] s0_n;
+    logic [2:0]              s0_up;
 
     assign s0_n = state.n;
 
     for (genvar k = 0; k < 3; k++) begin : gen_up
-      assign s0_up[k] = s0_n[k*NB+NB-1] == s0_refract;
+      assign s0_up[k] = s0_n[k*NormalBits+NormalBits-1] == s0_refract;
     end
 
     rc_stage_delay #(.Width(3), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_up (
@@ -441,14 +448,14 @@ module rc_pass #(
   end
 
   // ---- End of the sample.
-  logic            end_more;
-  logic [3*SB-1:0] end_sum;
-  logic [3*VB-1:0] end_least, end_most, end_mean;
+  logic                   end_more;
+  logic [3*SumBits-1:0]   end_sum;
+  logic [3*ValueBits-1:0] end_least, end_most, end_mean;
 
   if (rc_pkg::Supersampling == 1) begin : gen_samples
     logic         s4_more;
-    logic [3*SB-1:0] s4_sum;
-    logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
+    logic [3*SumBits-1:0] s4_sum;
+    logic [3*ValueBits-1:0]  s4_least, s4_most, s4_mean;
 
     rc_finish u_finish (
       .clk_i, .frame_i, .valid_i(end_at[3:0]), .phase_i(phase[Every +: Every]),
@@ -456,7 +463,8 @@ module rc_pass #(
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
 
-    rc_stage_delay #(.Width(1 + 3 * SB + 9 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts))
+    rc_stage_delay #(.Width(1 + 3 * SumBits + 9 * ValueBits), .Stages(Out - 4),
+                     .Parts(rc_pkg::ShadeParts))
       u_end (
       .clk_i, .rst_ni, .enter_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),

@@ -1,37 +1,37 @@
-// The start of a pass: its purpose, and the context's state that is known then. Part of rc_pass;
+// The start of a pass: its event, and the context's state that is known then. Part of rc_pass;
 // combinational. Model: pass() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(
-  localparam int unsigned VB = rc_pkg::ValueBits,
-  localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned U  = rc_pkg::UvBits
+  localparam int unsigned ValueBits = rc_pkg::ValueBits,
+  localparam int unsigned PrimBits  = rc_pkg::PrimBits,
+  localparam int unsigned TBits     = rc_pkg::TBits,
+  localparam int unsigned UvBits    = rc_pkg::UvBits
 ) (
   // Context, and the last ray's answer
-  input  logic                 valid_i,
-  input  rc_pkg::shade_state_t state_i,
-  input  rc_pkg::shade_hit_t   hit_i,
-  input  rc_pkg::surface_t     surface_i,
-  // Purpose
-  output logic                 surf_o,     // a camera ray or bounce has hit a surface
-  output logic                 light_o,
-  output logic                 bounce_o,
-  output logic                 refract_o,  // refracted, not reflected
+  input  logic                   valid_i,
+  input  rc_pkg::shade_state_t   state_i,
+  input  rc_pkg::shade_hit_t     hit_i,
+  input  rc_pkg::surface_t       surface_i,
+  // Event
+  output logic                   surf_o,     // a camera ray or bounce has hit a surface
+  output logic                   light_o,
+  output logic                   bounce_o,
+  output logic                   refract_o,  // refracted, not reflected
   // a result of a mesh's space is transformed to the scene's
-  output logic                 transform_o,
-  output logic                 end_o,      // a waiting ray, or the end of the sample
+  output logic                   transform_o,
+  output logic                   end_o,      // a waiting ray, or the end of the sample
   // State
-  output logic [3*VB-1:0]      colour_o,   // including what was pending
-  output logic                 has_material_o,   // a surface has been hit, even without valid_i:
-  output rc_pkg::material_t    material_o,   // its material
-  output rc_pkg::shade_state_t known_o
+  output logic [3*ValueBits-1:0] colour_o,   // including what was pending
+  output logic                   has_material_o,   // a surface has been hit, even without valid_i:
+  output rc_pkg::material_t      material_o,   // its material
+  output rc_pkg::shade_state_t   known_o
 );
 
-  // Purpose.
-  logic          arrives, found, back;   // arrives: a camera ray or bounce is done
-  logic [PB-1:0] prim;
-  logic [T-1:0]  t;
-  logic [U-1:0]  u, v;
+  // Event.
+  logic                arrives, found, back;   // arrives: a camera ray or bounce is done
+  logic [PrimBits-1:0] prim;
+  logic [TBits-1:0]    t;
+  logic [UvBits-1:0]   u, v;
 
   assign found = hit_i.found;
   assign back  = hit_i.back;
@@ -40,19 +40,19 @@ module rc_pass_begin #(
   assign u     = hit_i.u;
   assign v     = hit_i.v;
 
-  assign arrives        = state_i.purpose == rc_pkg::EventArrive;
+  assign arrives        = state_i.next_event == rc_pkg::EventArrive;
   assign has_material_o = arrives && found;
   assign surf_o         = valid_i && has_material_o;
-  assign light_o        = valid_i && state_i.purpose == rc_pkg::EventLight;
-  assign refract_o      = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
-  assign bounce_o       = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign light_o        = valid_i && state_i.next_event == rc_pkg::EventLight;
+  assign refract_o      = rc_pkg::Refraction == 1 && state_i.next_event == rc_pkg::EventRefract;
+  assign bounce_o       = valid_i && (refract_o || state_i.next_event == rc_pkg::EventReflect);
   assign transform_o    = valid_i && rc_pkg::Homes == 1
-      && state_i.purpose == rc_pkg::EventTransform;
-  assign end_o          = valid_i && state_i.purpose == rc_pkg::EventPop;
+      && state_i.next_event == rc_pkg::EventTransform;
+  assign end_o          = valid_i && state_i.next_event == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
   logic        adds;
-  logic [3*VB-1:0] old_colour, old_share;
+  logic [3*ValueBits-1:0] old_colour, old_share;
 
   assign adds       = state_i.pending == rc_pkg::PendingSure
                    || (state_i.pending == rc_pkg::PendingAnswer && !found);
@@ -61,8 +61,9 @@ module rc_pass_begin #(
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
-    assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
-    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    assign sum = {1'b0, old_colour[k*ValueBits +: ValueBits]}
+               + (adds ? {1'b0, old_share[k*ValueBits +: ValueBits]} : '0);
+    assign colour_o[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
   // The state.

@@ -8,85 +8,85 @@
 // Model: pass() and its parts in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_end #(
-  localparam int unsigned VB = rc_pkg::ValueBits,
-  localparam int unsigned AB = rc_pkg::AxisBits,
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned N  = rc_pkg::CoordBits,
-  localparam int unsigned M  = rc_pkg::DirBits,
-  localparam int unsigned B  = rc_pkg::OriginBits,
-  localparam int unsigned P  = rc_pkg::OriginWidth,
-  localparam int unsigned PW = rc_pkg::PointWidth,
-  localparam int unsigned D  = rc_pkg::RayDirBits,
-  localparam int unsigned NB = rc_pkg::NormalBits
+  localparam int unsigned ValueBits   = rc_pkg::ValueBits,
+  localparam int unsigned AxisBits    = rc_pkg::AxisBits,
+  localparam int unsigned RayBits     = rc_pkg::RayBits,
+  localparam int unsigned N           = rc_pkg::CoordBits,
+  localparam int unsigned M           = rc_pkg::DirBits,
+  localparam int unsigned OriginBits  = rc_pkg::OriginBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned PointWidth  = rc_pkg::PointWidth,
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
+  localparam int unsigned NormalBits  = rc_pkg::NormalBits
 ) (
   input  logic                 clk_i,
   input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
   // The context's state as known at the start of the pass. Of its surface: the point, and whether
   // it mirrors and transmits
-  input  logic [I-1:0]         ray_i,
+  input  logic [RayBits-1:0]   ray_i,
   input  rc_pkg::shade_state_t begin_state_i,
   input  logic                 mirrors_i,
   input  logic                 transmits_i,
   input  rc_pkg::waiting_t     top_i,
   // From rc_surf, rc_angles and rc_background
-  input  logic            surf_i,  // a surface has arrived
-  input  logic [3*PW-1:0] surf_o_i,
-  input  logic [3*NB-1:0] surf_n_i,
-  input  logic [3*AB-1:0] surf_normal_i,
-  input  logic [3*AB-1:0] surf_view_i,
-  input  logic [VB-1:0]   surf_cosine_i,
-  input  logic            surf_far_i,
-  input  logic            surf_lost_i,
+  input  logic                    surf_i,  // a surface has arrived
+  input  logic [3*PointWidth-1:0] surf_o_i,
+  input  logic [3*NormalBits-1:0] surf_n_i,
+  input  logic [3*AxisBits-1:0]   surf_normal_i,
+  input  logic [3*AxisBits-1:0]   surf_view_i,
+  input  logic [ValueBits-1:0]    surf_cosine_i,
+  input  logic                    surf_far_i,
+  input  logic                    surf_lost_i,
   input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
-  input  logic [3*VB-1:0] surf_ambient_i,
-  input  logic [3*VB-1:0] background_i,
-  // With two levels, from rc_homes: a surface was transformed; the ray in the mesh's space
-  input  logic            transform_i,
-  input  logic [3*P-1:0]  transform_o_i,
+  input  logic [3*ValueBits-1:0]   surf_ambient_i,
+  input  logic [3*ValueBits-1:0]   background_i,
+  // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
+  input  logic                     transform_i,
+  input  logic [3*OriginWidth-1:0] transform_o_i,
   input  logic [rc_pkg::AddrBits-1:0] home_i,
-  input  logic [3*P-1:0]  home_o_i,
-  input  logic [3*D-1:0]  home_d_i,
+  input  logic [3*OriginWidth-1:0] home_o_i,
+  input  logic [3*RayDirBits-1:0]  home_d_i,
   // From rc_light
-  input  logic            light_near_i,
-  input  logic            light_clear_i,
-  input  logic [3*N-1:0]  light_place_i,
-  input  logic [3*VB-1:0] light_share_i,
-  // For a shadow ray or bounce, from rc_side, rc_angles and rc_approach
-  input  logic           above_i,     // the new ray is on that side of the surface
-  input  logic           below_i,
-  input  logic           positive_i,  // the light's cosine is positive
-  input  logic [3*D-1:0] d_i,
-  input  logic           enters_i,    // from beyond the lattice: the point of entry
-  input  logic [3*P-1:0] entry_i,
-  input  logic [2:0]     up_i,        // no entry: begin beyond the lattice
+  input  logic                     light_near_i,
+  input  logic                     light_clear_i,
+  input  logic [3*N-1:0]           light_place_i,
+  input  logic [3*ValueBits-1:0]   light_share_i,
+  // For a shadow ray or bounce, from rc_normal_side, rc_angles and rc_approach
+  input  logic                     above_i,     // the new ray is on that side of the surface
+  input  logic                     below_i,
+  input  logic                     positive_i,  // the light's cosine is positive
+  input  logic [3*RayDirBits-1:0]  d_i,
+  input  logic                     enters_i,    // from beyond the lattice: the point of entry
+  input  logic [3*OriginWidth-1:0] entry_i,
+  input  logic [2:0]               up_i,        // no entry: begin beyond the lattice
   // From rc_bounce
-  input  logic [VB-1:0] weight_i,
-  input  logic          total_i,
+  input  logic [ValueBits-1:0] weight_i,
+  input  logic                 total_i,
   // From rc_finish
   input  logic            more_i,  // another sample follows
   input  logic [3*rc_pkg::SumBits-1:0] sum_i,
-  input  logic [3*VB-1:0] least_i,
-  input  logic [3*VB-1:0] most_i,
-  input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several samples
+  input  logic [3*ValueBits-1:0] least_i,
+  input  logic [3*ValueBits-1:0] most_i,
+  input  logic [3*ValueBits-1:0] mean_i,  // the pixel's colour, if it has several samples
   // The context's new state, and the outputs
-  output logic [I-1:0]                ray_o,
-  output rc_pkg::shade_state_t        state_o,
-  output logic [3:0]                  changes_o,   // groups of state_o, as in rc_contexts
-  output logic                        push_o,
-  output logic [rc_pkg::WaitingW-1:0] pushed_o,
-  output logic [1:0]                  leave_o,  // rc_pkg::leave_e
-  output logic [rc_pkg::SpawnW-1:0]   spawn_o,
-  output logic [rc_pkg::PixelW-1:0]   pixel_o
+  output logic [RayBits-1:0]                 ray_o,
+  output rc_pkg::shade_state_t               state_o,
+  output logic [3:0]                         changes_o,   // groups of state_o, as in rc_contexts
+  output logic                               push_o,
+  output logic [rc_pkg::WaitingW-1:0]        pushed_o,
+  output logic [1:0]                         leave_o,  // rc_pkg::leave_e
+  output logic [rc_pkg::SpawnW-1:0]          spawn_o,
+  output logic [rc_pkg::PixelW-1:0]          pixel_o
 );
   localparam int unsigned Cut = rc_pkg::ShadeCut;
 
-  // ---- Purpose of the pass.
+  // ---- Event of the pass.
   logic [2:0] event_now;
   logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
 
-  assign event_now = begin_state_i.purpose;
+  assign event_now = begin_state_i.next_event;
   assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
 
   rc_path_register #(.Width(7), .Stages(Cut)) u_event (
@@ -99,18 +99,19 @@ module rc_pass_end #(
     .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
   // ---- Colour.
-  logic [3*VB-1:0] begin_colour, added, colour;
+  logic [3*ValueBits-1:0] begin_colour, added, colour;
 
   assign begin_colour = begin_state_i.colour;
 
-  rc_path_register #(.Width(3 * VB), .Stages(Cut)) u_added (
+  rc_path_register #(.Width(3 * ValueBits), .Stages(Cut)) u_added (
     .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
 
-    assign sum = {1'b0, begin_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
-    assign colour[k*VB +: VB] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    assign sum = {1'b0, begin_colour[k*ValueBits +: ValueBits]}
+               + {1'b0, added[k*ValueBits +: ValueBits]};
+    assign colour[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
   end
 
   // ---- The next event, after a surface or a light.
@@ -140,12 +141,12 @@ module rc_pass_end #(
   // of a unit vector: shortest_held() in model/unit/shade/bounce.hpp.
   logic held;
   if (rc_pkg::Homes == 1) begin : gen_held
-    localparam logic signed [D-1:0] Quarter = D'(1) <<< (M - 4);
+    localparam logic signed [RayDirBits-1:0] Quarter = RayDirBits'(1) <<< (M - 4);
     logic [2:0] holds;
     for (genvar k = 0; k < 3; k++) begin : gen_component
-      logic signed [D-1:0] d;
+      logic signed [RayDirBits-1:0] d;
 
-      assign d        = d_i[k*D +: D];
+      assign d        = d_i[k*RayDirBits +: RayDirBits];
       assign holds[k] = d >= Quarter || d <= -Quarter;
     end
 
@@ -183,14 +184,15 @@ module rc_pass_end #(
     .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
 
   // A transformed point lies in the lattice. The result in the mesh's space is stored as well.
-  logic [3*PW-1:0] turned_o, found_o;
-  logic [3*P-1:0]  inner;
+  logic [3*PointWidth-1:0]  turned_o, found_o;
+  logic [3*OriginWidth-1:0] inner;
 
   assign found_o = begin_state_i.o;
 
   for (genvar k = 0; k < 3; k++) begin : gen_turned
-    assign turned_o[k*PW +: PW] = PW'($signed(transform_o_i[k*P +: P]));
-    assign inner[k*P +: P]      = found_o[k*PW +: P];
+    assign turned_o[k*PointWidth +: PointWidth] =
+        PointWidth'($signed(transform_o_i[k*OriginWidth +: OriginWidth]));
+    assign inner[k*OriginWidth +: OriginWidth]  = found_o[k*PointWidth +: OriginWidth];
   end
 
   // ---- New state. Groups that have not changed are not written, and are arbitrary.
@@ -217,29 +219,29 @@ module rc_pass_end #(
     if (surf_i || transform_i) next.light = '0;
 
     if (is_arrive) begin
-      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTransform
-          : after;
+      next.next_event = !surf_i ? rc_pkg::EventPop
+                      : rc_pkg::Homes == 1 ? rc_pkg::EventTransform : after;
     end
 
-    if (transform_i) next.purpose = after;
+    if (transform_i) next.next_event = after;
 
     if (is_arrive || escapes) next.colour = colour;
 
     if (is_light) begin
-      next.light   = light;
-      next.purpose = after;
-      next.pending = !counts ? rc_pkg::PendingNone
+      next.light      = light;
+      next.next_event = after;
+      next.pending    = !counts ? rc_pkg::PendingNone
                       : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
 
     if (is_refract) begin
-      next.total = total_i;
-      next.purpose = rc_pkg::EventReflect;
+      next.total      = total_i;
+      next.next_event = rc_pkg::EventReflect;
       if (pushes) next.waiting = begin_state_i.waiting + 4'd1;
     end
 
     if (is_reflect) begin
-      next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
+      next.next_event = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
         next.weight = weight_i;
         next.depth  = begin_state_i.depth + 4'd1;
@@ -247,10 +249,10 @@ module rc_pass_end #(
     end
 
     if (is_pop) begin
-      next.waiting = begin_state_i.waiting - 4'd1;
-      next.weight  = top_i.weight;
-      next.depth   = top_i.depth;
-      next.purpose = rc_pkg::EventArrive;
+      next.waiting    = begin_state_i.waiting - 4'd1;
+      next.weight     = top_i.weight;
+      next.depth      = top_i.depth;
+      next.next_event = rc_pkg::EventArrive;
     end
 
     if (is_end) begin
@@ -260,11 +262,11 @@ module rc_pass_end #(
     end
 
     if (is_next) begin
-      next.sample = begin_state_i.sample + 6'd1;
-      next.colour = '0;
-      next.weight = rc_pkg::ValueOne;
-      next.depth  = '0;
-      next.purpose = rc_pkg::EventArrive;
+      next.sample     = begin_state_i.sample + 6'd1;
+      next.colour     = '0;
+      next.weight     = rc_pkg::ValueOne;
+      next.depth      = '0;
+      next.next_event = rc_pkg::EventArrive;
     end
   end
 
@@ -295,10 +297,10 @@ module rc_pass_end #(
 
   // ---- Rays. First the waiting ray, which rc_contexts pushes.
   logic [3*M-1:0] short_d, top_d;
-  logic [3*PW-1:0] begin_origin;
-  logic [3*P-1:0] start, top_o, spawn_place;
-  logic [3*D-1:0] spawn_way;
-  logic [3*P-1:0] place;
+  logic [3*PointWidth-1:0] begin_origin;
+  logic [3*OriginWidth-1:0] start, top_o, spawn_place;
+  logic [3*RayDirBits-1:0]  spawn_way;
+  logic [3*OriginWidth-1:0] place;
 
   assign begin_origin = begin_state_i.o;
   assign top_o        = top_i.o;
@@ -306,15 +308,21 @@ module rc_pass_end #(
 
   // Start points and directions.
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    assign short_d[k*M +: M]   = d_i[k*D +: M];
-    logic [P-1:0] rough;
+    assign short_d[k*M +: M]   = d_i[k*RayDirBits +: M];
+    logic [OriginWidth-1:0] rough;
 
-    assign rough = P'($signed(begin_origin[k*PW +: PW]) >>> rc_pkg::FarDrop) + P'(up_i[k]);
+    assign rough =
+        OriginWidth'($signed(begin_origin[k*PointWidth +: PointWidth]) >>> rc_pkg::FarDrop)
+        + OriginWidth'(up_i[k]);
 
-    assign start[k*P +: P]     = beyond ? rough : far ? entry_i[k*P +: P] : begin_origin[k*PW +: P];
-    assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
-    assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
-                                                       : d_i[k*D +: D];
+    assign start[k*OriginWidth +: OriginWidth]   = beyond ? rough
+                                                 : far ? entry_i[k*OriginWidth +: OriginWidth]
+                                                 : begin_origin[k*PointWidth +: OriginWidth];
+    assign place[k*OriginWidth +: OriginWidth]   = OriginWidth'(light_place_i[k*N +: N])
+                                                 << OriginBits;
+    assign spawn_way[k*RayDirBits +: RayDirBits] = is_next ? '0
+                                                 : is_pop ? RayDirBits'($signed(top_d[k*M +: M]))
+                                                 : d_i[k*RayDirBits +: RayDirBits];
   end
 
   rc_pkg::waiting_t waiting;
@@ -374,13 +382,13 @@ module rc_pass_end #(
   end
 
   if (rc_pkg::Homes == 1) begin : gen_home
-    logic [3*M-1:0] short_home_d, top_home_d;
-    logic [3*D-1:0] top_way;
+    logic [3*M-1:0]          short_home_d, top_home_d;
+    logic [3*RayDirBits-1:0] top_way;
 
     assign top_home_d = top_i.home_d;
     for (genvar k = 0; k < 3; k++) begin : gen_axis
-      assign short_home_d[k*M +: M] = home_d_i[k*D +: M];
-      assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
+      assign short_home_d[k*M +: M]              = home_d_i[k*RayDirBits +: M];
+      assign top_way[k*RayDirBits +: RayDirBits] = RayDirBits'($signed(top_home_d[k*M +: M]));
     end
 
     assign waiting.home   = home_i;
@@ -415,7 +423,7 @@ module rc_pass_end #(
 
   // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand
   // bits.
-  localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 4 + 1;
+  localparam int unsigned ContextW = RayBits + rc_pkg::ShadeStateW + 4 + 1;
   localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
   localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
   logic [ContextW-1:0] made_context, kept_context;

@@ -3,19 +3,19 @@
 // mirrors and transmits. Part of rc_pass; all other fields of begin_state_o are 0.
 `default_nettype none
 module rc_pass_state #(
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned DB = rc_pkg::DepthBits
+  localparam int unsigned RayBits   = rc_pkg::RayBits,
+  localparam int unsigned PrimBits  = rc_pkg::PrimBits,
+  localparam int unsigned DepthBits = rc_pkg::DepthBits
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
   input  logic                 enter_i,       // as in rc_stage_delay
   input  logic                 leave_i,
   // Start of the pass
-  input  logic [I-1:0]         ray_i,
+  input  logic [RayBits-1:0]   ray_i,
   input  rc_pkg::shade_state_t known_i,
   // End of the pass
-  output logic [I-1:0]         ray_o,
+  output logic [RayBits-1:0]   ray_o,
   output rc_pkg::shade_state_t begin_state_o,
   output logic                 mirrors_o,
   output logic                 transmits_o
@@ -28,9 +28,9 @@ module rc_pass_state #(
   logic [StateW-1:0] known;
   logic [FrontW-1:0] front;
   rc_pkg::shade_samples_t known_many, many;
-  logic              is_far, is_lost, total, is_inside;
-  logic [DB-1:0]     waiting;
-  logic [PB-1:0]     self;
+  logic                     is_far, is_lost, total, is_inside;
+  logic [DepthBits-1:0]     waiting;
+  logic [PrimBits-1:0]      self;
 
   assign known             = known_i;
   assign known_many.sample = known_i.sample;
@@ -38,7 +38,7 @@ module rc_pass_state #(
   assign known_many.least  = known_i.least;
   assign known_many.most   = known_i.most;
 
-  rc_stage_delay #(.Width(I + FrontW + 6 + DB + PB), .Stages(Stages),
+  rc_stage_delay #(.Width(RayBits + FrontW + 6 + DepthBits + PrimBits), .Stages(Stages),
     .Parts(rc_pkg::ShadeParts)) u_all (
     .clk_i, .rst_ni, .enter_i, .leave_i,
     .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,

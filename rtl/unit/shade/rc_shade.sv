@@ -43,13 +43,13 @@ module rc_shade (
   // What it did: rc_pkg::shade_cause_e
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
+  localparam int unsigned RayBits  = rc_pkg::RayBits;
   localparam int unsigned Contexts = rc_pkg::Contexts;
-  localparam int unsigned A        = rc_pkg::AddrBits;
-  localparam int unsigned PB       = rc_pkg::PrimBits;
+  localparam int unsigned AddrBits = rc_pkg::AddrBits;
+  localparam int unsigned PrimBits = rc_pkg::PrimBits;
   localparam int unsigned Every    = rc_pkg::ShadeInterval;
-  localparam int unsigned SpawnDataW = rc_pkg::SpawnW - I;
-  localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
+  localparam int unsigned SpawnDataW = rc_pkg::SpawnW - RayBits;
+  localparam int unsigned PixelDataW = rc_pkg::PixelW - RayBits;
 
   logic [rc_pkg::FrameW-1:0]      frame_flat;
   rc_pkg::shade_frame_t           shade_frame;   // lowest in the frame
@@ -59,33 +59,34 @@ module rc_shade (
 
   // ---- Answers: a hit of a camera ray or bounce waits for its surface (A); others enter a pass
   // (B).
-  logic [I-1:0]                closest_ray;
-  logic [PB-1:0]               closest_prim;
-  logic                        wants_surface, ends_at_any, any_hit;   // any_hit: any hit ends it
-  logic [1:0]                  kind;
+  logic [RayBits-1:0]                closest_ray;
+  logic [PrimBits-1:0]               closest_prim;
+  // any_hit: any hit ends it.
+  logic                              wants_surface, ends_at_any, any_hit;
+  logic [1:0]                        kind;
 
   assign closest_ready_o = 1'b1;
 
   // In a fast chip the answer is one cycle in flight, and then one cycle here.
   localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
 
-  logic          answers, way_found;
-  logic [I-1:0]  way_ray;
-  logic [PB-1:0] way_prim;
-  logic [A-1:0]  closest_place;
+  logic                answers, way_found;
+  logic [RayBits-1:0]  way_ray;
+  logic [PrimBits-1:0] way_prim;
+  logic [AddrBits-1:0] closest_place;
 
   if (rc_pkg::Homes == 1) begin : gen_place_of_hit
-    rc_path_register #(.Width(A), .Stages(Late)) u_place_of_hit (
+    rc_path_register #(.Width(AddrBits), .Stages(Late)) u_place_of_hit (
       .clk_i, .data_i(closest_i.place), .data_o(closest_place));
   end else begin : gen_no_place_of_hit
     assign closest_place = '0;
   end
 
-  rc_path_register #(.Width(I + PB + 1), .Stages(rc_pkg::FarCut)) u_way (
+  rc_path_register #(.Width(RayBits + PrimBits + 1), .Stages(rc_pkg::FarCut)) u_way (
     .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found}),
     .data_o({way_ray, way_prim, way_found}));
 
-  rc_path_register #(.Width(I + PB + 1)) u_answer (
+  rc_path_register #(.Width(RayBits + PrimBits + 1)) u_answer (
     .clk_i, .data_i({way_ray, way_prim, way_found && !any_hit}),
     .data_o({closest_ray, closest_prim, wants_surface}));
 
@@ -95,10 +96,10 @@ module rc_shade (
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
 
   // The kind of a ray. A fast chip writes it one cycle later, next to the memory.
-  logic         starts, starts_any;
-  logic [I-1:0] starts_ray;
+  logic               starts, starts_any;
+  logic [RayBits-1:0] starts_ray;
 
-  rc_path_register #(.Width(I + 1)) u_starts (
+  rc_path_register #(.Width(RayBits + 1)) u_starts (
     .clk_i, .data_i({ray_i.ray, ends_at_any}), .data_o({starts_ray, starts_any}));
 
   rc_ram #(.Width(1), .Depth(Contexts)) u_any (
@@ -132,17 +133,17 @@ module rc_shade (
   assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
   assign instance_came = rc_pkg::PlacementW'(surf_rsp);
 
-  logic           arrived_valid, arrived_pop;
-  logic [I-1:0]   arrived_ray;
+  logic                 arrived_valid, arrived_pop;
+  logic [RayBits-1:0]   arrived_ray;
 
   if (rc_pkg::Homes == 0) begin : gen_fetch
-    logic [A-1:0]   surfaces, line;
-    logic [I+A-1:0] fetch;
+    logic [AddrBits-1:0]         surfaces, line;
+    logic [RayBits+AddrBits-1:0] fetch;
 
     assign surfaces = shade_frame.surfaces;
-    assign line     = surfaces + A'(closest_prim);
+    assign line     = surfaces + AddrBits'(closest_prim);
 
-    rc_queue #(.Width(I + A), .Depth(Contexts)) u_fetch (
+    rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_fetch (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
@@ -157,14 +158,14 @@ module rc_shade (
     logic unused;
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
-    logic [Contexts-1:0]     placing_q, lends_q;   // waits for an instance, for a material
-    logic [A-1:0]            prim, surface_line, kept_line;
-    logic [Contexts-1:0]     lent_q;               // the context's last instance has a material
-    logic                    lends;
-    logic [I-1:0]            came_ray;
-    logic [A-1:0]            line;
-    logic                    place_valid, place_ready, fetch_valid, fetch_ready;
-    logic [I+A-1:0]          place_next, fetch_next, fetch;
+    logic [Contexts-1:0]             placing_q, lends_q;   // waits for an instance, for a material
+    logic [AddrBits-1:0]             prim, surface_line, kept_line;
+    logic [Contexts-1:0]             lent_q;   // the context's last instance has a material
+    logic                            lends;
+    logic [RayBits-1:0]              came_ray;
+    logic [AddrBits-1:0]             line;
+    logic                            place_valid, place_ready, fetch_valid, fetch_ready;
+    logic [RayBits+AddrBits-1:0]     place_next, fetch_next, fetch;
 
     assign came_ray      = surf_rsp_i.ray;
     assign surface_line  = instance_came.surfaces + prim;
@@ -191,7 +192,7 @@ module rc_shade (
       if (answers) lends_q[closest_ray] <= 1'b0;
     end
 
-    rc_ram #(.Width(A), .Depth(Contexts)) u_line (
+    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_line (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
       .read_addr_i(came_ray), .read_data_o(kept_line));
 
@@ -213,20 +214,20 @@ module rc_shade (
 
     assign surface_found = lent;
 
-    rc_ram #(.Width(A), .Depth(Contexts)) u_prim (
+    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
-      .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
+      .write_data_i(AddrBits'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
 
-    rc_queue #(.Width(I + A), .Depth(Contexts)) u_place (
+    rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, closest_place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
 
-    rc_queue #(.Width(I + A), .Depth(Contexts)) u_fetch (
+    rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_fetch (
       .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
       .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
 
-    rc_priority_merge #(.Width(I + A)) u_ask (
+    rc_priority_merge #(.Width(RayBits + AddrBits)) u_ask (
       .clk_i, .rst_ni,
       .first_valid_i(fetch_valid), .first_ready_o(fetch_ready), .first_i(fetch_next),
       .second_valid_i(place_valid), .second_ready_o(place_ready), .second_i(place_next),
@@ -241,14 +242,14 @@ module rc_shade (
   assign came   = surf_rsp_valid_i && !placing;
 
   // Rays that need no surface.
-  rc_queue #(.Width(I), .Depth(Contexts)) u_arrived (
+  rc_queue #(.Width(RayBits), .Depth(Contexts)) u_arrived (
     .clk_i, .rst_ni, .push_i(answers && !wants_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
   // ---- Admission: a pass has a place in the output queue.
   logic         open, room, occupied, enters, again_valid, again_pop, end_valid, out_valid,
                 out_ready;
-  logic [I-1:0] again_ray, ray;
+  logic [RayBits-1:0] again_ray, ray;
 
   rc_credit_counter #(.Credits(rc_pkg::ShadeQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
@@ -289,7 +290,7 @@ module rc_shade (
   logic [3*rc_pkg::DirBits-1:0]      d;
   logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
   logic [rc_pkg::WaitingW-1:0]       top, pushed;
-  logic [I-1:0]                      end_ray, material_ray;
+  logic [RayBits-1:0]                end_ray, material_ray;
   logic                              material_valid;
   rc_pkg::material_t                 hit_material;
   logic [3:0]                        changes;
@@ -298,14 +299,14 @@ module rc_shade (
   logic [rc_pkg::SpawnW-1:0]         spawn;
   logic [rc_pkg::PixelW-1:0]         pixel;
   logic                              passes;     // the state from rc_contexts is ready
-  logic [I-1:0]                      pass_ray;
+  logic [RayBits-1:0]                pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
 
   if (Every == 1) begin : gen_at_once
     assign pass_ray = ray;
     assign surface  = surface_found;
   end else begin : gen_read
-    logic [I-1:0]                ray_q;
+    logic [RayBits-1:0]          ray_q;
     logic [rc_pkg::SurfaceW-1:0] surface_q;
 
     always_ff @(posedge clk_i) begin
@@ -346,14 +347,14 @@ module rc_shade (
 
   // ---- Output: again (C), a ray (D), the pixel (E). Data of rays and pixels waits in memories by
   // context, or, with an interval above 1, in the queues.
-  logic [I-1:0] out_ray, spawn_ray, pixel_ray;
-  logic [1:0]   out_leave;
+  logic [RayBits-1:0] out_ray, spawn_ray, pixel_ray;
+  logic [1:0]         out_leave;
 
-  rc_fifo #(.Width(I + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
+  rc_fifo #(.Width(RayBits + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(out_ready), .data_i({end_ray, leave}),
     .valid_o(out_valid), .ready_i(1'b1), .data_o({out_ray, out_leave}));
 
-  rc_queue #(.Width(I), .Depth(Contexts)) u_again (
+  rc_queue #(.Width(RayBits), .Depth(Contexts)) u_again (
     .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
 
@@ -365,11 +366,11 @@ module rc_shade (
   assign colours = out_valid && out_leave == rc_pkg::LeavePixel;
 
   if (Every == 1) begin : gen_beside
-    rc_queue #(.Width(I), .Depth(Contexts)) u_spawn (
+    rc_queue #(.Width(RayBits), .Depth(Contexts)) u_spawn (
       .clk_i, .rst_ni, .push_i(spawns), .data_i(out_ray), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
 
-    rc_queue #(.Width(I), .Depth(Contexts)) u_pixel (
+    rc_queue #(.Width(RayBits), .Depth(Contexts)) u_pixel (
       .clk_i, .rst_ni, .push_i(colours), .data_i(out_ray), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
 

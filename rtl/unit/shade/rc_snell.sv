@@ -5,58 +5,60 @@
 // cosine has 16 fraction bits, ratio has 12.
 `default_nettype none
 module rc_snell #(
-  localparam int unsigned VB     = rc_pkg::ValueBits,
-  localparam int unsigned UB     = rc_pkg::UnitBits,
-  localparam int unsigned RB     = rc_pkg::RatioBits,
-  localparam int unsigned IF     = rc_pkg::IndexFrac,
-  localparam int unsigned Every  = rc_pkg::ShadeInterval,
-  localparam int unsigned LongW  = RB + VB,           // ratio * cosine
-  localparam int unsigned AlongW = LongW - IF + 2     // the same with 16 fraction bits, signed
+  localparam int unsigned ValueBits = rc_pkg::ValueBits,
+  localparam int unsigned UnitBits  = rc_pkg::UnitBits,
+  localparam int unsigned RatioBits = rc_pkg::RatioBits,
+  localparam int unsigned IndexFrac = rc_pkg::IndexFrac,
+  localparam int unsigned Every     = rc_pkg::ShadeInterval,
+  localparam int unsigned LongW     = RatioBits + ValueBits,     // ratio * cosine
+  // The same with 16 fraction bits, signed.
+  localparam int unsigned AlongW    = LongW - IndexFrac + 2
 ) (
-  input  logic               clk_i,
-  input  logic               rst_ni,
-  input  logic [13:0]        valid_i,
-  input  logic [2*Every-1:0] phase_i,       // the cycle of each stage
-  input  logic               s0_refract_i,
-  input  logic [VB-1:0]      s0_cosine_i,
-  input  logic [RB-1:0]      s0_ratio_i,
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  input  logic [13:0]          valid_i,
+  input  logic [2*Every-1:0]   phase_i,       // the cycle of each stage
+  input  logic                 s0_refract_i,
+  input  logic [ValueBits-1:0] s0_cosine_i,
+  input  logic [RatioBits-1:0] s0_ratio_i,
   output logic signed [AlongW-1:0] s13_along_o,
-  output logic [RB-1:0]      s13_ratio_o,
-  output logic               s13_total_o
+  output logic [RatioBits-1:0]      s13_ratio_o,
+  output logic                      s13_total_o
 );
-  localparam int unsigned SquareW = 2 * UB + 1;             // square of a value, 0 to 1
-  localparam int unsigned BentW   = 2 * RB + SquareW;       // ratio^2 * square
-  localparam int unsigned InsideW = BentW - 2 * IF + 2;     // 1 - ratio^2 * square, signed
-  localparam int unsigned RootW   = UB + 2;                 // a root
-  localparam logic [SquareW-1:0] One  = SquareW'(1) << (2 * UB);
-  localparam logic [LongW-1:0]   Half = LongW'(1) << (IF - 1);
-  localparam logic [RB-1:0]      Unbent = RB'(1) << IF;     // the ratio 1 of a reflection
+  localparam int unsigned SquareW = 2 * UnitBits + 1;          // square of a value, 0 to 1
+  localparam int unsigned BentW   = 2 * RatioBits + SquareW;   // ratio^2 * square
+  localparam int unsigned InsideW = BentW - 2 * IndexFrac + 2; // 1 - ratio^2 * square, signed
+  localparam int unsigned RootW   = UnitBits + 2;              // a root
+  localparam logic [SquareW-1:0]   One  = SquareW'(1) << (2 *  UnitBits);
+  localparam logic [LongW-1:0]     Half = LongW'(1) << (IndexFrac - 1);
+  // The ratio 1 of a reflection.
+  localparam logic [RatioBits-1:0] Unbent = RatioBits'(1) << IndexFrac;
 
   // s3: 2^32 times the squared cosine inside, rounded up. If negative, the reflection is total.
-  logic [SquareW-1:0] s1_cosine2_q, s1_sine2;
-  logic [2*RB-1:0]    s1_ratio2_q;
-  logic [BentW-1:0]   s2_bent_q;
+  logic [SquareW-1:0]     s1_cosine2_q, s1_sine2;
+  logic [2*RatioBits-1:0] s1_ratio2_q;
+  logic [BentW-1:0]       s2_bent_q;
   logic signed [InsideW-1:0] s2_cosine2;
   logic               s1_refract, s2_refract, s3_total_q, s3_refract_q;
   logic [SquareW-1:0] s3_square_q;
 
   rc_shift_register #(.Width(1), .Stages(1)) u_refract1 (
-    .clk_i, .valid_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
+    .clk_i, .enable_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
   rc_shift_register #(.Width(1), .Stages(1)) u_refract2 (
-    .clk_i, .valid_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
+    .clk_i, .enable_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
 
   assign s1_sine2   = One - s1_cosine2_q;
-  assign s2_cosine2 = $signed(InsideW'(One)) - $signed({2'b00, s2_bent_q[BentW-1:2*IF]});
+  assign s2_cosine2 = $signed(InsideW'(One)) - $signed({2'b00, s2_bent_q[BentW-1:2*IndexFrac]});
 
-  logic [2*VB-1:0]  s0_cosine2;
-  logic [2*RB-1:0]  s0_ratio2;
-  logic [BentW-1:0] s1_bent;
+  logic [2*ValueBits-1:0] s0_cosine2;
+  logic [2*RatioBits-1:0] s0_ratio2;
+  logic [BentW-1:0]       s1_bent;
 
-  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_cosine2 (
+  rc_mul_held #(.AW(ValueBits), .BW(ValueBits), .Signed(1'b0)) u_cosine2 (
     .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_cosine_i), .b_i(s0_cosine_i), .p_o(s0_cosine2));
-  rc_mul_held #(.AW(RB), .BW(RB), .Signed(1'b0)) u_ratio2 (
+  rc_mul_held #(.AW(RatioBits), .BW(RatioBits), .Signed(1'b0)) u_ratio2 (
     .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_ratio_i), .p_o(s0_ratio2));
-  rc_mul_held #(.AW(2 * RB), .BW(SquareW), .Signed(1'b0)) u_bent (
+  rc_mul_held #(.AW(2 * RatioBits), .BW(SquareW), .Signed(1'b0)) u_bent (
     .clk_i, .phase_i(phase_i[Every +: Every]), .a_i(s1_ratio2_q), .b_i(s1_sine2), .p_o(s1_bent));
 
   always_ff @(posedge clk_i) begin
@@ -86,16 +88,16 @@ module rc_snell #(
   logic [AlongW-2:0] s2_long_q, s12_long;
   logic              s12_refract, s12_total;
 
-  rc_mul_held #(.AW(RB), .BW(VB), .Signed(1'b0)) u_long_product (
+  rc_mul_held #(.AW(RatioBits), .BW(ValueBits), .Signed(1'b0)) u_long_product (
     .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_ratio_i), .b_i(s0_cosine_i), .p_o(s0_long));
 
   assign s1_rounded = s1_long_q + Half;
 
   always_ff @(posedge clk_i) begin
     if (valid_i[0])
-      s1_long_q <= s0_refract_i ? s0_long : {{(LongW-VB-1){1'b0}}, s0_cosine_i, 1'b0};
+      s1_long_q <= s0_refract_i ? s0_long : {{(LongW-ValueBits-1){1'b0}}, s0_cosine_i, 1'b0};
     if (valid_i[1])
-      s2_long_q <= s1_refract ? {1'b0, s1_rounded[LongW-1:IF]} : s1_long_q[AlongW-2:0];
+      s2_long_q <= s1_refract ? {1'b0, s1_rounded[LongW-1:IndexFrac]} : s1_long_q[AlongW-2:0];
     if (valid_i[12]) begin
       s13_along_o <= $signed({1'b0, s12_long})
                    - (s12_refract ? $signed({{(AlongW-RootW){1'b0}}, s12_root})
@@ -111,12 +113,12 @@ module rc_snell #(
     .clk_i, .rst_ni, .enter_i(valid_i[3]), .leave_i(valid_i[12]),
     .data_i({s3_refract_q, s3_total_q}),
     .data_o({s12_refract, s12_total}));
-  rc_stage_delay #(.Width(RB), .Stages(13)) u_ratio (
+  rc_stage_delay #(.Width(RatioBits), .Stages(13)) u_ratio (
     .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]),
     .data_i(s0_refract_i ? s0_ratio_i : Unbent), .data_o(s13_ratio_o));
 
   logic unused;
-  assign unused = ^{inexact, valid_i, s0_cosine2[2*VB-1:SquareW], s1_rounded[IF-1:0],
-                    s2_bent_q[2*IF-1:0], s2_cosine2[InsideW-2:SquareW]};
+  assign unused = ^{inexact, valid_i, s0_cosine2[2*ValueBits-1:SquareW], s1_rounded[IndexFrac-1:0],
+                    s2_bent_q[2*IndexFrac-1:0], s2_cosine2[InsideW-2:SquareW]};
 endmodule
 `default_nettype wire

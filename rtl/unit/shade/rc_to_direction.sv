@@ -2,11 +2,11 @@
 // magnitude exceeds 2^(M-2). Combinational. Model: direction_of() in model/unit/shade/dot.hpp.
 `default_nettype none
 module rc_to_direction #(
-  localparam int unsigned AB = rc_pkg::AxisBits,
+  localparam int unsigned AxisBits = rc_pkg::AxisBits,
   localparam int unsigned M = rc_pkg::DirBits
 ) (
-  input  logic signed [AB-1:0] unit_i,
-  output logic signed [M-1:0]  d_o
+  input  logic signed [AxisBits-1:0] unit_i,
+  output logic signed [M-1:0]        d_o
 );
   if (M >= 18) begin : gen_longer
     assign d_o = M'(unit_i) <<< (M - 18);

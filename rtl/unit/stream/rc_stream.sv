@@ -29,19 +29,19 @@ module rc_stream (
   output logic                 waits_o,
   output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
-  localparam int unsigned I     = rc_pkg::RayBits;
-  localparam int unsigned A     = rc_pkg::AddrBits;
-  localparam int unsigned RayW  = rc_pkg::RecordW - I;      // width of a record in memory
-  localparam int unsigned RestW = rc_pkg::LineBits / 2 - RayW;
+  localparam int unsigned RayBits  = rc_pkg::RayBits;
+  localparam int unsigned AddrBits = rc_pkg::AddrBits;
+  localparam int unsigned RayW     = rc_pkg::RecordW - RayBits;      // width of a record in memory
+  localparam int unsigned RestW    = rc_pkg::LineBits / 2 - RayW;
 
   // The half line of the record. The host ensures that the memory holds all rays.
   logic [2*rc_pkg::PixelBits-1:0] number;
-  logic [A:0]                     addr;
+  logic [AddrBits:0]              addr;
 
   assign number = {slot_i.y, slot_i.x};
 
   if (rc_pkg::Streams == 1) begin : gen_addr   // tools also parse a chip without streams
-    assign addr = {frame_i.rays, 1'b0} + (A+1)'(number);
+    assign addr = {frame_i.rays, 1'b0} + (AddrBits+1)'(number);
   end else begin : gen_none
     assign addr = '0;
   end
@@ -51,11 +51,11 @@ module rc_stream (
 
   assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;
 
-  logic         next_fires;   // unused: raygen reads no memory at the next answer's id
-  logic [I-1:0] next_ray;
+  logic               next_fires;   // unused: raygen reads no memory at the next answer's id
+  logic [RayBits-1:0] next_ray;
 
   rc_cache #(
-    .IdBits(I), .AddrBits(A), .Parts(2), .PartW(RayW),
+    .IdBits(RayBits), .AddrBits(AddrBits), .Parts(2), .PartW(RayW),
     .Sets(rc_pkg::StreamSets), .Ways(rc_pkg::StreamWays), .Words(rc_pkg::StreamWords),
     .Mshrs(rc_pkg::StreamMshrs), .Queue(rc_pkg::CacheQueue)
   ) u_cache (

@@ -1,6 +1,6 @@
 // The fields of a ray that the unit that decides nodes needs:
 // - boxes, treelets and pairs of planes: origin, signs and reciprocals;
-// - globes: the direction that rc_toward makes;
+// - globes: the direction that rc_globe_ray makes;
 // - slants: origin, reciprocals and the direction, shifted up to RayDirBits.
 //
 // Part of rc_trav, which stores them until the ray's nodes come. Latency 3 for globes in a fast
@@ -9,42 +9,44 @@
 module rc_node_ray #(
   parameter  int unsigned Structure = rc_pkg::Structure,
   parameter  int unsigned KeptW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
-  localparam int unsigned I  = rc_pkg::RayBits,
-  localparam int unsigned OW = rc_pkg::OriginWidth,
-  localparam int unsigned M  = rc_pkg::RayDirBits,
-  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits
+  localparam int unsigned RayBits     = rc_pkg::RayBits,
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1,
+  localparam int unsigned ExpBits     = rc_pkg::ExpBits
 ) (
-  input  logic             clk_i,
-  input  logic             rst_ni,
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
   // Ray
-  input  logic             valid_i,
-  input  logic [I-1:0]     ray_i,
-  input  logic [3*OW-1:0]  o_i,
-  input  logic [3*M-1:0]   d_i,
-  input  logic [3*R1-1:0]  recip_i,
-  input  logic [3*E-1:0]   len_i,
-  input  logic             short_i,  // d has DirBits only: shadow rays fill RayDirBits
+  input  logic                     valid_i,
+  input  logic [RayBits-1:0]       ray_i,
+  input  logic [3*OriginWidth-1:0] o_i,
+  input  logic [3*RayDirBits-1:0]  d_i,
+  input  logic [3*R1-1:0]          recip_i,
+  input  logic [3*ExpBits-1:0]     len_i,
+  input  logic                     short_i,  // d has DirBits only: shadow rays fill RayDirBits
   // Result
-  output logic             valid_o,
-  output logic [I-1:0]     ray_o,
-  output logic [KeptW-1:0] kept_o    // the origin is highest
+  output logic                     valid_o,
+  output logic [RayBits-1:0]       ray_o,
+  output logic [KeptW-1:0]         kept_o    // the origin is highest
 );
   if (Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    rc_toward u_toward (
+    rc_globe_ray u_globe_ray (
       .clk_i, .rst_ni, .valid_i, .ray_i, .o_i, .d_i, .short_i, .valid_o, .ray_o, .kept_o);
   end else begin : gen_now
     assign valid_o = valid_i;
     assign ray_o   = ray_i;
 
     if (Structure == rc_pkg::StructureBsp) begin : gen_along
-      logic [3*M-1:0] along;
+      logic [3*RayDirBits-1:0] along;
       for (genvar k = 0; k < 3; k++) begin : gen_axis
-        assign along[k*M +: M] = d_i[k*M +: M] << (short_i ? M - rc_pkg::DirBits : 0);
+        assign along[k*RayDirBits +: RayDirBits] = d_i[k*RayDirBits +: RayDirBits]
+                                                 << (short_i ? RayDirBits - rc_pkg::DirBits : 0);
       end
       assign kept_o = {o_i, recip_i, len_i, along};
     end else begin : gen_signs
-      assign kept_o = {o_i, d_i[3*M-1], d_i[2*M-1], d_i[M-1], recip_i, len_i};
+      assign kept_o = {o_i, d_i[3*RayDirBits-1], d_i[2*RayDirBits-1], d_i[RayDirBits-1], recip_i,
+                       len_i};
     end
   end
 

@@ -1,7 +1,7 @@
 // Sorts the children that are met: inner children first, then leaves, each by (t_near, offset).
 // Entries after the last child are zero. Offsets differ, so the order is total.
 //
-// Part of rc_node_answer. Hits, distances and places come with valid_i[0]; sorted entries come
+// Part of rc_node_answer. Hits, distances and places come with enable_i[0]; sorted entries come
 // rc_pkg::RankStages later.
 //
 // It is a bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has
@@ -9,29 +9,31 @@
 // model/engine/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
-  localparam int unsigned W      = rc_pkg::NodeWidth,
-  localparam int unsigned T      = rc_pkg::TBits,
-  localparam int unsigned C      = rc_pkg::CountBits,
-  localparam int unsigned O      = rc_pkg::OffsetBits,
-  localparam int unsigned G      = rc_pkg::GroupBits,
-  localparam int unsigned Stages = rc_pkg::RankStages
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth,
+  localparam int unsigned TBits      = rc_pkg::TBits,
+  localparam int unsigned CountBits  = rc_pkg::CountBits,
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits,
+  localparam int unsigned GroupBits  = rc_pkg::GroupBits,
+  localparam int unsigned Stages     = rc_pkg::RankStages
 ) (
-  input  logic                 clk_i,
-  input  logic [Stages-1:0]    valid_i,    // valid_i[i]: stage i holds a node, or the chip is fast
+  input  logic                                              clk_i,
+  // enable_i[i]: stage i holds a node, or the chip is fast
+  input  logic [Stages-1:0]                                 enable_i,
   // Children
-  input  logic [W-1:0]         s0_hit_i,
-  input  logic [W*T-1:0]       s0_near_i,
-  input  logic [W-1:0]         s0_leaf_i,
-  input  logic [W*O-1:0]       s0_offset_i,
-  input  logic [W*C-1:0]       s0_count_i,
+  input  logic [NodeWidth-1:0]                              s0_hit_i,
+  input  logic [NodeWidth*TBits-1:0]                        s0_near_i,
+  input  logic [NodeWidth-1:0]                              s0_leaf_i,
+  input  logic [NodeWidth*OffsetBits-1:0]                   s0_offset_i,
+  input  logic [NodeWidth*CountBits-1:0]                    s0_count_i,
   // Sorted
-  output logic [G-1:0]         inner_o,
-  output logic [G-1:0]         leaves_o,
-  output logic [W*(T+O+C)-1:0] entries_o
+  output logic [GroupBits-1:0]                              inner_o,
+  output logic [GroupBits-1:0]                              leaves_o,
+  output logic [NodeWidth*(TBits+OffsetBits+CountBits)-1:0] entries_o
 );
-  localparam int unsigned KeyW   = 2 + T + O + C;  // {missed, leaf, t_near, offset, count}
-  localparam int unsigned Levels = W == 2 ? 1 : W == 4 ? 3 : 6;
-  localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
+  // {missed, leaf, t_near, offset, count}
+  localparam int unsigned KeyW   = 2 + TBits + OffsetBits + CountBits;
+  localparam int unsigned Levels = NodeWidth == 2 ? 1 : NodeWidth == 4 ? 3 : 6;
+  localparam int unsigned Middle = NodeWidth == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
 
   // In a simulation of a relaxed chip, invalid keys cost no work. Silicon has no such condition.
@@ -40,19 +42,19 @@ module rc_rank #(
 `ifdef SYNTHESIS
   assign asks = 1'b1;
 `else
-  assign asks = Cut != 0 || valid_i[0];
+  assign asks = Cut != 0 || enable_i[0];
 `endif
 
   // Number of inner children and of leaves that are met.
-  logic [G-1:0] s0_inners, s0_leaves;
+  logic [GroupBits-1:0] s0_inners, s0_leaves;
 
   always_comb begin
     s0_inners = '0;
     s0_leaves = '0;
     if (asks) begin
-      for (int i = 0; i < W; i++) begin
-        s0_leaves = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf_i[i]};
-        s0_inners = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf_i[i]};
+      for (int i = 0; i < NodeWidth; i++) begin
+        s0_leaves = s0_leaves + {{(GroupBits-1){1'b0}}, s0_hit_i[i] && s0_leaf_i[i]};
+        s0_inners = s0_inners + {{(GroupBits-1){1'b0}}, s0_hit_i[i] && !s0_leaf_i[i]};
       end
     end
   end
@@ -62,15 +64,16 @@ module rc_rank #(
     localparam int unsigned Block = l == 0 ? 2 : l < 3 ? 4 : 8;
     localparam int unsigned Step  = l == 3 ? 4 : l == 1 || l == 4 ? 2 : 1;
     logic holds;
-    assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
+    assign holds = Cut != 0 || enable_i[l > Middle ? 1 : 0];
 
-    for (genvar i = 0; i < W; i++) begin : gen_key
+    for (genvar i = 0; i < NodeWidth; i++) begin : gen_key
       logic [KeyW-1:0] key, put, late;
 
       if (l == 0) begin : gen_first
         rc_path_register #(.Width(KeyW)) u_key (
-          .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*T +: T],
-                                  s0_offset_i[i*O +: O], s0_count_i[i*C +: C]} : '0),
+          .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*TBits +: TBits],
+                                  s0_offset_i[i*OffsetBits +: OffsetBits],
+                                  s0_count_i[i*CountBits +: CountBits]} : '0),
           .data_o(key));
       end else begin : gen_next
         assign key = gen_level[l-1].gen_key[i].late;
@@ -82,7 +85,7 @@ module rc_rank #(
         always_comb begin
           here  = key;
           there = other;
-          if (holds && (key > other) == ((i & Block) == 0 || Block == W)) begin
+          if (holds && (key > other) == ((i & Block) == 0 || Block == NodeWidth)) begin
             here  = other;
             there = key;
           end
@@ -94,7 +97,7 @@ module rc_rank #(
 
       if (l == Middle) begin : gen_middle
         logic [KeyW-1:0] key_q;
-        always_ff @(posedge clk_i) if (valid_i[Cut*(l+1)]) key_q <= put;
+        always_ff @(posedge clk_i) if (enable_i[Cut*(l+1)]) key_q <= put;
         assign late = key_q;
       end else begin : gen_cut
         rc_path_register #(.Width(KeyW)) u_key (.clk_i, .data_i(put), .data_o(late));
@@ -103,24 +106,25 @@ module rc_rank #(
   end
 
   // Entries: zero for children that are missed.
-  logic [W*T-1:0] t_q;
-  logic [W*O-1:0] offset_q;
-  logic [W*C-1:0] count_q;
+  logic [NodeWidth*TBits-1:0]      t_q;
+  logic [NodeWidth*OffsetBits-1:0] offset_q;
+  logic [NodeWidth*CountBits-1:0]  count_q;
 
-  for (genvar i = 0; i < W; i++) begin : gen_entry
+  for (genvar i = 0; i < NodeWidth; i++) begin : gen_entry
     logic [KeyW-1:0] last;
     assign last = gen_level[Levels-1].gen_key[i].late;
     always_ff @(posedge clk_i)
-      if (valid_i[Stages-1])
-        {t_q[i*T +: T], offset_q[i*O +: O], count_q[i*C +: C]} <=
-          last[KeyW-1] ? '0 : last[T+O+C-1:0];
+      if (enable_i[Stages-1])
+        {t_q[i*TBits +: TBits], offset_q[i*OffsetBits +: OffsetBits],
+         count_q[i*CountBits +: CountBits]} <=
+          last[KeyW-1] ? '0 : last[TBits+OffsetBits+CountBits-1:0];
 
     logic unused;
     assign unused = last[KeyW-2];
   end
   assign entries_o = {t_q, offset_q, count_q};
 
-  rc_shift_register #(.Width(2 * G), .Stages(Stages)) u_counts (
-    .clk_i, .valid_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
+  rc_shift_register #(.Width(2 * GroupBits), .Stages(Stages)) u_counts (
+    .clk_i, .enable_i, .data_i({s0_inners, s0_leaves}), .data_o({inner_o, leaves_o}));
 endmodule
 `default_nettype wire

@@ -28,19 +28,19 @@ module rc_ray_t_max #(
   output logic [Nears-1:0]           within_o
 );
   localparam int unsigned Contexts = rc_pkg::Contexts;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam logic [T-1:0] SurfaceT = T'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
+  localparam int unsigned TBits    = rc_pkg::TBits;
+  localparam logic [TBits-1:0] SurfaceT = TBits'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
   // written: the memory holds the ray's value. shadow: the ray ends at the surface.
   logic [Contexts-1:0]        written, shadow;
-  logic [T-1:0]               kept, kept_then;
+  logic [TBits-1:0]           kept, kept_then;
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
 
   assign start_ray = start_i.ray;
 
   // Not block RAM, even for many rays: its data would come too late for the comparison.
-  (* ram_style = "distributed" *) logic [T-1:0] t_mem [Contexts < 2 ? 2 : Contexts];
+  (* ram_style = "distributed" *) logic [TBits-1:0] t_mem [Contexts < 2 ? 2 : Contexts];
 
   assign kept = t_mem[read_ray_i];
 
@@ -70,14 +70,14 @@ module rc_ray_t_max #(
   rc_bit_select #(.Flags(Contexts)) u_was_written (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
 
-  rc_path_register #(.Width(T)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
+  rc_path_register #(.Width(TBits)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
 
   assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
 
   // Comparisons with both candidates, then the selection.
   for (genvar i = 0; i < Nears; i++) begin : gen_near
-    logic [T-1:0] near;
-    assign near        = near_i[i*T +: T];
+    logic [TBits-1:0] near;
+    assign near        = near_i[i*TBits +: TBits];
     assign within_o[i] = was_written ? near <= kept_then : !was_shadow || near <= SurfaceT;
   end
 endmodule

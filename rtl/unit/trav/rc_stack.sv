@@ -25,51 +25,53 @@ module rc_stack (
   output logic                        done_o,
   output logic                        again_o
 );
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned T  = rc_pkg::TBits;
-  localparam int unsigned S  = rc_pkg::SlotBits;
-  localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned W  = rc_pkg::NodeWidth;
-  localparam int unsigned H  = rc_pkg::StackBits;
-  localparam int unsigned D  = rc_pkg::StackDepth;
-  localparam int unsigned DB = D < 2 ? 1 : $clog2(D);
-  // {below, base, count, t_near of W - 1 siblings, their slots}
-  localparam int unsigned GroupW = T + A + G + (W - 1) * (T + S);
+  localparam int unsigned RayBits    = rc_pkg::RayBits;
+  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned SlotBits   = rc_pkg::SlotBits;
+  localparam int unsigned GroupBits  = rc_pkg::GroupBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned StackBits  = rc_pkg::StackBits;
+  localparam int unsigned StackDepth = rc_pkg::StackDepth;
+  localparam int unsigned LevelW     = StackDepth < 2 ? 1 : $clog2(StackDepth);
+  // {below, base, count, t_near of NodeWidth - 1 siblings, their slots}
+  localparam int unsigned GroupW = TBits + AddrBits + GroupBits
+                                 + (NodeWidth - 1) * (TBits + SlotBits);
 
   localparam int unsigned Late = rc_pkg::StackStages;
   localparam int unsigned Cut  = rc_pkg::Cut;
-  localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
+  localparam int unsigned AddrW = rc_pkg::Contexts * StackDepth < 2
+                                ? 1 : $clog2(rc_pkg::Contexts * StackDepth);
 
   // Height of each ray's stack. used: the memory holds the context's height; before its first ray
   // the height is 0. The address of the top group ignores `used`, because the group of an empty
   // stack is unused.
   logic [rc_pkg::Contexts-1:0] used;
-  logic         end_valid;
-  logic [I-1:0] end_ray;
-  logic [H-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
-  logic         is_used;   // of s1; in a fast chip one cycle later, as kept and kept_height
+  logic                 end_valid;
+  logic [RayBits-1:0]   end_ray;
+  logic [StackBits-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
+  logic                 is_used;   // of s1; in a fast chip one cycle later, as kept and kept_height
 
-  rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
+  rc_ram #(.Width(StackBits), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
 
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
-    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(I'(0)), .set_i(end_valid),
+    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(RayBits'(0)), .set_i(end_valid),
     .set_at_i(end_ray), .flags_o(used));
 
   rc_bit_select #(.Flags(rc_pkg::Contexts)) u_is_used (
     .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
 
-  rc_path_register #(.Width(H)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
+  rc_path_register #(.Width(StackBits)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
 
   assign kept_height = is_used ? kept : '0;
 
   // Address of the top group: read in s0, in a fast chip in s1.
-  logic              write, read;
-  logic [I-1:0]      read_ray;
-  logic [H-1:0]      read_height;
-  logic [GroupW-1:0] group_d, read_group, group;
+  logic                 write, read;
+  logic [RayBits-1:0]   read_ray;
+  logic [StackBits-1:0] read_height;
+  logic [GroupW-1:0]    group_d, read_group, group;
 
   if (Cut == 0) begin : gen_read_now
     assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_kept};
@@ -77,8 +79,10 @@ module rc_stack (
     assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_kept_q};
   end
 
-  function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
-    address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
+  function automatic logic [AddrW-1:0] address(input logic [RayBits-1:0] of,
+                                               input logic [StackBits-1:0] at);
+    address = AddrW'(({{LevelW{1'b0}}, of} << $clog2(StackDepth))
+                     | {{(RayBits+LevelW-StackBits){1'b0}}, at & StackBits'(StackDepth - 1)});
   endfunction
 
   // Groups. A fast chip writes one cycle late; the ray's next read is much later.
@@ -101,9 +105,9 @@ module rc_stack (
     assign write_late = write_q;
   end
 
-  rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * D)) u_groups (
+  rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * StackDepth)) u_groups (
     .clk_i, .write_i(write_late), .write_addr_i(late_addr), .write_data_i(late_group),
-    .read_i(read), .read_addr_i(address(read_ray, read_height - H'(1))),
+    .read_i(read), .read_addr_i(address(read_ray, read_height - StackBits'(1))),
     .read_data_o(read_group));
 
   rc_path_register #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group));
@@ -111,26 +115,26 @@ module rc_stack (
   // Comparisons of the ray's step, its new children and its top group.
   logic [rc_pkg::TestedW-1:0]   tested_flat;
   logic [rc_pkg::ChildrenW-1:0] children_flat, end_children_flat;
-  logic [H-1:0]                 height;
+  logic [StackBits-1:0]         height;
   rc_pkg::tested_t              tested;
   rc_pkg::children_t            children, end_children;
 
   rc_path_register #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW), .Stages(Late - Cut)) u_step (
     .clk_i, .data_i({s1_tested_i, s1_children_i}), .data_o({tested_flat, children_flat}));
 
-  rc_path_register #(.Width(H), .Stages(Late - 2 * Cut)) u_now_height (
+  rc_path_register #(.Width(StackBits), .Stages(Late - 2 * Cut)) u_now_height (
     .clk_i, .data_i(kept_height), .data_o(height));
 
   assign tested   = tested_flat;
   assign children = children_flat;
 
-  logic [T-1:0]       top_below, below;
-  logic [A-1:0]       top_base;
-  logic [G-1:0]       top_count;
-  logic [(W-1)*T-1:0] top_near;
-  logic [(W-1)*S-1:0] top_slot;
-  logic [W*T-1:0]     near;
-  logic               stop, forward, top_matters, below_matters;
+  logic [TBits-1:0]                  top_below, below;
+  logic [AddrBits-1:0]               top_base;
+  logic [GroupBits-1:0]              top_count;
+  logic [(NodeWidth-1)*TBits-1:0]    top_near;
+  logic [(NodeWidth-1)*SlotBits-1:0] top_slot;
+  logic [NodeWidth*TBits-1:0]        near;
+  logic                              stop, forward, top_matters, below_matters;
 
   assign {top_below, top_base, top_count, top_near, top_slot} = group;
   assign near = children.t_near;
@@ -141,24 +145,24 @@ module rc_stack (
     assign stop = 1'b0;
   end
 
-  assign forward       = !stop && children.inner != '0 && near[T-1:0] <= tested.t_best;
-  assign top_matters   = top_near[T-1:0] <= tested.t_best;
+  assign forward       = !stop && children.inner != '0 && near[TBits-1:0] <= tested.t_best;
+  assign top_matters   = top_near[TBits-1:0] <= tested.t_best;
   assign below_matters = top_below <= tested.t_best;
 
   always_comb begin
     below = '1;
-    if (height != '0) below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;
+    if (height != '0) below = top_near[TBits-1:0] < top_below ? top_near[TBits-1:0] : top_below;
   end
 
   // The end: results of the comparisons, and the new group.
-  logic               end_stop, end_forward, end_top_matters, end_below_matters;
-  logic [T-1:0]       end_top_below, end_below;
-  logic [A-1:0]       end_top_base;
-  logic [G-1:0]       end_top_count;
-  logic [(W-1)*T-1:0] end_top_near;
-  logic [(W-1)*S-1:0] end_top_slot;
+  logic                              end_stop, end_forward, end_top_matters, end_below_matters;
+  logic [TBits-1:0]                  end_top_below, end_below;
+  logic [AddrBits-1:0]               end_top_base;
+  logic [GroupBits-1:0]              end_top_count;
+  logic [(NodeWidth-1)*TBits-1:0]    end_top_near;
+  logic [(NodeWidth-1)*SlotBits-1:0] end_top_slot;
 
-  rc_path_register #(.Width(4 + T + GroupW + rc_pkg::ChildrenW + H + I)) u_end (
+  rc_path_register #(.Width(4 + TBits + GroupW + rc_pkg::ChildrenW + StackBits + RayBits)) u_end (
     .clk_i,
     .data_i({stop, forward, top_matters, below_matters, below, group, children_flat, height,
              tested.ray}),
@@ -179,13 +183,13 @@ module rc_stack (
     assign end_valid = valid_q[Late-1];
   end
 
-  logic [W*T-1:0] end_near;
-  logic [W*S-1:0] end_slot;
-  logic           last_sibling;
+  logic [NodeWidth*TBits-1:0]    end_near;
+  logic [NodeWidth*SlotBits-1:0] end_slot;
+  logic                          last_sibling;
 
   assign end_near     = end_children.t_near;
   assign end_slot     = end_children.slot;
-  assign last_sibling = end_top_count == G'(1);
+  assign last_sibling = end_top_count == GroupBits'(1);
 
   // Decision: visit a child, pop a sibling, end the ray, or drop the group.
   always_comb begin
@@ -197,32 +201,32 @@ module rc_stack (
     height_d     = end_height;
 
     visit_base_o = end_forward ? end_children.base : end_top_base;
-    visit_slot_o = end_forward ? end_slot[S-1:0] : end_top_slot[S-1:0];
-    group_d      = {end_below, end_children.base, end_children.inner - G'(1), end_near[W*T-1:T],
-                    end_slot[W*S-1:S]};
+    visit_slot_o = end_forward ? end_slot[SlotBits-1:0] : end_top_slot[SlotBits-1:0];
+    group_d      = {end_below, end_children.base, end_children.inner - GroupBits'(1),
+                    end_near[NodeWidth*TBits-1:TBits], end_slot[NodeWidth*SlotBits-1:SlotBits]};
 
     if (end_valid && end_forward) begin
       visit_o = 1'b1;
-      if (end_children.inner != G'(1)) begin
+      if (end_children.inner != GroupBits'(1)) begin
         write    = 1'b1;
-        height_d = end_height + H'(1);
+        height_d = end_height + StackBits'(1);
       end
     end else if (end_valid && (end_stop || end_height == '0)) begin
       done_o   = 1'b1;
       height_d = '0;
     end else if (end_valid && end_top_matters) begin
       visit_o  = 1'b1;
-      level    = end_height - H'(1);
+      level    = end_height - StackBits'(1);
       write    = !last_sibling;
-      group_d  = {end_top_below, end_top_base, end_top_count - G'(1), end_top_near >> T,
-                  end_top_slot >> S};
-      if (last_sibling) height_d = end_height - H'(1);
-    end else if (end_valid && (end_height == H'(1) || !end_below_matters)) begin
+      group_d  = {end_top_below, end_top_base, end_top_count - GroupBits'(1), end_top_near >> TBits,
+                  end_top_slot >> SlotBits};
+      if (last_sibling) height_d = end_height - StackBits'(1);
+    end else if (end_valid && (end_height == StackBits'(1) || !end_below_matters)) begin
       done_o   = 1'b1;
       height_d = '0;
     end else if (end_valid) begin
       again_o  = 1'b1;
-      height_d = end_height - H'(1);
+      height_d = end_height - StackBits'(1);
     end
   end
 
@@ -233,8 +237,8 @@ module rc_stack (
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i)
-    if (rst_ni && end_valid && end_forward && end_children.inner != G'(1))
-      a_room: assert (end_height != H'(D))
+    if (rst_ni && end_valid && end_forward && end_children.inner != GroupBits'(1))
+      a_room: assert (end_height != StackBits'(StackDepth))
       else $error("the scene needs a deeper stack than its compilation said");
 
   logic [rc_pkg::Contexts-1:0] inside_q;   // rays between s0 and the end
@@ -249,7 +253,7 @@ module rc_stack (
     a_one_stage: assert (!inside_q[s0_ray_i])
     else $error("a ray is in two stages of trav");
   always_ff @(posedge clk_i) if (rst_ni && write_late && read)
-    a_apart: assert (late_addr[AddrW-1 -: I] != read_ray)
+    a_apart: assert (late_addr[AddrW-1 -: RayBits] != read_ray)
     else $error("a ray's group is written while it is read");
 `endif
 endmodule

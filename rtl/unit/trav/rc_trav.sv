@@ -4,9 +4,15 @@
 // inner child that can still matter, and pushes its siblings on the ray's stack as one group.
 // Otherwise it pops the stack.
 //
-// An answer of box is accepted in every cycle. Its leaves go to list in the same cycle, and list
-// always accepts them. Rays without leaves wait in a separate queue; rays that list has tested go
-// first.
+// An answer of box is accepted in every cycle, and passes three stages. A signal's prefix is its
+// stage.
+//
+// - rsp0 is box's answer.
+// - rsp1 moves the leaves to the front, and compares them with the distance to beat.
+// - rsp2 sends the leaves to list, which always accepts them, and stores the inner children.
+//
+// In a relaxed chip they lie in one cycle. In a fast chip there is a register before rsp1 and rsp2.
+// Rays without leaves wait in a separate queue; rays that list has tested go first.
 //
 // Stage 0 accepts a step and reads the top of the ray's stack. Stage 1 decides the next node or the
 // ray's end. A popped group whose nearest child is too far passes through both stages again, before
@@ -74,23 +80,23 @@ module rc_trav (
   input  logic               change_fires_i,
   input  rc_pkg::change_t    change_i
 );
-  localparam int unsigned I        = rc_pkg::RayBits;
-  localparam int unsigned A        = rc_pkg::AddrBits;
-  localparam int unsigned Contexts = rc_pkg::Contexts;
-  localparam int unsigned M        = rc_pkg::RayDirBits;
-  localparam int unsigned T        = rc_pkg::TBits;
-  localparam int unsigned S        = rc_pkg::SlotBits;
-  localparam int unsigned W        = rc_pkg::NodeWidth;
-  localparam int unsigned O        = rc_pkg::OffsetBits;
-  localparam int unsigned C        = rc_pkg::CountBits;
+  localparam int unsigned RayBits    = rc_pkg::RayBits;
+  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
+  localparam int unsigned Contexts   = rc_pkg::Contexts;
+  localparam int unsigned RayDirBits = rc_pkg::RayDirBits;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned SlotBits   = rc_pkg::SlotBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
+  localparam int unsigned CountBits  = rc_pkg::CountBits;
 
   // ---- Rays: the fields that the unit that decides nodes needs wait here for the ray's nodes.
   localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
 
   logic ray_fires, keep;
-  logic [3*M-1:0]     ray_d;
-  logic [I-1:0]       keep_ray;
-  logic [BoxRayW-1:0] keep_data, kept_ray;
+  logic [3*RayDirBits-1:0] ray_d;
+  logic [RayBits-1:0]      keep_ray;
+  logic [BoxRayW-1:0]      keep_data, kept_ray;
 
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
@@ -131,14 +137,14 @@ module rc_trav (
 
     // Fields that xform needs in addition to the origin: the direction and, if the chip shades, the
     // ray's kind and home.
-    localparam int unsigned KeptW = rc_pkg::XformReqW - I - rc_pkg::PlacementW
+    localparam int unsigned KeptW = rc_pkg::XformReqW - RayBits - rc_pkg::PlacementW
                                   - 3 * rc_pkg::OriginWidth;
-    localparam int unsigned Home  = KeptW - 3 * M;
-    localparam int unsigned MeshRayW = rc_pkg::MeshReqBits - rc_pkg::MeshNodeBits - I;
+    localparam int unsigned Home  = KeptW - 3 * RayDirBits;
+    localparam int unsigned MeshRayW = rc_pkg::MeshReqBits - rc_pkg::MeshNodeBits - RayBits;
 
     logic [KeptW-1:0]    keep_way, kept_way;
     logic                changed, changed_short, in_mesh;
-    logic [I-1:0]        changed_at;
+    logic [RayBits-1:0]  changed_at;
     logic [MeshRayW-1:0] change_data, changed_ray;
 
     if (rc_pkg::Homes == 1) begin : gen_homes
@@ -192,8 +198,8 @@ module rc_trav (
     if (Home == 0) begin : gen_request
       assign xform_req_o = {node_rsp_i.ray, kept_o, kept_way, node_rsp[rc_pkg::PlacementW-1:0]};
     end else begin : gen_home_request   // kind and home come first
-      assign xform_req_o = {node_rsp_i.ray, kept_way[KeptW-1:3*M], kept_o, kept_way[3*M-1:0],
-                            node_rsp[rc_pkg::PlacementW-1:0]};
+      assign xform_req_o = {node_rsp_i.ray, kept_way[KeptW-1:3*RayDirBits], kept_o,
+                            kept_way[3*RayDirBits-1:0], node_rsp[rc_pkg::PlacementW-1:0]};
     end
 
 `ifndef SYNTHESIS
@@ -203,96 +209,97 @@ module rc_trav (
 `endif
   end
 
-  // ---- Answers: box's answer, and the ray's distance to beat.
-  rc_pkg::box_rsp_t           in;
-  logic [rc_pkg::BoxRspW-1:0] came, in_flat;
-  logic                       came_fires, in_fires;
-  logic [T-1:0]               in_t;
+  // ---- Answers: box's answer (rsp0, then rsp1), and the ray's distance to beat.
+  rc_pkg::box_rsp_t           rsp1;
+  logic [rc_pkg::BoxRspW-1:0] rsp0, rsp1_flat;
+  logic                       rsp0_fires, rsp2_fires;
+  logic [TBits-1:0]           rsp1_t;
 
-  assign came               = decide_rsp_i;
-  assign came_fires         = decide_rsp_valid_i;
+  assign rsp0               = decide_rsp_i;
+  assign rsp0_fires         = decide_rsp_valid_i;
   assign decide_rsp_ready_o = 1'b1;
 
-  logic [W-1:0]               in_within;   // children that lie no farther
+  logic [NodeWidth-1:0]               rsp1_within;   // children that lie no farther
 
-  rc_ray_t_max #(.Nears(W)) u_reach (
+  rc_ray_t_max #(.Nears(NodeWidth)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t),
-    .near_i(in.t_near), .within_o(in_within));
+    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(rsp1_t),
+    .near_i(rsp1.t_near), .within_o(rsp1_within));
 
-  rc_path_register #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
-  assign in = in_flat;
+  rc_path_register #(.Width(rc_pkg::BoxRspW)) u_rsp1 (.clk_i, .data_i(rsp0), .data_o(rsp1_flat));
+  assign rsp1 = rsp1_flat;
 
   // Leaves: moved to the front of the entries.
-  logic [S-1:0]   in_inner;
-  logic [W*T-1:0] leaf_near;
-  logic [W*O-1:0] in_offset, leaf_offset;
-  logic [W*C-1:0] leaf_count;
-  logic [W*S-1:0] in_slot;
+  logic [SlotBits-1:0]             rsp1_inner;
+  logic [NodeWidth*TBits-1:0]      leaf_near;
+  logic [NodeWidth*OffsetBits-1:0] rsp1_offset, leaf_offset;
+  logic [NodeWidth*CountBits-1:0]  leaf_count;
+  logic [NodeWidth*SlotBits-1:0]   rsp1_slot;
 
-  assign in_inner  = in.inner[S-1:0];   // W inner children leave no leaves
-  assign in_offset = in.offset;
+  assign rsp1_inner  = rsp1.inner[SlotBits-1:0];   // NodeWidth inner children leave no leaves
+  assign rsp1_offset = rsp1.offset;
 
   always_comb begin
-    leaf_near   = in.t_near;
-    leaf_offset = in.offset;
-    leaf_count  = in.count;
-    for (int b = 0; b < S; b++)
-      if (in_inner[b]) begin
-        leaf_near   = leaf_near >> (T << b);
-        leaf_offset = leaf_offset >> (O << b);
-        leaf_count  = leaf_count >> (C << b);
+    leaf_near   = rsp1.t_near;
+    leaf_offset = rsp1.offset;
+    leaf_count  = rsp1.count;
+    for (int b = 0; b < SlotBits; b++)
+      if (rsp1_inner[b]) begin
+        leaf_near   = leaf_near >> (TBits << b);
+        leaf_offset = leaf_offset >> (OffsetBits << b);
+        leaf_count  = leaf_count >> (CountBits << b);
       end
   end
 
-  for (genvar i = 0; i < W; i++) begin : gen_slot   // an inner child is a line, two halves
-    assign in_slot[i*S +: S] = in_offset[i*O + 1 +: S];
+  for (genvar i = 0; i < NodeWidth; i++) begin : gen_slot   // an inner child is a line, two halves
+    assign rsp1_slot[i*SlotBits +: SlotBits] = rsp1_offset[i*OffsetBits + 1 +: SlotBits];
   end
 
   rc_pkg::leaves_t              leaves;
-  logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
-  logic [rc_pkg::ChildrenW-1:0] in_children, children;
-  logic [T-1:0]                 leaves_beat;
+  logic [rc_pkg::LeavesW-1:0]   rsp1_leaves, leaves_flat;
+  logic [rc_pkg::ChildrenW-1:0] rsp1_children, children;
+  logic [TBits-1:0]             leaves_beat;
 
-  assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
-  assign in_children = {in.base, in.inner, in.t_near, in_slot};
+  assign rsp1_leaves   = {rsp1.ray, rsp1.base, rsp1.leaves, leaf_near, leaf_offset, leaf_count};
+  assign rsp1_children = {rsp1.base, rsp1.inner, rsp1.t_near, rsp1_slot};
 
-  rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + T)) u_moved (
-    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
+  rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TBits)) u_moved (
+    .clk_i, .data_i({rsp1_leaves, rsp1_children, rsp1_t}),
+    .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
 
   // Leaves go to list if the nearest can matter. A fast chip compares all children one cycle
   // earlier, and selects the nearest leaf's result. A few hundred cells of list get it from a
   // register.
-  logic           leafless_fires;
-  logic [W*T-1:0] leaves_near;
+  logic                       leafless_fires;
+  logic [NodeWidth*TBits-1:0] leaves_near;
 
   assign leaves_near = leaves.t_near;
 
   if (rc_pkg::Cut == 0) begin : gen_in_now
     logic matters;
-    assign matters        = leaves.leaves != '0 && leaves_near[T-1:0] <= leaves_beat;
-    assign in_fires       = came_fires;
-    assign leaves_fires_o = in_fires && matters;
-    assign leafless_fires = in_fires && !matters;
+    assign matters        = leaves.leaves != '0 && leaves_near[TBits-1:0] <= leaves_beat;
+    assign rsp2_fires     = rsp0_fires;
+    assign leaves_fires_o = rsp2_fires && matters;
+    assign leafless_fires = rsp2_fires && !matters;
   end else begin : gen_in_late   // two registers
-    logic matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
+    logic matters, rsp1_fires_q, rsp2_fires_q, leaves_fires_q, leafless_fires_q;
 
     always_comb begin
       matters = 1'b0;
-      for (int i = 0; i < W; i++)
-        if (in_inner == S'(i) && in_within[i]) matters = in.leaves != '0;
+      for (int i = 0; i < NodeWidth; i++)
+        if (rsp1_inner == SlotBits'(i) && rsp1_within[i]) matters = rsp1.leaves != '0;
     end
 
     always_ff @(posedge clk_i) begin
-      came_fires_q     <= rst_ni && came_fires;
-      in_fires_q       <= rst_ni && came_fires_q;
-      leaves_fires_q   <= rst_ni && came_fires_q && matters;
-      leafless_fires_q <= rst_ni && came_fires_q && !matters;
+      rsp1_fires_q     <= rst_ni && rsp0_fires;
+      rsp2_fires_q     <= rst_ni && rsp1_fires_q;
+      leaves_fires_q   <= rst_ni && rsp1_fires_q && matters;
+      leafless_fires_q <= rst_ni && rsp1_fires_q && !matters;
     end
 
-    assign in_fires       = in_fires_q;
+    assign rsp2_fires     = rsp2_fires_q;
     assign leaves_fires_o = leaves_fires_q;
     assign leafless_fires = leafless_fires_q;
   end
@@ -300,12 +307,12 @@ module rc_trav (
   assign leaves_o       = leaves;
 
   // ---- Steps: rays whose leaves are tested, and rays without leaves.
-  logic            leafless_valid, leafless_ready, step_valid, step_ready;
-  logic [I-1:0]    leafless_ray;
-  logic [T-1:0]    leafless_t;
+  logic                  leafless_valid, leafless_ready, step_valid, step_ready;
+  logic [RayBits-1:0]    leafless_ray;
+  logic [TBits-1:0]      leafless_t;
   rc_pkg::tested_t leafless;
 
-  rc_queue #(.Width(I + T), .Depth(Contexts)) u_leafless (
+  rc_queue #(.Width(RayBits + TBits), .Depth(Contexts)) u_leafless (
     .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
@@ -334,9 +341,9 @@ module rc_trav (
   end
 
   // ---- Stage 0: a returning ray goes before a new step. It has no new children and no stop.
-  logic            again_q, step_fires;
-  logic [I-1:0]    again_ray_q, s0_ray;
-  logic [T-1:0]    again_t_q;
+  logic                  again_q, step_fires;
+  logic [RayBits-1:0]    again_ray_q, s0_ray;
+  logic [TBits-1:0]      again_t_q;
   rc_pkg::tested_t again_tested;
 
   assign step_ready = !again_q;
@@ -367,7 +374,7 @@ module rc_trav (
   end
 
   rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(Contexts)) u_children (
-    .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
+    .clk_i, .rst_ni, .write_i(rsp2_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
     .read_data_o(kept_children));
 
@@ -376,9 +383,9 @@ module rc_trav (
   assign end_tested = end_tested_flat;
 
   // ---- Last stage: the stack decides.
-  logic          visit, done, again;
-  logic [A-1:0]  visit_base;
-  logic [S-1:0]  visit_slot;
+  logic                 visit, done, again;
+  logic [AddrBits-1:0]  visit_base;
+  logic [SlotBits-1:0]  visit_slot;
 
   rc_stack u_stack (
     .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
@@ -393,16 +400,17 @@ module rc_trav (
   end
 
   // ---- Nodes to fetch. New rays wait for a gap.
-  logic           visit_valid, visit_ready, spawn_valid, spawn_ready, root_valid, root_ready;
-  logic [I+A-1:0] visit_data, root_data;
-  logic [I-1:0]   spawn_ray;
+  logic                        visit_valid, visit_ready, spawn_valid, spawn_ready, root_valid;
+  logic                        root_ready;
+  logic [RayBits+AddrBits-1:0] visit_data, root_data;
+  logic [RayBits-1:0]          spawn_ray;
 
-  rc_queue #(.Width(I + A), .Depth(Contexts)) u_visit (
+  rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_visit (
     .clk_i, .rst_ni, .push_i(visit),
-    .data_i({end_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
+    .data_i({end_tested.ray, visit_base + {{(AddrBits-SlotBits){1'b0}}, visit_slot}}),
     .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
 
-  rc_fifo #(.Width(I), .Depth(2)) u_spawn (
+  rc_fifo #(.Width(RayBits), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
     .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
 
@@ -411,14 +419,14 @@ module rc_trav (
     assign spawn_ready = root_ready;
     assign root_data   = {spawn_ray, frame_i.root};
   end else begin : gen_changed   // roots of meshes first
-    logic           mesh_valid, mesh_ready;
-    logic [I+A-1:0] mesh_data;
+    logic                        mesh_valid, mesh_ready;
+    logic [RayBits+AddrBits-1:0] mesh_data;
 
-    rc_queue #(.Width(I + A), .Depth(Contexts)) u_mesh (
+    rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_mesh (
       .clk_i, .rst_ni, .push_i(change_fires_i), .data_i({change_i.ray, change_i.root}),
       .valid_o(mesh_valid), .pop_i(mesh_valid && mesh_ready), .data_o(mesh_data));
 
-    rc_priority_merge #(.Width(I + A)) u_root (
+    rc_priority_merge #(.Width(RayBits + AddrBits)) u_root (
       .clk_i, .rst_ni,
       .first_valid_i(mesh_valid), .first_ready_o(mesh_ready), .first_i(mesh_data),
       .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
@@ -426,7 +434,7 @@ module rc_trav (
       .valid_o(root_valid), .ready_i(root_ready), .data_o(root_data));
   end
 
-  rc_priority_merge #(.Width(I + A)) u_node (
+  rc_priority_merge #(.Width(RayBits + AddrBits)) u_node (
     .clk_i, .rst_ni,
     .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
     .second_valid_i(root_valid), .second_ready_o(root_ready), .second_i(root_data),
@@ -434,13 +442,14 @@ module rc_trav (
 
   // ---- Rays that end. A fast chip reports them from a register, because list reads its results
   // with it.
-  logic         done_place, ends;
-  logic [I-1:0] ends_ray;
+  logic               done_place, ends;
+  logic [RayBits-1:0] ends_ray;
 
   rc_pulse_register u_ends (.clk_i, .rst_ni, .fires_i(done), .fires_o(ends));
-  rc_path_register #(.Width(I)) u_ends_ray (.clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
+  rc_path_register #(.Width(RayBits)) u_ends_ray (
+    .clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
 
-  rc_fifo_peek #(.Width(I), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
+  rc_fifo_peek #(.Width(RayBits), .Depth(Contexts < 2 ? 2 : Contexts), .Second(1)) u_done (
     .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
@@ -463,6 +472,6 @@ module rc_trav (
   assign frame_flat  = frame_i;
   assign change_flat = change_i;
   assign unused      = ^{done_place, is_short, node_rsp, ray_flat, frame_flat, change_fires_i,
-                         change_flat, in_offset, end_tested, leaves_near, in_within};
+                         change_flat, rsp1_offset, end_tested, leaves_near, rsp1_within};
 endmodule
 `default_nettype wire

@@ -28,19 +28,19 @@ module rc_xform (
   output logic               change_fires_o,
   output rc_pkg::change_t    change_o
 );
-  localparam int unsigned N        = rc_pkg::OriginWidth;
-  localparam int unsigned M        = rc_pkg::RayDirBits;
-  localparam int unsigned FactorW  = N > M ? N : M;
-  localparam int unsigned E        = rc_pkg::MapBits;
-  localparam int unsigned K        = rc_pkg::MapFrac;
-  localparam int unsigned B        = rc_pkg::OriginBits;
-  localparam int unsigned BW       = N - B + K;
-  localparam int unsigned ProductW = E + FactorW;               // width of a product
-  localparam int unsigned SW       = FactorW + K + 1;           // width of a sum
-  localparam int unsigned R1       = rc_pkg::RecipBits + 1;
-  localparam int unsigned EB       = rc_pkg::ExpBits;
-  localparam int unsigned Latency  = rc_pkg::XformLatency;
-  localparam int unsigned Share  = rc_pkg::RecipShare;
+  localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
+  localparam int unsigned RayDirBits  = rc_pkg::RayDirBits;
+  localparam int unsigned FactorW     = OriginWidth > RayDirBits ? OriginWidth : RayDirBits;
+  localparam int unsigned MapBits     = rc_pkg::MapBits;
+  localparam int unsigned MapFrac     = rc_pkg::MapFrac;
+  localparam int unsigned OriginBits  = rc_pkg::OriginBits;
+  localparam int unsigned TranslateW  = OriginWidth - OriginBits + MapFrac;
+  localparam int unsigned ProductW    = MapBits + FactorW;               // width of a product
+  localparam int unsigned SumW        = FactorW + MapFrac + 1;           // width of a sum
+  localparam int unsigned R1          = rc_pkg::RecipBits + 1;
+  localparam int unsigned ExpBits     = rc_pkg::ExpBits;
+  localparam int unsigned Latency     = rc_pkg::XformLatency;
+  localparam int unsigned Share  =    rc_pkg::RecipShare;
 
   // Stages in which a ray has arrived, its products are ready, and it is transformed.
   localparam int unsigned In    = rc_pkg::Cut;
@@ -89,13 +89,13 @@ module rc_xform (
   assign in = in_flat;
 
   // ---- Products: of o, then of d, each row by row.
-  logic [3*N-1:0]         in_o;
-  logic [3*M-1:0]         in_d;
-  logic [9*E-1:0]         in_a;
-  logic [3*BW-1:0]        in_b;
-  logic [18*E-1:0]        factor_a;
-  logic [18*FactorW-1:0]  factor_v;
-  logic [18*ProductW-1:0] product;
+  logic [3*OriginWidth-1:0] in_o;
+  logic [3*RayDirBits-1:0]  in_d;
+  logic [9*MapBits-1:0]     in_a;
+  logic [3*TranslateW-1:0]  in_b;
+  logic [18*MapBits-1:0]    factor_a;
+  logic [18*FactorW-1:0]    factor_v;
+  logic [18*ProductW-1:0]   product;
 
   assign in_o     = in.o;
   assign in_d     = in.d;
@@ -104,62 +104,66 @@ module rc_xform (
   assign factor_a = {in_a, in_a};
 
   for (genvar i = 0; i < 9; i++) begin : gen_factor
-    assign factor_v[i*FactorW +: FactorW] = FactorW'($signed(in_o[(i%3)*N +: N]));
-    assign factor_v[(9+i)*FactorW +: FactorW] = FactorW'($signed(in_d[(i%3)*M +: M]));
+    assign factor_v[i*FactorW +: FactorW] =
+        FactorW'($signed(in_o[(i%3)*OriginWidth +: OriginWidth]));
+    assign factor_v[(9+i)*FactorW +: FactorW] =
+        FactorW'($signed(in_d[(i%3)*RayDirBits +: RayDirBits]));
   end
 
-  rc_mul_shared #(.AW(E), .BW(FactorW), .Products(18), .Share(rc_pkg::MapShare)) u_products (
+  rc_mul_shared #(.AW(MapBits), .BW(FactorW), .Products(18), .Share(rc_pkg::MapShare)) u_products (
     .clk_i, .valid_i(valid[In]), .a_i(factor_a), .b_i(factor_v), .p_o(product));
 
   // ---- Sums. Half a step, for the rounding, is added to b or, for d, in its place.
-  localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
+  localparam logic [SumW-1:0] Half = SumW'(1) << (MapFrac - 1);
 
-  logic [3*SW-1:0] begin_b, made_b;
-  logic            in_shadow, moved_shadow, at_home, sum_shadow;
-  logic [3*N-1:0]  home_o;
-  logic [3*M-1:0]  home_d;
+  logic [3*SumW-1:0]        begin_b, made_b;
+  logic                     in_shadow, moved_shadow, at_home, sum_shadow;
+  logic [3*OriginWidth-1:0] home_o;
+  logic [3*RayDirBits-1:0]  home_d;
 
   for (genvar i = 0; i < 3; i++) begin : gen_b
-    assign begin_b[i*SW +: SW] = (SW'($signed(in_b[i*BW +: BW])) <<< B)
-                               + (in_shadow ? Half << B : Half);
+    assign begin_b[i*SumW +: SumW] = (SumW'($signed(in_b[i*TranslateW +: TranslateW]))
+                                      <<< OriginBits)
+                                   + (in_shadow ? Half << OriginBits : Half);
   end
 
-  rc_path_register #(.Width(3 * SW), .Stages(Made - In)) u_b (
+  rc_path_register #(.Width(3 * SumW), .Stages(Made - In)) u_b (
     .clk_i, .data_i(begin_b), .data_o(made_b));
 
   logic [3*FactorW-1:0] moved_o, moved_d;   // as wide as the wider of the two
   for (genvar i = 0; i < 6; i++) begin : gen_sum
-    logic [SW-1:0]      rest, first_q, second_q;
-    logic [SW-1:0]      total;
+    logic [SumW-1:0]    rest, first_q, second_q;
+    logic [SumW-1:0]    total;
     logic [FactorW-1:0] moved_q, home, rounded;
 
     if (i < 3) begin : gen_point
-      assign rest = made_b[i*SW +: SW];
+      assign rest = made_b[i*SumW +: SumW];
       assign moved_o[i*FactorW +: FactorW] = moved_q;
-      assign home = FactorW'($signed(home_o[i*N +: N]));
-      assign rounded = sum_shadow ? total[K +: FactorW] >> B << B : total[K +: FactorW];
+      assign home = FactorW'($signed(home_o[i*OriginWidth +: OriginWidth]));
+      assign rounded = sum_shadow ? total[MapFrac +: FactorW] >> OriginBits << OriginBits
+                     : total[MapFrac +: FactorW];
     end else begin : gen_direction
       assign rest = Half;
       assign moved_d[(i-3)*FactorW +: FactorW] = moved_q;
-      assign home = FactorW'($signed(home_d[(i-3)*M +: M]));
-      assign rounded = total[K +: FactorW];
+      assign home = FactorW'($signed(home_d[(i-3)*RayDirBits +: RayDirBits]));
+      assign rounded = total[MapFrac +: FactorW];
     end
 
     assign total = first_q + second_q;
 
     always_ff @(posedge clk_i) begin
       if (valid[Made]) begin
-        first_q  <= SW'($signed(product[3*i*ProductW +: ProductW]))
-                  + SW'($signed(product[(3*i+1)*ProductW +: ProductW]));
-        second_q <= SW'($signed(product[(3*i+2)*ProductW +: ProductW])) + rest;
+        first_q  <= SumW'($signed(product[3*i*ProductW +: ProductW]))
+                  + SumW'($signed(product[(3*i+1)*ProductW +: ProductW]));
+        second_q <= SumW'($signed(product[(3*i+2)*ProductW +: ProductW])) + rest;
       end
       if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
 
 `ifndef SYNTHESIS
-    localparam int unsigned Width = i < 3 ? N : M;
+    localparam int unsigned Width = i < 3 ? OriginWidth : RayDirBits;
     always_ff @(posedge clk_i) if (rst_ni && valid[Made+1])
-      a_fits: assert (total[SW-1:K+Width-1] == {(SW-K-Width+1){total[SW-1]}})
+      a_fits: assert (total[SumW-1:MapFrac+Width-1] == {(SumW-MapFrac-Width+1){total[SumW-1]}})
       else $error("an instance moves a ray beyond its lattice");
 `endif
 
@@ -167,12 +171,12 @@ module rc_xform (
     assign unused = ^total;
   end
 
-  logic [3*N-1:0] o;
-  logic [3*M-1:0] d;
+  logic [3*OriginWidth-1:0] o;
+  logic [3*RayDirBits-1:0]  d;
 
   for (genvar k = 0; k < 3; k++) begin : gen_narrow
-    assign o[k*N +: N] = moved_o[k*FactorW +: N];
-    assign d[k*M +: M] = moved_d[k*FactorW +: M];
+    assign o[k*OriginWidth +: OriginWidth] = moved_o[k*FactorW +: OriginWidth];
+    assign d[k*RayDirBits +: RayDirBits] = moved_d[k*FactorW +: RayDirBits];
   end
 
   // ---- Home: a ray that starts from this instance, or a shadow ray that ends there.
@@ -182,7 +186,7 @@ module rc_xform (
     assign in_shadow = in.kind == rc_pkg::RayShadow;
     assign in_home   = in.kind != rc_pkg::RayCamera && in.home == in.here;
 
-    rc_path_register #(.Width(2 + 3 * (N + M)), .Stages(Made + 1 - In)) u_home (
+    rc_path_register #(.Width(2 + 3 * (OriginWidth + RayDirBits)), .Stages(Made + 1 - In)) u_home (
       .clk_i, .data_i({in_home, in_shadow, in.home_o, in.home_d}),
       .data_o({at_home, sum_shadow, home_o, home_d}));
 
@@ -196,46 +200,47 @@ module rc_xform (
   // ---- Reciprocals: a divider makes those of Share axes, one after the other.
   localparam int unsigned Dividers = (3 + Share - 1) / Share;
 
-  logic [3*R1-1:0] recip;
-  logic [3*EB-1:0] len;
+  logic [3*R1-1:0]      recip;
+  logic [3*ExpBits-1:0] len;
 
   for (genvar m = 0; m < Dividers; m++) begin : gen_divider
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = 3 - First < Share ? 3 - First : Share;
-    logic signed [M-1:0] axis;
-    logic [R1+EB-1:0]    made;
-    logic                is_short;
+    logic signed [RayDirBits-1:0] axis;
+    logic [R1+ExpBits-1:0]        made;
+    logic                         is_short;
 
     if (Own == 1) begin : gen_alone
-      assign axis     = d[First*M +: M];
+      assign axis     = d[First*RayDirBits +: RayDirBits];
       assign is_short = !moved_shadow;
     end else begin : gen_axes   // the next axis is lowest
-      logic [(Own-1)*M-1:0] wait_q;
+      logic [(Own-1)*RayDirBits-1:0] wait_q;
       logic               short_q;
 
-      assign axis     = valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];
+      assign axis     = valid[Moved] ? d[First*RayDirBits +: RayDirBits] : wait_q[RayDirBits-1:0];
       assign is_short = valid[Moved] ? !moved_shadow : short_q;
 
       always_ff @(posedge clk_i) begin
         short_q <= is_short;
-        wait_q <= valid[Moved] ? d[(First+1)*M +: (Own-1)*M] : wait_q >> M;
+        wait_q <= valid[Moved] ? d[(First+1)*RayDirBits +: (Own-1)*RayDirBits]
+                : wait_q >> RayDirBits;
       end
     end
 
     rc_recip u_recip (
       .clk_i, .rst_ni, .valid_i(valid[Moved +: Own] != '0), .short_i(is_short), .d_i(axis),
-      .recip_o(made[R1-1:0]), .len_o(made[R1+EB-1:R1]));
+      .recip_o(made[R1-1:0]), .len_o(made[R1+ExpBits-1:R1]));
 
     for (genvar i = 0; i < Own; i++) begin : gen_axis   // the first wait for the last
-      rc_path_register #(.Width(R1 + EB), .Stages(Share - 1 - i)) u_early (
+      rc_path_register #(.Width(R1 + ExpBits), .Stages(Share - 1 - i)) u_early (
         .clk_i, .data_i(made),
-        .data_o({len[(First+i)*EB +: EB], recip[(First+i)*R1 +: R1]}));
+        .data_o({len[(First+i)*ExpBits +: ExpBits], recip[(First+i)*R1 +: R1]}));
     end
   end
 
   // ---- Delays. Ray, first and root; if the chip shades, the ray's kind and the instance's line as
   // well.
-  localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (N + M + R1 + EB);
+  localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (OriginWidth + RayDirBits + R1 + ExpBits);
   logic [WhoseW-1:0]    in_whose, end_whose;
 
   if (rc_pkg::Homes == 1) begin : gen_whose_home
@@ -244,12 +249,12 @@ module rc_xform (
     assign in_whose = {in.ray, in.first, in.root};
   end
 
-  logic [3*(N+M)-1:0]   end_moved;
+  logic [3*(OriginWidth+RayDirBits)-1:0]   end_moved;
 
   rc_delay_ram #(.Width(WhoseW), .Stages(Latency - In)) u_whose (
     .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_whose), .data_o(end_whose));
 
-  rc_delay_ram #(.Width(3 * (N + M)), .Stages(Latency - Moved)) u_moved (
+  rc_delay_ram #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Latency - Moved)) u_moved (
     .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o(end_moved));
 
   assign change_fires_o = valid[Latency];

@@ -39,7 +39,7 @@ void MachinePath::answered(const Closest& hit) {
 
 void MachinePath::passed(const PassIn& in, const PassOut& out) {
     MachineVisit& visit = visits[std::size_t(at_)];
-    last_ = ShadeEvent(in.state.event);
+    last_ = ShadeEvent(in.state.next_event);
     switch (last_) {
         case ShadeEvent::arrive:
             visit.surface = in.surface, visit.placement = in.placement, visit.state = out.state;

@@ -88,14 +88,14 @@ void PathJudge::add(const Colour& colour, const Light& exact) {
 
 void PathJudge::passed(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive &&
+    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.next_event) == ShadeEvent::arrive &&
                         s.weight == full_weight && s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
     demand(same_answer(in.hit, answer_), "a pass was given another answer");
     if (lit_ || (lit_if_free_ && !answer_.found)) add(s.share, share_);
     lit_ = lit_if_free_ = false;
-    switch (ShadeEvent(s.event)) {
+    switch (ShadeEvent(s.next_event)) {
         case ShadeEvent::arrive: arrive(in, out); break;
         case ShadeEvent::light: light(in, out); break;
         case ShadeEvent::refract: refract(in, out); break;
@@ -151,7 +151,8 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
            "another ray waited");
     demand(in.top.cell == branch_.cell && (in.top.partial != 0) == ray.is_partial, "another ray waited");
     expect_spawn(out, ray);
-    demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a bounce that was sent is not waited for");
+    demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
+           "a bounce that was sent is not waited for");
 }
 
 void PathJudge::end_sample(const PassOut& out) {
@@ -182,7 +183,7 @@ void PathJudge::end_sample(const PassOut& out) {
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");
-        demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a sample's ray is not waited for");
+        demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive, "a sample's ray is not waited for");
         return expect_spawn(out, {});
     }
     demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");

@@ -23,7 +23,7 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
            "a pass was given another ray than the one that arrived");
     ShadeState same = before;
     same.o = s.o, same.inner = s.inner, same.normal = s.normal, same.view = s.view, same.cosine = s.cosine;
-    same.event = s.event, same.light = s.light, same.pending = s.pending, same.colour = s.colour;
+    same.next_event = s.next_event, same.light = s.light, same.pending = s.pending, same.colour = s.colour;
     demand(same == s, "what was found on the surface is not kept when it is turned");
     demand(s.inner == before.o, "the point in the mesh is not kept");
     if (!is_turned()) {

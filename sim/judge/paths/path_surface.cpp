@@ -47,7 +47,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
                "the pixel's first hit is not kept");
     if (!answer_.found) {
         background(branch_.weight, branch_.exact);
-        demand(ShadeEvent(s.event) == ShadeEvent::pop, "after the background comes the next ray");
+        demand(ShadeEvent(s.next_event) == ShadeEvent::pop, "after the background comes the next ray");
         return;
     }
     place_ = {};
@@ -78,7 +78,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
-        return demand(ShadeEvent(s.event) == ShadeEvent::transform,
+        return demand(ShadeEvent(s.next_event) == ShadeEvent::transform,
                       "no transform pass follows an instance's surface");
     }
     demand_lights(s);
@@ -86,7 +86,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
 
 void PathJudge::demand_lights(const ShadeState& s) {
     const bool lights = !rules_.inputs.scene.lights.empty();
-    demand(s.light == 0 && ShadeEvent(s.event) == (lights ? ShadeEvent::light : after_lights(s)),
+    demand(s.light == 0 && ShadeEvent(s.next_event) == (lights ? ShadeEvent::light : after_lights(s)),
            "after a surface come its lights");
 }
 
@@ -265,7 +265,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     const auto all = std::uint32_t(rules_.inputs.scene.lights.size());
     demand(number < all, "there is no such light");
     demand(out.state.light == number + 1 &&
-               ShadeEvent(out.state.event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
+               ShadeEvent(out.state.next_event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
            "a light is left out or asked twice");
     if (number >= all) return;
     const bool near = frame_.shade.near[number] != 0, to_the_point = near && !place_.is_far;

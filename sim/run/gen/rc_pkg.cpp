@@ -249,7 +249,7 @@ void parts(Package& p, const Config& config) {
     p.part<Closest>("shade_hit", {"found", "back", "prim", "t", "u", "v"}, shading);
     p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
-    p.part<ShadeState>("shade_every", {"purpose", "pending", "found", "prim", "t", "u", "v", "colour",
+    p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
                                        "weight", "depth", "light", "in_cell", "across"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});

@@ -35,7 +35,7 @@ public:
     void answered(const Closest& hit) override { rays.back().hit = hit; }
     void passed(const PassIn& in, const PassOut& out) override {
         if (out.leave != PassOut::Leave::spawn) return;
-        const ShadeEvent event = ShadeEvent(in.state.event);
+        const ShadeEvent event = ShadeEvent(in.state.next_event);
         depth_ = int(out.state.depth);
         next_ = out.spawn.kind == std::uint32_t(RayKind::camera) ? RayPurpose::camera
                 : event == ShadeEvent::light                     ? RayPurpose::shadow

@@ -148,8 +148,8 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
 /// starts now, or later towards a light beyond the lattice.
 inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
     const Vec3i within = draw_place(draw, c);
-    const bool is_light = s.event == std::uint32_t(ShadeEvent::light);
-    const Vec3i d = s.event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
+    const bool is_light = s.next_event == std::uint32_t(ShadeEvent::light);
+    const Vec3i d = s.next_event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
     const int further = draw.between(1, 6);
     const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1,
                        steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
@@ -162,10 +162,10 @@ inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState&
 
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
-    s.event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
-    if (s.event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.event = 0;
-    if (s.event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
-        s.event = std::uint32_t(ShadeEvent::reflect);
+    s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
+    if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
+    if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
+        s.next_event = std::uint32_t(ShadeEvent::reflect);
     s.pending = std::uint32_t(draw.below(3));
     s.x = std::uint32_t(draw.natural(c.pixel_bits)), s.y = std::uint32_t(draw.natural(c.pixel_bits));
     if (c.supersampling) {

@@ -41,7 +41,7 @@ public:
         if (closest.offer) {
             PassIn& in = contexts_[closest.offer->ray].in;
             in.hit = *closest.offer;
-            wants = in.hit.found && in.state.event == std::uint32_t(ShadeEvent::arrive);
+            wants = in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
         shade_.clock(now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
@@ -62,7 +62,7 @@ private:
         PassOut out;
         std::vector<Waiting> stack;
         Shade::Leave pass(const Frame& frame, const Config& config) {
-            const bool pops = in.state.event == std::uint32_t(ShadeEvent::pop) && !stack.empty();
+            const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop) && !stack.empty();
             if (pops) in.top = stack.back(), stack.pop_back();
             out = rayclock::pass(in, frame, config);
             in.state = out.state;

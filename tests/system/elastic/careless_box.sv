@@ -19,18 +19,18 @@ module rc_box (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,
     .rsp_valid_o, .rsp_ready_i, .rsp_o(own));
 
-  localparam int unsigned W = rc_pkg::NodeWidth;
-  localparam int unsigned T = rc_pkg::TBits;
-  localparam int unsigned O = rc_pkg::OffsetBits;
-  localparam int unsigned C = rc_pkg::CountBits;
+  localparam int unsigned NodeWidth  = rc_pkg::NodeWidth;
+  localparam int unsigned TBits      = rc_pkg::TBits;
+  localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
+  localparam int unsigned CountBits  = rc_pkg::CountBits;
 
   always_comb begin
     rsp_o = own;
-    for (int i = 0; i < W; i++) begin
+    for (int i = 0; i < NodeWidth; i++) begin
       if (i >= int'(own.inner) + int'(own.leaves)) begin
-        rsp_o.t_near[i*T +: T] = '1;
-        rsp_o.offset[i*O +: O] = '1;
-        rsp_o.count[i*C +: C]  = '1;
+        rsp_o.t_near[i*TBits +: TBits]           = '1;
+        rsp_o.offset[i*OffsetBits +: OffsetBits] = '1;
+        rsp_o.count[i*CountBits +: CountBits]    = '1;
       end
     end
   end

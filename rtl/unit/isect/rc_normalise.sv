@@ -5,7 +5,7 @@
 // It has Levels stages. Each of them shifts by a power of two of bit pairs if necessary. Latency
 // Levels * rc_pkg::Cut cycles.
 `default_nettype none
-module rc_shrink #(
+module rc_normalise #(
   parameter  int unsigned Width  = 8,
   parameter  int unsigned Levels = 2,
   parameter  int unsigned Kept   = 4,
@@ -18,7 +18,7 @@ module rc_shrink #(
   output logic              lost_o
 );
   if (Kept < 1 || Kept > Width) begin : gen_refuse
-    $error("rc_shrink: Kept must lie in 1..Width");
+    $error("rc_normalise: Kept must lie in 1..Width");
   end
 
   logic [Width-1:0] cut;

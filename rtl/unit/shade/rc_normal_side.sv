@@ -1,33 +1,34 @@
-// The exact sign of n . d. Latency two stages.
+// The exact sign of n . d, which is the side of a surface on which a ray starts. Latency two stages.
 //
 // Part of rc_pass, which has the valid bits of both stages. If a pass stays long in a stage, the
 // operands first pass through additional registers.
 `default_nettype none
-module rc_side #(
-  localparam int unsigned NB = rc_pkg::NormalBits,
-  localparam int unsigned D  = rc_pkg::RayDirBits,
+module rc_normal_side #(
+  localparam int unsigned NormalBits = rc_pkg::NormalBits,
+  localparam int unsigned RayDirBits = rc_pkg::RayDirBits,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic            clk_i,
   input  logic [1:0]      valid_i,
   input  logic [Every-1:0] phase_i,    // the cycle of the first stage, ShadeCut cycles late
   // Operands
-  input  logic [3*NB-1:0] n_i,
-  input  logic [3*D-1:0]  d_i,
+  input  logic [3*NormalBits-1:0] n_i,
+  input  logic [3*RayDirBits-1:0] d_i,
   // n . d > 0, n . d < 0
-  output logic            above_o,
-  output logic            below_o
+  output logic                    above_o,
+  output logic                    below_o
 );
-  localparam int unsigned ProductW = NB + D;
+  localparam int unsigned ProductW = NormalBits + RayDirBits;
 
-  logic [3*ProductW-1:0] product, product_q;
-  logic [3*NB-1:0]       n;
-  logic [3*D-1:0]        d;
+  logic [3*ProductW-1:0]   product, product_q;
+  logic [3*NormalBits-1:0] n;
+  logic [3*RayDirBits-1:0] d;
 
-  rc_path_register #(.Width(3 * (NB + D)), .Stages(rc_pkg::ShadeCut)) u_in (
+  rc_path_register #(.Width(3 * (NormalBits + RayDirBits)), .Stages(rc_pkg::ShadeCut)) u_in (
     .clk_i, .data_i({n_i, d_i}), .data_o({n, d}));
 
-  rc_mul_held #(.AW(NB), .BW(D), .Products(3), .Late(rc_pkg::ShadeCut)) u_products (
+  rc_mul_held #(.AW(NormalBits), .BW(RayDirBits), .Products(3), .Late(rc_pkg::ShadeCut))
+  u_products (
     .clk_i, .phase_i, .a_i(n), .b_i(d), .p_o(product));
 
   always_ff @(posedge clk_i) if (valid_i[0]) product_q <= product;

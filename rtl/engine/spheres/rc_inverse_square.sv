@@ -2,17 +2,17 @@
 // is the number of bits that the square has above 33. K comes from a table with linear
 // interpolation.
 //
-// Part of rc_sight. K comes 1 + MulStages + 2 Cut stages later; n comes in the same cycle as the
-// square. Model: inverse_of() in model/engine/spheres/globe.cpp.
+// Part of rc_globe_moment. K comes 1 + MulStages + 2 Cut stages later; n comes in the same cycle
+// as the square. Model: inverse_of() in model/engine/spheres/globe.cpp.
 `default_nettype none
-module rc_inverse #(
-  localparam int unsigned G = rc_pkg::TowardBits
+module rc_inverse_square #(
+  localparam int unsigned TowardBits = rc_pkg::TowardBits
 ) (
-  input  logic           clk_i,
-  input  logic           last_moves_i,   // the last stage accepts its input
-  input  logic [2*G-1:0] square_i,
-  output logic [1:0]     n_o,
-  output logic [16:0]    inverse_o
+  input  logic                    clk_i,
+  input  logic                    last_enable_i,   // the last stage accepts its input
+  input  logic [2*TowardBits-1:0] square_i,
+  output logic [1:0]              n_o,
+  output logic [16:0]             inverse_o
 );
   localparam int unsigned Entries = 128;
   localparam int unsigned StepW   = 10;
@@ -54,7 +54,7 @@ module rc_inverse #(
   rc_path_register #(.Width(17), .Stages(rc_pkg::MulStages)) u_value (
     .clk_i, .data_i(entry_q[StepW +: 17]), .data_o(value));
 
-  always_ff @(posedge clk_i) if (last_moves_i) inverse_o <= value - 17'(less[StepW+8:9]);
+  always_ff @(posedge clk_i) if (last_enable_i) inverse_o <= value - 17'(less[StepW+8:9]);
 
   logic unused;
   assign unused = ^{less[8:0], square_i[15:0]};
