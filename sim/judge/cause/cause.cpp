@@ -30,7 +30,7 @@ constexpr std::size_t most_ladder_faults = 20;
 constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
-/// Triangles as the machine has them, in lattice steps, for the reference.
+/// Returns the machine's triangles in lattice steps, for the reference.
 Scene on_lattice(const Scene& scene, const Lattice& lattice) {
     Scene snapped;
     snapped.triangles = scene.triangles;
@@ -72,7 +72,7 @@ public:
         std::vector<PixelStage> all;
         for (std::size_t k = 0; k < hits.size(); ++k) {
             if (!world_ && k > 0 && PixelCause(k - 1) == PixelCause::seam)
-                continue;   // no stage of one level
+                continue;   // one level does not have this stage
             all.push_back({k == 0 ? "reference" : cause_info(PixelCause(k - 1)).key, hits[k].hits[0],
                            pictures[k].pixels[0]});
         }
@@ -107,7 +107,8 @@ private:
         if (judgement_.faults.size() < most_ladder_faults)
             judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
-    /// As the flat scene has its corners: of a mirrored instance the second and the third change places.
+    /// Returns the hit with the flat scene's order of corners. A mirrored instance has the second and the
+    /// third corner exchanged.
     Hit as_flat(Hit hit) const {
         if (!world_ || hit.primitive == no_primitive) return hit;
         const std::uint32_t place = world_->place_of(hit.primitive);
@@ -128,7 +129,7 @@ private:
                srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
     }
 
-    /// Asks the oracle about every pixel; pixels that differ and are no bugs are left to explain().
+    /// Compares every pixel with the oracle's answer. Lists pixels that differ without a bug for explain().
     void find(const Progress& progress) {
         const std::size_t pixels = answered_.answers.size();
         const bool exact = inputs_.config.test() == PrimitiveTest::exact;
@@ -193,7 +194,7 @@ private:
         return s;
     }
 
-    /// The primitive of the last stage is that before it.
+    /// Finds the cause of each listed pixel from the primitives and colours of its stages.
     void explain() {
         const auto [hits, pictures] = staged();
         for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -210,7 +211,7 @@ private:
         }
     }
 
-    /// What the rounding of rays in instances has changed.
+    /// Decides whether a pixel that changed at the seam stage is a seam, ray_quantisation or a bug.
     PixelCause seam_or(std::size_t pixel) {
         const Vec3i direction = exact_direction(inputs_.frame, inputs_.config, {}, x(pixel), y(pixel), 0);
         switch (seams_->explain(camera_ray(inputs_.frame.eye, direction), answered_.answers[pixel],
@@ -223,7 +224,8 @@ private:
         return PixelCause::bug;
     }
 
-    /// Whatever the cause: the reference's rules must hold on the machine's ray, and for both colours.
+    /// Checks each listed pixel, whatever its cause: the reference's rules must hold on the machine's ray and
+    /// for both colours.
     void climb() {
         std::vector<CameraFinding> found(open_.size());
         tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) { found[i] = decide(open_[i]); });
@@ -234,7 +236,8 @@ private:
             report(open_[i], found[i].fault);
         }
     }
-    /// Both pictures are lit by shade(), so that a fault of it need not show as a difference.
+    /// Checks the light of every lit_stride-th pixel. shade() lights both pictures, so a fault in it may show
+    /// no difference.
     void check_light() {
         const std::size_t pixels = judgement_.pixels.size();
         std::vector<std::uint8_t> wrong((pixels + lit_stride - 1) / lit_stride);
@@ -261,7 +264,7 @@ private:
         if (!is_lit_right && found.fault.empty()) found.fault = wrong_light;
         return found;
     }
-    /// Floats hold it.
+    /// The tolerance is the precision of floats.
     bool is_local_light(const Hit& hit, const glm::vec3& colour, std::size_t pixel) const {
         const std::optional<glm::dvec3> light = rung_->local_light(hit, x(pixel), y(pixel));
         for (int k = 0; light && k < 3; ++k)
@@ -297,7 +300,7 @@ private:
     FrameSize size_;
     std::optional<PlacedWorld> world_;   // of two levels
     std::optional<SeamFinder> seams_;
-    Scene steps_;   // the scene as the machine has it
+    Scene steps_;   // the machine's scene in lattice steps
     std::optional<ExactAnswers> exact_;
     std::optional<Reference> snapped_;   // of steps_
     std::optional<CameraRung> rung_;
@@ -309,7 +312,7 @@ private:
 }   // namespace
 
 const PixelCauseInfo& cause_info(PixelCause cause) {
-    // Colours of Okabe and Ito 2008, "Color universal design"; white for what must not be there.
+    // Colours of Okabe and Ito 2008, "Color universal design"; white for a bug.
     static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
                                                                          {"ray_quantisation", {86, 180, 233}},
                                                                          {"seam", {213, 94, 0}},

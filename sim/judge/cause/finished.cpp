@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_shading_faults = 20;
 
-/// Several watches of one pixel.
+/// Passes the events of one pixel to several watches.
 class Watches final : public ShadeWatch {
 public:
     explicit Watches(std::vector<ShadeWatch*> all) : all_(std::move(all)) {}
@@ -35,7 +35,7 @@ private:
     std::vector<ShadeWatch*> all_;
 };
 
-/// What the rays of a pixel are found to be, in two levels.
+/// Collects the findings of a pixel's rays, with two levels.
 class SeamWatch final : public ShadeWatch {
 public:
     explicit SeamWatch(const SeamFinder& seams) : seams_(seams) {}
@@ -77,7 +77,7 @@ public:
         std::uint32_t ties = 0;
         double seams_apart = 0;
     };
-    /// What follows a machine's pixels, one after the other.
+    /// The scratch data of one thread, which follows the machine's pixels one after the other.
     struct Bench {
         ShadedRecorder recorder;
         RecordScratch scratch;
@@ -109,7 +109,7 @@ public:
     }
 
 private:
-    /// The reference on the machine's rays.
+    /// Draws the pixel with the reference on the machine's rays, and checks its colour.
     GuideFinding last_rung(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
         Watches both({&bench.judge, &bench.path});
         bench.judge.start(x, y);
@@ -129,8 +129,8 @@ private:
         const WhittedPixel pixel = reference_.pixel(camera_, size_, settings_, x, y, &guide);
         guide.finish();
         GuideFinding found = guide.finding();
-        // What the bounds leave out: R0 of Schlick's term has unit_bits, which each bounce may add to a
-        // weight.
+        // The bounds do not include the rounding of R0 in Schlick's term. R0 has unit_bits, and each bounce
+        // may add its error to a weight.
         const double slack = unit_step * double(1 + bench.path.visits.size());
         for (std::size_t k = 0; k < 3 && found.fault.empty() && !found.has_horizon; ++k)
             if (bounds[k].wider(slack).holds(pixel.colour[int(k)]))

@@ -78,10 +78,10 @@ private:
     void fail(std::string what);
     void tie() { ++finding_.ties; }
 
-    glm::dvec3 point(const Vec3l& p, int frac) const;   ///< converts from the scene's lattice to the tracer's
-                                                        ///< space
-    glm::dvec3 direction(const Vec3i& d) const;         ///< unit
-    double step() const;                                ///< lattice step in the tracer's space
+    /// Converts from the scene's lattice to the tracer's space.
+    glm::dvec3 point(const Vec3l& p, int frac) const;
+    glm::dvec3 direction(const Vec3i& d) const;   ///< unit
+    double step() const;                          ///< lattice step in the tracer's space
     bool is_turned(const MachineVisit& at) const;
     double normal_error(const MachineVisit& at) const;
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
@@ -108,7 +108,7 @@ private:
     std::size_t visited_ = 0;   ///< number of path_.visits that were followed
     GuideFinding finding_;
     std::vector<int> at_;
-    std::vector<glm::dvec3> moved_;   ///< for each of them: from the reference's point to the machine's
+    std::vector<glm::dvec3> moved_;   ///< for each of at_: from the reference's point to the machine's
     bool is_substituted_ = false;     ///< the last hit is the machine's, not the reference's
 };
 
