@@ -64,8 +64,7 @@ void check_parameters(const Config& c, const std::string& where) {
     if (c.is_walked(Structure::bsp) && c.straddlers == Straddlers::inner)
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep primitives that a "
-            "plane "
-            "cuts (inner)");
+            "plane cuts (inner)");
     if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
         refuse(
             "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "

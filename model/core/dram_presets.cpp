@@ -220,8 +220,7 @@ DramPart hbm2() {
     p.source =
         "DRAMsim3 configs/HBM2_8Gb_x128.ini, https://github.com/umd-memsys/DRAMsim3; rows of 2 KB: gem5 "
         "src/mem/DRAMInterface.py, class HBM_1000_4H_1x128, https://github.com/gem5/gem5; controller: "
-        "assumed, "
-        "as for ddr3";
+        "assumed, as for ddr3";
     p.bus_bits = 128;
     p.transfers = 2;
     p.burst_length = 4;   // 64 bytes

@@ -4,9 +4,7 @@
 //
 // It checks three facts about a pixel, and uses no rule of the machine:
 // - The machine's ray goes through the pixel, within the bound of camera_ray.hpp.
-// - On the scene as it lies on the lattice, the reference meets the same primitive, at the place that t, u
-// and
-//   v give.
+// - In the scene on the lattice, the reference meets the same primitive, at the place that t, u and v give.
 // - The colour of that hit is the reference's local light, without shadows.
 //
 // Doubles leave ties: a slightly moved ray (tie.hpp) meets the machine's primitive, or two primitives lie at

@@ -118,15 +118,13 @@ std::string cause_sentence(const ColourFinding& c) {
                    "(ray_quantisation)";
         case PixelCause::seam:
             return "two instances meet here, and each rounds the ray for itself: no single line gives what "
-                   "was "
-                   "hit (seam)";
+                   "was hit (seam)";
         case PixelCause::t_rounding: return "t, u and v are rounded to the machine's formats (t_rounding)";
         case PixelCause::primitive_test:
             return "the cheaper primitive test gave another answer than the exact one (primitive_test)";
         case PixelCause::shading:
             return "all rays met what they must; the chip's colour arithmetic rounds, within its proven "
-                   "bounds "
-                   "(shading)";
+                   "bounds (shading)";
         case PixelCause::horizon:
             return "a ray from a point of a plane beyond the lattice meets another plane there, and the chip "
                    "does not look for it (horizon)";
