@@ -19,10 +19,10 @@ struct Upload {
     std::vector<std::uint32_t> words;   ///< 16 words per line
     MemoryImage image;                  ///< of the frame, without its words
     std::uint32_t image_lines = 0;      ///< lines of the image; 0: no upload, the scene does not move
-    bool beside = false;   ///< written while the chip draws the previous frame, which reads none of these
-                           ///< lines
-    bool resets = false;   ///< the caches may hold lines that were written since the last reset, so the chip
-                           ///< is reset
+    /// The part is written while the chip draws the previous frame, which reads none of these lines.
+    bool beside = false;
+    /// The caches may hold lines that were written since the last reset, so the chip is reset.
+    bool resets = false;
     bool is_whole = false;   ///< the host has rebuilt everything, not only the upper structure
     std::uint64_t nodes = 0, instances = 0;    ///< that the host has recomputed
     std::uint64_t refitted = 0, rebuilt = 0;   ///< trees of deforming meshes

@@ -91,9 +91,9 @@ DramPart ddr3() {
     p.twtr = 4 * 3'000;    // the greater of twtr 7.5 ns and 4 clocks
     p.trefi = 7'800'000;   // trefi
     p.trfc = 160'000;      // trfc
-    p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller at a quarter of the memory's clock
-                                 // (PHYRatio)
-    p.answer_ps = 5 * 12'000;    // assumed: the same on the way back
+    // Assumed: five clocks of a controller at a quarter of the memory's clock (PHYRatio).
+    p.request_ps = 5 * 12'000;
+    p.answer_ps = 5 * 12'000;   // assumed: the same on the way back
     return p;
 }
 

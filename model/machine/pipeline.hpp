@@ -217,8 +217,8 @@ private:
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
-    std::uint32_t raygen_hold_, raygen_hold_left_ = 0;   // cycles after a ray in which raygen begins none;
-                                                         // cycles left
+    // Cycles after a ray in which raygen begins no other ray, and how many of them are left.
+    std::uint32_t raygen_hold_, raygen_hold_left_ = 0;
     Trav trav_;
     Cache node_cache_;
     Delay box_, boxed_;   // boxed_, tried_: delay the answers to trav and list in a fast chip

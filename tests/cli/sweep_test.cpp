@@ -112,8 +112,8 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
         {{"spheres", "--depth", "3", "--aa", "2", "--jittered", "--fresnel"}, "surf_sets", {"1", "64"}},
         // Horizon needs 9 bits of an origin.
         {{"scenes/pond.json", "--depth", "2"}, "bary_bits", {"8", "12"}},
-        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},   // fewer than the scene has are
-                                                               // refused
+        // Fewer lights than the scene has are refused.
+        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},
         {{"crowd", "--frames", "3", "--fps", "5"}, "levels", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--depth", "1", "--frames", "2"}, "pipelines", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},

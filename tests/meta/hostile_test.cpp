@@ -20,8 +20,8 @@ namespace {
 struct Hostile {
     int number;
     const char *file, *old, *fresh;
-    const char* alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands
-                         ///< still
+    /// The message that refuses this RTL when it runs alone. Null if it makes a frame or stops.
+    const char* alone;
 };
 
 const Hostile hostile[] = {

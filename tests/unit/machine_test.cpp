@@ -192,8 +192,8 @@ TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") 
     const Job job = small_job(scene, {16, 12}, format(name));
     const RecordedFrame frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :
-         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // in the last case both caches
-                                                                               // wait
+         // In the last case both caches wait.
+         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {
         Machine model{job.config, job.khz, traffic};
         RtlMachine rtl{job.image, job.config, job.khz, traffic};
         for (int i = 0; i < 2; ++i) {

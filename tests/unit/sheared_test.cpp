@@ -119,9 +119,8 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz),
                    c = seen(req.triangle.c, req.o, req.d, kz);
         const long double sign = shear.neg ? -1 : 1;
-        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0)
-            continue;   // the whole triangle must be
-                        // ahead
+        // The whole triangle must be ahead.
+        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;
         const TriRsp there = ask(exact, req.o, req.d, req.triangle),
                      here = ask(config, req.o, req.d, req.triangle);
         CAPTURE(bits, i);

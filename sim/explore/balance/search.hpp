@@ -48,8 +48,8 @@ struct Evaluator {
 struct SearchResult {
     Machine first;               ///< all parameters at their least values
     std::vector<Machine> path;   ///< the accepted machines after `first`, each with the steps that led to it
-    std::vector<Machine> next;   ///< one step further in each parameter that would gain speed; none of them
-                                 ///< fits
+    /// Machines that are one step further in each parameter that would gain speed. None of them fits.
+    std::vector<Machine> next;
     std::vector<Machine> others;   ///< results, or least machines, with other numbers of pipelines
     std::size_t machines = 0;      ///< number of machines whose speed was measured
     const Machine& best() const { return path.empty() ? first : path.back(); }

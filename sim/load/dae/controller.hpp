@@ -18,8 +18,8 @@ namespace rayclock {
 struct DaePose {
     const XmlElement* geometry = nullptr;   ///< null if there is nothing to draw
     std::vector<glm::dvec3> positions;      ///< replace the geometry's positions; empty: keep those
-    std::vector<glm::dmat4> moves;   ///< of each vertex, into the scene's space; empty: the vertices move
-                                     ///< with their node
+    /// The transform of each vertex into the scene's space. Empty: the vertices move with their node.
+    std::vector<glm::dmat4> moves;
 };
 
 /// Counts of parts of controllers that are ignored or changed.

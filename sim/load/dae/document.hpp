@@ -47,8 +47,8 @@ public:
 
     /// Returns the numbers of an element's text. Throws UserError if one is not finite.
     std::vector<float> finite(const XmlElement& in) const;
-    std::vector<float> finite(const XmlElement& in, std::size_t count) const;   ///< throws UserError if there
-                                                                                ///< are not `count` numbers
+    /// Throws UserError if there are not `count` numbers.
+    std::vector<float> finite(const XmlElement& in, std::size_t count) const;
     /// Returns the numbers of an array, which may include NaN. Reads each array once, however many sources
     /// share it.
     const std::vector<float>& array(const XmlElement& in);

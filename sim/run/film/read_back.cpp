@@ -44,8 +44,8 @@ struct Step {
 };
 
 struct Steps {
-    std::string header, shared;   ///< IHDR's data, and the chunks that hold for all steps: palette and
-                                  ///< transparent colour
+    /// IHDR's data, and the chunks that hold for all steps: palette and transparent colour.
+    std::string header, shared;
     std::vector<Step> steps;
 };
 

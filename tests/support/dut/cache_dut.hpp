@@ -74,8 +74,8 @@ template <class K> struct CacheLinks {
     Wire<typename K::Rsp> rsp;
     Wire<typename K::Miss> miss;
     std::optional<typename K::Fill> fill;
-    CacheOutcome outcome = CacheOutcome::starved;   ///< known after commit() in the model, after eval() in
-                                                    ///< the RTL
+    /// Known after commit() in the model, after eval() in the RTL.
+    CacheOutcome outcome = CacheOutcome::starved;
 };
 
 template <class K> class CacheModel : public CacheLinks<K> {

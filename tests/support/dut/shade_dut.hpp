@@ -193,9 +193,9 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;                // the surface that the context's ray hit
-    std::optional<std::uint32_t> sent_, before_;   // rays sent in this cycle and in the last: no ray is
-                                                   // answered at once
+    std::vector<Surface> surfaces_;   // the surface that the context's ray hit
+    // Rays sent in this cycle and in the previous one. No ray is answered in the cycle in which it is sent.
+    std::optional<std::uint32_t> sent_, before_;
     std::vector<std::uint32_t> flying_;
     std::vector<Ray> made_;
     std::deque<std::uint32_t> asked_;

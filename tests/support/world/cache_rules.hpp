@@ -65,8 +65,8 @@ template <class Dut> void check_miss_latency(const Config& config) {
         REQUIRE(looked_up.outcome == CacheOutcome::miss);
         REQUIRE_FALSE(looked_up.miss.offer);
         std::vector<std::uint32_t> ids;
-        for (std::uint32_t word = 0; word < words; ++word) {   // requests start after 2 cycles, one in each
-                                                               // cycle
+        // Requests start after 2 cycles, one in each cycle.
+        for (std::uint32_t word = 0; word < words; ++word) {
             for (int refused = draw.below(3); refused > 0; --refused) {
                 bench.dut.miss.ready = false;
                 REQUIRE(bench.cycle().miss.offer->addr == line * words + word);

@@ -59,8 +59,8 @@ public:
     }
 
     void watch(const ListLinks& dut) {
-        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());   // one cycle later, like rc_list's
-                                                                         // requests
+        // One cycle later, like rc_list's requests.
+        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());
         asked_.clear();
         if (dut.prim_req.fires()) see_fetch(*dut.prim_req.offer);
         if (dut.tri_req.offer) check_test(*dut.tri_req.offer);
