@@ -8,7 +8,7 @@
 
 namespace rayclock {
 
-// A counter's address has four bits for the pipeline. The last value stands for the shared units.
+// A counter's address has four bits for the pipeline. The last value means the shared units.
 constexpr int most_rtl_pipelines = 8;
 
 void check_rtl(const Config& c) {

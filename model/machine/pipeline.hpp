@@ -156,7 +156,7 @@ private:
         /// True if one of these links fires.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links stand for those of the unit that decides nodes. With two such units, at most one gets a
+    /// box's links represent those of the unit that decides nodes. With two such units, at most one gets a
     /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
     static constexpr Link inside(Link link) {
         return is_node_request(link) ? Link::box_req : is_node_answer(link) ? Link::box_rsp : link;

@@ -164,7 +164,7 @@ std::string fake_yosys(const FakeNextpnr& fake, int multipliers) {
 
 }   // namespace
 
-TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
+TEST_CASE("the report of a chip that does not fit says by how much, and the chip is not routed") {
     const FakeNextpnr fake;
     std::vector<std::string> environment = fake.environment();
     environment.push_back(fake_yosys(fake, 30));

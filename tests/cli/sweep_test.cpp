@@ -224,7 +224,7 @@ TEST_CASE("values that do not go together are refused in their rows only") {
     CHECK(report["points"][2].contains("clock"));
 }
 
-TEST_CASE("a sweep weighs what is asked for, over caches of one size") {
+TEST_CASE("a sweep uses the requested cost, over caches of one size") {
     const Folder folder;
     const std::string csv = folder.name("a.csv");
     const std::vector<std::string> caches{"sweep", "tetra:2", "--size",

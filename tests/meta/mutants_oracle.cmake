@@ -36,7 +36,7 @@ mutant(ladder_forgets_ties_of_rays_to_far_lights FILE sim/judge/cause/guide.cpp 
   OLD [[        if (is_blocking_tied(moved, distance, machine)) {
             tie();]]
   NEW [[        if (is_blocking_tied(moved, distance, machine)) {]])
-mutant(judge_planes_turn_less_than_proven FILE sim/judge/paths/world.cpp TEST system "a light far off beside a plane*"
+mutant(judge_planes_turn_less_than_proven FILE sim/judge/paths/world.cpp TEST system "a distant light close to a plane*"
   OLD [[return half * (a + b + half) / glm::length(glm::cross(p, q));]]
   NEW [[return std::exp2(6 - lattice.coord_bits);]])
 mutant(seams_are_nowhere FILE sim/judge/cause/seam.cpp TEST system [cause][levels]

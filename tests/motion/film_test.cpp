@@ -294,7 +294,7 @@ TEST_CASE("a film of two levels has finished pictures, and its light moves", "[m
     }
 }
 
-TEST_CASE("the times of frames are those that were asked for", "[motion][film]") {
+TEST_CASE("the times of frames are the requested ones", "[motion][film]") {
     FramesOptions o;
     CHECK(frame_times(o, true).times == std::vector<double>{0});
     o.frames = 3;

@@ -109,7 +109,7 @@ TEST_CASE("the host's writes in sequence come near the peak of the memory", "[mo
     }
 }
 
-TEST_CASE("an ideal memory takes a write in the place of a request", "[motion][dram]") {
+TEST_CASE("an ideal memory accepts a write in place of a request", "[motion][dram]") {
     Config config = named_config("default");
     set_parameter(config, "dram", "ideal", "test");
     set_parameter(config, "mem_interval", "3", "test");

@@ -122,7 +122,7 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
     }
 }
 
-TEST_CASE("every ray of planes and true spheres beside instances is judged, in every structure",
+TEST_CASE("every ray is judged in scenes of planes, true spheres and instances, in every structure",
           "[judge][levels]") {
     for (const Structure structure : tree_structures()) {
         INFO(name_of(structure));

@@ -103,7 +103,7 @@ TEST_CASE("a corner normal of half a unit may be rounded either way", "[ladder]"
     CHECK(j.wrong == 0);
 }
 
-TEST_CASE("of two spheres at one place the second is left out, whatever they are made of", "[ladder]") {
+TEST_CASE("of two equal spheres the second is left out, whatever their materials", "[ladder]") {
     Scene scene = tiles({1, 0, 0}, {0, 0, 1});
     Material opaque, mirror, glass, tinted;
     opaque.colour = {0.2, 0.4, 0.9};
@@ -170,7 +170,7 @@ TEST_CASE("the more a plane's sides lean towards each other, the more it may tur
     CHECK(j.wrong == 0);
 }
 
-TEST_CASE("a light far off beside a plane is judged by how far the plane may turn", "[ladder]") {
+TEST_CASE("a distant light close to a plane is judged by how far the plane may turn", "[ladder]") {
     // The sides lean by 1 degree: rounding to the lattice turns the plane by more than those of a square
     // could.
     const double lean = 0.017453292519943295;

@@ -40,8 +40,8 @@ TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[a
     REQUIRE(blocked > 200);
 }
 
-TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays", "[tri][any]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("the sphere test distinguishes inside, rim and the sphere's own rays", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_format("default");
     const int one = 1 << config.origin_bits, full = 1 << (config.dir_bits - 1);
     const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1,

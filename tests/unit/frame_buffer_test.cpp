@@ -74,7 +74,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a memory too slow for the screen goes on serving the chip", "[memport][picture]") {
+TEST_CASE("a memory too slow for the screen continues to serve the chip", "[memport][picture]") {
     Config config = with_picture("ideal", 1, 0);
     config.mem_interval = 100;   // 660,000 words per second; the screen needs 1,152,000
     Memory memory{config, khz, {}};
@@ -90,7 +90,7 @@ TEST_CASE("a memory too slow for the screen goes on serving the chip", "[memport
     CHECK(memory.stats().backlog > 1000);
 }
 
-TEST_CASE("sixteen finished pixels are a word, written when the chip asks for nothing, or when four wait",
+TEST_CASE("sixteen finished pixels are a word, written when the chip sends no request, or when four wait",
           "[memport][picture]") {
     Config config = with_picture("ideal", 0, 1);
     config.mem_latency = 4;

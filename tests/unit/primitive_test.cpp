@@ -65,7 +65,7 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
     }
 }
 
-TEST_CASE("no test takes what lies behind, and none a direction of zero", "[primitive]") {
+TEST_CASE("no test accepts a hit behind the origin, or a direction of zero", "[primitive]") {
     const auto name = GENERATE("exact", "sheared", "unit24", "moller", "woop", "truncated");
     const Config config = with_test(name);
     const PrimData t{{-40000, -40000, 1000}, {40000, -40000, 1000}, {0, 80000, 1000}, 5};

@@ -103,7 +103,7 @@ Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config&
     return m;
 }
 
-/// True if a sphere stands between the light, where the ray begins, and the point.
+/// True if a sphere lies between the light, where the ray begins, and the point.
 bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;

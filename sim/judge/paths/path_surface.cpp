@@ -172,7 +172,7 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
 }
 
 /// Returns the surface's colour. A checkered plane has the colour of the hit's square, which follows from the
-/// scene and not from the memory image. If u and v cannot tell squares apart (they are saturated, or coarser
+/// scene and not from the memory image. If u and v cannot distinguish squares (they are saturated, or coarser
 /// than the squares), it is the average of both colours. If one square is longer than the range of u and v,
 /// it is the square around the plane's point a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {

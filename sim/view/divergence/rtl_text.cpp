@@ -42,7 +42,7 @@ std::vector<std::string> names_in(const std::string& text) {
     return found;
 }
 
-/// Names that are driven: without what stands in brackets.
+/// Returns the names of the driven signals, without the text in brackets.
 std::vector<std::string> targets_in(const std::string& text) {
     std::string outside;
     int depth = 0;
