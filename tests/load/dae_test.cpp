@@ -244,19 +244,19 @@ TEST_CASE("dae: a polygon with holes is cut around them") {
 
 TEST_CASE("dae: colours come by parameters, a missing one is black, a glowing one needs no light") {
     const auto colour = [](const std::string& text) { return material(text).colour; };
-    const std::string asked = "<lambert><diffuse><param ref=\"c\"/></diffuse></lambert>";
+    const std::string reference = "<lambert><diffuse><param ref=\"c\"/></diffuse></lambert>";
     const auto param = [](const char* kind, const char* value) {
         return "<newparam sid=\"c\"><" + std::string(kind) + ">" + value + "</" + kind + "></newparam>";
     };
     const Point wanted(1, 0, 0);
     CHECK(colour(drawn_with("<lambert>" + std::string(red) + "</lambert>")) == wanted);
-    CHECK(colour(drawn_with(asked, param("float4", "1 0 0 1"))) == wanted);
-    CHECK(colour(drawn_with(asked, param("float3", "1 0 0"))) == wanted);
-    CHECK(colour(drawn_with(asked, {}, param("float4", "1 0 0 1"))) == wanted);
-    CHECK(colour(drawn_with(asked, param("float4", "0 1 0 1"), {},
+    CHECK(colour(drawn_with(reference, param("float4", "1 0 0 1"))) == wanted);
+    CHECK(colour(drawn_with(reference, param("float3", "1 0 0"))) == wanted);
+    CHECK(colour(drawn_with(reference, {}, param("float4", "1 0 0 1"))) == wanted);
+    CHECK(colour(drawn_with(reference, param("float4", "0 1 0 1"), {},
                             "<setparam ref=\"c\"><float4>1 0 0 1</float4></setparam>")) == wanted);
     const Folder folder;
-    CHECK_THAT(complaint(folder.write("a.dae", drawn_with(asked))), Contains("'c'"));
+    CHECK_THAT(complaint(folder.write("a.dae", drawn_with(reference))), Contains("'c'"));
     CHECK(colour(drawn_with("<phong><ambient><color>1 1 1 1</color></ambient></phong>")) == Point(0));
     const std::string emission = "<emission><color>1 0 0 1</color></emission>";
     const Material glowing = material(drawn_with("<constant>" + emission + "</constant>"));

@@ -166,13 +166,13 @@ TEST_CASE("a memory latency of tens of thousands of cycles is not reported as a 
     Dram dram(part, job.khz, 1);
     std::uint64_t longest = 0;
     for (std::uint32_t i = 0; i < 400; ++i) {
-        const std::uint64_t asked = dram.now();
+        const std::uint64_t sent_at = dram.now();
         const Dram::Answer request{0, i * 4099};
         dram.clock(&request);
         while (!dram.valid())
             dram.quiet_until() > dram.now() + 1 ? dram.skip(dram.quiet_until() - dram.now() - 1)
                                                 : dram.clock(nullptr);
-        longest = std::max(longest, dram.now() - asked);
+        longest = std::max(longest, dram.now() - sent_at);
     }
     CHECK(longest <= pause);
     CHECK(longest > pause / 3);   // the bound is realistic

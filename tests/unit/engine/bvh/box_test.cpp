@@ -84,7 +84,7 @@ TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
             set_direction(c, d, config);
             c.req.node.org[axis] = -8;
             c.req.node.exp[axis] = e;
-            const auto ask = [&](std::uint32_t children) {
+            const auto judge_children = [&](std::uint32_t children) {
                 for (std::size_t i = 0; i < max_width; ++i) c.req.node.kind[i] = i < children;
                 CAPTURE(e, c.req.o[axis]);
                 judge(c, box(c.req, config), config);
@@ -95,10 +95,10 @@ TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
                     c.req.node.lo[3 * child + axis] = lo;
                     c.req.node.hi[3 * child + axis] = hi;
                     if (++child < 8) continue;
-                    ask(child);
+                    judge_children(child);
                     child = 0;
                 }
-            if (child > 0) ask(child);
+            if (child > 0) judge_children(child);
         }
 }
 
