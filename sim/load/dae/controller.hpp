@@ -1,6 +1,6 @@
+#pragma once
 // Controllers of COLLADA: a mesh that blends several meshes (morph) or follows joints (skin). The file's
 // nodes and weights give one fixed pose; animations do not move it.
-#pragma once
 #include <cstdint>
 #include <functional>
 #include <map>

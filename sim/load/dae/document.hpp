@@ -1,5 +1,5 @@
-// A COLLADA document: its ids and numbers, and the unit and axes of each element.
 #pragma once
+// A COLLADA document: its ids and numbers, and the unit and axes of each element.
 #include <array>
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
-// A mesh whose faces name their corners by number, as in PLY and OFF.
 #pragma once
+// A mesh whose faces name their corners by number, as in PLY and OFF.
 #include <cstdint>
 #include <vector>
 

@@ -1,6 +1,6 @@
+#pragma once
 // Mesh files: .obj .ply .stl .off .3ds .dae .glb .gltf, and the formats that Assimp reads, each also with
 // .gz.
-#pragma once
 #include <array>
 #include <cstdint>
 #include <filesystem>
