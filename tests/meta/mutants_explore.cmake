@@ -41,8 +41,8 @@ mutant(merge_takes_what_was_interrupted FILE sim/explore/sweep/merge.cpp TEST cl
 
 # ---- balance.
 mutant(balance_never_exchanges FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
-  OLD [[if (up.ladder != down.ladder)]]
-  NEW [[if (up.ladder == down.ladder)]])
+  OLD [[if (up.parameter != down.parameter)]]
+  NEW [[if (up.parameter == down.parameter)]])
 mutant(balance_keeps_what_brings_nothing FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
   OLD [[return gain(m) < 0;]]
   NEW [[return gain(m) < 10;]])

@@ -102,7 +102,7 @@ Scene scene_of(const Setting& s) {
 }   // namespace
 
 TEST_CASE("planes that transmit or mirror are drawn up to the horizon as the reference draws them",
-          "[ladder][panes]") {
+          "[stages][panes]") {
     const Setting setting = GENERATE(from_range(settings));
     const int levels = GENERATE(1, 2);
     CAPTURE(setting.what, levels);

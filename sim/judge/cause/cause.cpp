@@ -14,7 +14,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "model/scene/folded.hpp"
-#include "sim/judge/cause/camera_rung.hpp"
+#include "sim/judge/cause/camera_stage_check.hpp"
 #include "sim/judge/cause/seam.hpp"
 #include "sim/judge/cause/snapped.hpp"
 #include "sim/judge/cause/exact_answers.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int stages = 7;
 constexpr int packed_width = 256;
-constexpr std::size_t most_ladder_faults = 20;
+constexpr std::size_t most_stage_faults = 20;
 constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
@@ -58,7 +58,7 @@ public:
             report(0, sentence);
         find(progress);
         explain();
-        climb();
+        check_rules();
         check_light();
         for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
         judgement_.seconds = watch.seconds();
@@ -93,7 +93,8 @@ private:
                 snapped_.emplace(steps_);
             },
             [&] { expected_ = shade(inputs_.scene, answered_.reference); });
-        rung_.emplace(inputs_, steps_, *snapped_, world_ ? &*world_ : nullptr, seams_ ? &*seams_ : nullptr);
+        camera_stage_.emplace(inputs_, steps_, *snapped_, world_ ? &*world_ : nullptr,
+                              seams_ ? &*seams_ : nullptr);
     }
     void prepare_levels() {
         world_.emplace(inputs_, image_);
@@ -104,7 +105,7 @@ private:
     }
     void report(std::size_t pixel, const std::string& sentence) {
         ++judgement_.wrong;
-        if (judgement_.faults.size() < most_ladder_faults)
+        if (judgement_.faults.size() < most_stage_faults)
             judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
     /// Returns the hit with the flat scene's order of corners. A mirrored instance has the second and the
@@ -226,7 +227,7 @@ private:
 
     /// Checks each listed pixel, whatever its cause: the reference's rules must hold on the machine's ray and
     /// for both colours.
-    void climb() {
+    void check_rules() {
         std::vector<CameraFinding> found(open_.size());
         tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) { found[i] = decide(open_[i]); });
         for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -255,7 +256,8 @@ private:
     CameraFinding decide(std::size_t pixel) const {
         const int px = x(pixel), py = y(pixel);
         const Vec3i d = exact_direction(inputs_.frame, inputs_.config, {}, px, py, 0);
-        CameraFinding found = rung_->judge(px, py, d, exact_->answer(exact_->pixel(inputs_.frame, px, py)));
+        CameraFinding found =
+            camera_stage_->judge(px, py, d, exact_->answer(exact_->pixel(inputs_.frame, px, py)));
         const Hit mine = as_flat(HitScale(inputs_.frame, inputs_.lattice, inputs_.config)(
             {std::uint32_t(px), std::uint32_t(py), answered_.answers[pixel]}));
         const bool is_lit_right =
@@ -266,7 +268,7 @@ private:
     }
     /// The tolerance is the precision of floats.
     bool is_local_light(const Hit& hit, const glm::vec3& colour, std::size_t pixel) const {
-        const std::optional<glm::dvec3> light = rung_->local_light(hit, x(pixel), y(pixel));
+        const std::optional<glm::dvec3> light = camera_stage_->local_light(hit, x(pixel), y(pixel));
         for (int k = 0; light && k < 3; ++k)
             if (std::abs(std::min(double(colour[k]), 1.0) - std::min((*light)[k], 1.0)) > 0x1p-22)
                 return false;
@@ -303,7 +305,7 @@ private:
     Scene steps_;   // the machine's scene in lattice steps
     std::optional<ExactAnswers> exact_;
     std::optional<Reference> snapped_;   // of steps_
-    std::optional<CameraRung> rung_;
+    std::optional<CameraStageCheck> camera_stage_;
     Picture expected_;
     std::vector<std::size_t> open_;
     Judgement judgement_;

@@ -55,10 +55,10 @@ private:
     Ray ray_;
 };
 
-/// The rungs between the scene as given and the machine.
-class Ladder {
+/// The stages from the scene as given to the machine, for one frame.
+class CauseStages {
 public:
-    Ladder(const FrameInputs& inputs, const Whitted& settings, const PictureJudge& judge)
+    CauseStages(const FrameInputs& inputs, const Whitted& settings, const PictureJudge& judge)
         : inputs_(inputs),
           settings_(settings),
           judge_(judge),
@@ -83,15 +83,13 @@ public:
         RecordScratch scratch;
         PathJudge judge;
         MachinePath path;
-        explicit Bench(const Ladder& ladder)
-            : recorder(ladder.judge_.recorder()),
-              scratch(ladder.inputs_.config),
-              judge(ladder.judge_.rules()) {}
+        explicit Bench(const CauseStages& owner)
+            : recorder(owner.judge_.recorder()), scratch(owner.inputs_.config), judge(owner.judge_.rules()) {}
     };
     /// `reference`: signature of the pixel's rays in the scene as given; `mine`: of the machine's.
     Found operator()(Bench& bench, std::uint32_t x, std::uint32_t y, std::uint64_t reference,
                      std::uint64_t mine, const glm::dvec3& colour) const {
-        const GuideFinding last = last_rung(x, y, bench, colour);
+        const GuideFinding last = last_stage(x, y, bench, colour);
         Found found;
         found.ties = last.ties;
         if (!last.fault.empty()) {
@@ -110,7 +108,7 @@ public:
 
 private:
     /// Draws the pixel with the reference on the machine's rays, and checks its colour.
-    GuideFinding last_rung(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
+    GuideFinding last_stage(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
         Watches both({&bench.judge, &bench.path});
         bench.judge.start(x, y);
         bench.path.start();
@@ -186,34 +184,34 @@ Judgement judge_finished(const FrameInputs& inputs, const MemoryImage& image, co
     j.widest = judged.widest;
     j.faults = judged.faults;
 
-    const bool can_climb = !judge.placed() || judge.placed()->faults().empty();
-    std::optional<Ladder> ladder;
-    if (can_climb) ladder.emplace(inputs, settings, judge);
-    std::vector<std::optional<Ladder::Found>> found(pixels);
+    const bool can_follow = !judge.placed() || judge.placed()->faults().empty();
+    std::optional<CauseStages> cause_stages;
+    if (can_follow) cause_stages.emplace(inputs, settings, judge);
+    std::vector<std::optional<CauseStages::Found>> found(pixels);
     const auto width = std::size_t(hits.size.width);
-    const auto climb_row = [&](const PixelTile& tile) {
+    const auto follow_row = [&](const PixelTile& tile) {
         const auto y = std::size_t(tile.rows().begin());
-        std::optional<Ladder::Bench> bench;
+        std::optional<CauseStages::Bench> bench;
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
             const bool is_other = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
             const glm::vec3& mine = answered.picture.pixels[i];
             const bool differs =
                 is_other || srgb_bytes(glm::vec3(answered.reference.pixels[i])) != srgb_bytes(mine);
-            if (!ladder || judged.pixels[i] || !differs) continue;
-            if (!bench) bench.emplace(*ladder);
-            found[i] = (*ladder)(*bench, std::uint32_t(i % width), std::uint32_t(y),
-                                 answered.reference.signatures[i], answered.given.signatures[i], mine);
+            if (!cause_stages || judged.pixels[i] || !differs) continue;
+            if (!bench) bench.emplace(*cause_stages);
+            found[i] = (*cause_stages)(*bench, std::uint32_t(i % width), std::uint32_t(y),
+                                       answered.reference.signatures[i], answered.given.signatures[i], mine);
         }
     };
-    for_each_tile(hits.size, threads, "finding causes", progress, climb_row, {hits.size.width, 1});
+    for_each_tile(hits.size, threads, "finding causes", progress, follow_row, {hits.size.width, 1});
 
     const auto report = [&](std::size_t pixel, const std::string& sentence) {
         ++j.wrong;
         if (j.faults.size() < most_shading_faults)
             j.faults.push_back({std::uint32_t(pixel % width), std::uint32_t(pixel / width), 0, sentence});
     };
-    if (ladder)
-        for (const std::string& sentence : ladder->faults()) report(0, sentence);
+    if (cause_stages)
+        for (const std::string& sentence : cause_stages->faults()) report(0, sentence);
     for (std::size_t i = 0; i < pixels; ++i) {
         j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
         if (judged.pixels[i]) {

@@ -1,7 +1,7 @@
 #pragma once
 // Guides the reference tracer along a machine's path through one pixel, and reports where the two disagree.
 //
-// This is the last rung of the ladder (finished.hpp). The reference has the machine's scene: corners,
+// This is the last stage (finished.hpp). The reference has the machine's scene: corners,
 // spheres, planes and lights on the lattice, colours and weights with the machine's bits. It follows the
 // machine's rays, after checking that each lies within a bound of the ray that the reference would have sent.
 // The reference makes every decision by its own rules: which primitive a ray meets and on which side, which

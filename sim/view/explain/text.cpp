@@ -99,7 +99,7 @@ std::string colour_lines(const ColourFinding& c) {
     if (c.stages.empty() || !c.cause || *c.cause == PixelCause::none) return text;
     Table table({"after", "primitive", "u", "v", "colour"});
     for (const PixelStage& stage : c.stages)
-        table.add({stage.step, named(stage.hit), fmt::format("{:.6f}", stage.hit.u),
+        table.add({stage.name, named(stage.hit), fmt::format("{:.6f}", stage.hit.u),
                    fmt::format("{:.6f}", stage.hit.v),
                    fmt::format("{:.5f} {:.5f} {:.5f}", stage.colour.r, stage.colour.g, stage.colour.b)});
     return text + table.text();

@@ -1,5 +1,5 @@
 // Checks the machine's camera ray, its hit and its colour with the reference tracer.
-#include "sim/judge/cause/camera_rung.hpp"
+#include "sim/judge/cause/camera_stage_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ std::optional<Unfolder> unfolder_of(const Scene& scene) {
 
 }   // namespace
 
-CameraRung::CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
-                       const PlacedWorld* placed, const SeamFinder* seams)
+CameraStageCheck::CameraStageCheck(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+                                   const PlacedWorld* placed, const SeamFinder* seams)
     : inputs_(inputs),
       steps_(steps),
       tracer_(tracer),
@@ -75,8 +75,8 @@ CameraRung::CameraRung(const FrameInputs& inputs, const Scene& steps, const Refe
       given_unfolder_(unfolder_of(inputs.scene)),
       steps_unfolder_(unfolder_of(steps)) {}
 
-PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
-                                    std::uint32_t i) const {
+PlacedTriangle CameraStageCheck::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
+                                          std::uint32_t i) const {
     if (unfolder) return (*unfolder)(i);
     PlacedTriangle out;
     out.is_smooth = !scene.normals.empty();
@@ -89,7 +89,7 @@ PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfo
     return out;
 }
 
-CameraFinding CameraRung::judge(int x, int y, const Vec3i& d, const Closest& answer) const {
+CameraFinding CameraStageCheck::judge(int x, int y, const Vec3i& d, const Closest& answer) const {
     if (!bound_.goes_through(rays_.direction(x, y), d))
         return {"the camera ray does not go through its pixel"};
     const glm::dvec3 from = vector_of(inputs_.frame.eye);
@@ -112,8 +112,8 @@ CameraFinding CameraRung::judge(int x, int y, const Vec3i& d, const Closest& ans
     return finding;
 }
 
-bool CameraRung::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer,
-                        const Hit& own) const {
+bool CameraStageCheck::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer,
+                              const Hit& own) const {
     const std::uint32_t met = answer.found ? answer.prim : no_primitive;
     if (is_folded(steps_)) {   // its tracer returns hits as floats, and cannot trace one primitive alone
         RefPath path;
@@ -145,7 +145,7 @@ bool CameraRung::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Close
 
 /// Returns the largest distance at t between an instance's ray and the scene's ray, in steps of the scene:
 /// rho (docs/motion.md, Boxes) on each axis of the mesh, mapped back to the scene.
-double CameraRung::instance_error(std::uint32_t place, double t) const {
+double CameraStageCheck::instance_error(std::uint32_t place, double t) const {
     if (!placed_ || placed_->is_same(place)) return 0;
     glm::dmat3 map(1);
     for (int i = 0; i < 3; ++i)
@@ -160,7 +160,7 @@ double CameraRung::instance_error(std::uint32_t place, double t) const {
 
 /// The machine rounds u and v down by less than a unit, and t up by less than a tick. A Hit then rounds them
 /// to floats.
-bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer) const {
+bool CameraStageCheck::holds_point(int x, int y, const Vec3i& d, const Closest& answer) const {
     const std::uint32_t place = placed_ ? placed_->place_of(answer.prim) : oracle::PlacedRay::nowhere;
     const PlacedTriangle t = triangle(steps_, steps_unfolder_, answer.prim);
     Hit hit = scale_({std::uint32_t(x), std::uint32_t(y), answer});
@@ -183,7 +183,7 @@ bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer
 }
 
 /// Uses a scene of that one triangle. LocalLight gives the hit to the tracer, which does not search for one.
-std::optional<glm::dvec3> CameraRung::local_light(const Hit& hit, int x, int y) const {
+std::optional<glm::dvec3> CameraStageCheck::local_light(const Hit& hit, int x, int y) const {
     if (hit.primitive == no_primitive) return inputs_.scene.background;
     const PlacedTriangle t = triangle(inputs_.scene, given_unfolder_, hit.primitive);
     Scene scene;

@@ -1,5 +1,5 @@
 #pragma once
-// The last rung of the ladder for a picture of camera rays alone: the reference follows the machine's rays by
+// The check of the last stage for a picture of camera rays alone: the reference follows the machine's rays by
 // its own rules.
 //
 // It checks three facts about a pixel, and uses no rule of the machine:
@@ -28,12 +28,12 @@ struct CameraFinding {
     bool is_tie = false;
 };
 
-class CameraRung {
+class CameraStageCheck {
 public:
     /// `steps`: the machine's scene in lattice steps; `tracer` traces it. `placed` and `seams` are null
     /// unless there are two levels.
-    CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
-               const PlacedWorld* placed, const SeamFinder* seams);
+    CameraStageCheck(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+                     const PlacedWorld* placed, const SeamFinder* seams);
 
     /// Checks a pixel, given its ray's direction d and the exact answer after rounding.
     CameraFinding judge(int x, int y, const Vec3i& d, const Closest& answer) const;
