@@ -1,5 +1,6 @@
-# Runs the slow tests that have not passed yet on this very tree, a few at a time, and notes each that passes: stop it
-# at any time, and the next call goes on. cmake -DBUILD=<build folder> -DSOURCE=<tree> [-DJOBS=n] -P tests/slow.cmake
+# cmake -DBUILD=<build folder> -DSOURCE=<tree> [-DJOBS=n] -P tests/slow.cmake
+# Runs the slow tests that have not yet passed on this state of the tree, eight at a time, and records each test that passes.
+# It may be stopped at any time; the next call continues with the remaining tests.
 if(NOT JOBS)
   set(JOBS 1)
 endif()
@@ -15,7 +16,7 @@ string(SHA256 tree "${sums}")
 string(SUBSTRING ${tree} 0 16 tree)
 set(state ${BUILD}/slow-passed-${tree}.txt)
 
-# Tests are told apart by number: their names may hold whatever a regular expression would misread.
+# Tests are selected by number, because their names may contain characters that a regular expression misreads.
 execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} -N -L slow OUTPUT_VARIABLE listed)
 string(REGEX MATCHALL "Test +#[0-9]+:" listed "${listed}")
 list(TRANSFORM listed REPLACE "[^0-9]" "")

@@ -60,8 +60,8 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
     const glm::dvec3 normal = glm::cross(rays.right, rays.down);
     const double least = std::abs(glm::dot(normal, rays.corner)) /
                          (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-    const double around = config.supersampling ? 0.5 : 0;   // from the outer pixels' middles to the outermost
-                                                            // samples
+    // Distance from the outer pixels' middles to the outermost samples.
+    const double around = config.supersampling ? 0.5 : 0;
     if (size.width == 1 && !config.supersampling) rays.right = glm::dvec3{0};
     if (size.height == 1 && !config.supersampling) rays.down = glm::dvec3{0};
     double m = std::max(largest(rays.right), largest(rays.down));

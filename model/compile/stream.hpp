@@ -34,7 +34,7 @@ struct LatticeRay {
 /// Returns the ray on the lattice, or nothing if it misses the lattice. No surface lies outside the lattice,
 /// so the ray begins where it enters.
 std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattice, const Config& config);
-/// Returns the record of a ray that meets nothing. It stands for a ray that misses the lattice.
+/// Returns the record of a ray that meets nothing. It replaces a ray that misses the lattice.
 RayRecord ray_to_nowhere(const Config& config);
 
 }   // namespace rayclock

@@ -169,8 +169,8 @@ std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;
-    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);   // origin of the
-                                                                                             // multiples
+    // The origin of the multiples.
+    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);
     const std::int32_t most = (1 << (lattice.coord_bits - 1)) - 1;
     Scene moved = scene;
     for (std::size_t v = 0; v < coarse.size(); ++v) {
@@ -275,9 +275,8 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(),
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;
-    if (config.spheres)
-        config.tri_queue = std::max(config.tri_queue, 64);   // tri then has 34 stages, and its credit gate
-                                                             // must not close
+    // tri then has 34 stages, and its credit gate must not close.
+    if (config.spheres) config.tri_queue = std::max(config.tri_queue, 64);
     // Rounded up, so that scenes that differ by a light share their RTL.
     config.lights = std::clamp(int(std::bit_ceil(scene.lights.size())), 4, max_lights);
     config.bounces = std::max(config.bounces, settings.depth);

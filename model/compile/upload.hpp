@@ -19,10 +19,10 @@ struct Upload {
     std::vector<std::uint32_t> words;   ///< 16 words per line
     MemoryImage image;                  ///< of the frame, without its words
     std::uint32_t image_lines = 0;      ///< lines of the image; 0: no upload, the scene does not move
-    bool beside = false;   ///< written while the chip draws the previous frame, which reads none of these
-                           ///< lines
-    bool resets = false;   ///< the caches may hold lines that were written since the last reset, so the chip
-                           ///< is reset
+    /// The part is written while the chip draws the previous frame, which reads none of these lines.
+    bool overlaps_previous_frame = false;
+    /// The caches may hold lines that were written since the last reset, so the chip is reset.
+    bool resets = false;
     bool is_whole = false;   ///< the host has rebuilt everything, not only the upper structure
     std::uint64_t nodes = 0, instances = 0;    ///< that the host has recomputed
     std::uint64_t refitted = 0, rebuilt = 0;   ///< trees of deforming meshes
@@ -81,14 +81,14 @@ UploadTiming bring(Machine& machine, std::size_t f, const UploadOf& upload_of) {
     UploadTiming timing;
     const Upload& own = *upload_of(f);
     const std::uint64_t begin = machine.cycle();
-    if (!own.beside || f == 0) machine.write(own.lines);
+    if (!own.overlaps_previous_frame || f == 0) machine.write(own.lines);
     machine.finish_writes();
     timing.lines = own.lines.size();
     timing.cycles = machine.cycle() - begin;
     if (own.resets) machine.reset();
     timing.reset = machine.cycle() - begin - timing.cycles;
     const Upload* next = upload_of(f + 1);
-    if (next && next->beside) machine.write(next->lines);
+    if (next && next->overlaps_previous_frame) machine.write(next->lines);
     return timing;
 }
 

@@ -8,7 +8,7 @@
 
 namespace rayclock {
 
-// A counter's address has four bits for the pipeline. The last value stands for the shared units.
+// A counter's address has four bits for the pipeline. The last value means the shared units.
 constexpr int most_rtl_pipelines = 8;
 
 void check_rtl(const Config& c) {
@@ -64,8 +64,7 @@ void check_parameters(const Config& c, const std::string& where) {
     if (c.is_walked(Structure::bsp) && c.straddlers == Straddlers::inner)
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep primitives that a "
-            "plane "
-            "cuts (inner)");
+            "plane cuts (inner)");
     if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
         refuse(
             "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "

@@ -59,13 +59,13 @@ int Config::longest_line() const {
                      l2_sets > 0 ? l2_line : 0});
 }
 int Config::least_addr_bits() const {
-    const auto beside_tag = [](int sets, int line) {
+    const auto untagged_bits = [](int sets, int line) {
         return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2;
     };
-    const int own = std::max({beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line),
-                              has_shade() ? beside_tag(surf_sets, surf_line) : 0,
-                              is_stream() ? beside_tag(stream_sets, stream_line) : 0});
-    return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
+    const int own = std::max({untagged_bits(node_sets, node_line), untagged_bits(prim_sets, prim_line),
+                              has_shade() ? untagged_bits(surf_sets, surf_line) : 0,
+                              is_stream() ? untagged_bits(stream_sets, stream_line) : 0});
+    return 1 + (l2_sets > 0 ? std::max(own, untagged_bits(l2_sets, l2_line)) : own);
 }
 int Config::clear_cycles() const {
     return 4 + std::max({node_sets, prim_sets, has_shade() ? surf_sets : 0, is_stream() ? stream_sets : 0,

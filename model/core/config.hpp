@@ -21,35 +21,35 @@ constexpr int max_prim_bits = 32;     ///< maximum of Config::prim_bits
 constexpr int globe_bits = 12;        ///< each coordinate of a globe's centre, and its radius
 constexpr int toward_bits = 18;       ///< each direction component in the test of globes
 constexpr int normal_step_bits = 7;   ///< component of a slant plane's normal, signed
-constexpr int crossing_bits = 18;   ///< quotient that gives the time when a ray crosses such a plane, and its
-                                    ///< operands
-constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 bytes
-constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
-constexpr int line_bits = 512;      ///< a memory line, one node
+/// Bits of the quotient that gives the time when a ray crosses such a plane, and of its operands.
+constexpr int crossing_bits = 18;
+constexpr int offset_bits = 6;        ///< child within its block, in steps of 32 bytes
+constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an inner node
+constexpr int line_bits = 512;        ///< a memory line, one node
 constexpr int half_line_bits = 256;   ///< one triangle
 constexpr int line_bytes = 64;        ///< one answer of the memory
 constexpr int unit_bits = 16;         ///< fraction bits of colours, weights and components of unit vectors
-constexpr int share_bits = 12;    ///< fraction bits of a material's colours and of the weights of its local
-                                  ///< light
+/// Fraction bits of a material's colours and of the weights of its local light.
+constexpr int share_bits = 12;
 constexpr int corner_bits = 11;   ///< component of a corner's normal, signed
 constexpr int shine_frac = 4;     ///< fraction bits of Phong's exponent, out of shine_bits
 constexpr int shine_bits = 14;
 constexpr int index_frac = 12;   ///< fraction bits of a ratio of refractive indices, out of ratio_bits
 constexpr int ratio_bits = 16;
-constexpr int root_bits = 28;        ///< a square root in the sphere test
-constexpr int strength_bits = 17;    ///< a light's colour, share_bits of them fraction
-constexpr int light_reach = 8;       ///< a light, or a point of a plane, may lie 2^8 times as far away as the
-                                     ///< lattice reaches
-constexpr int plane_bits = 12;       ///< whole bits of a plane's u and v
-constexpr int approach_steps = 12;   ///< steps in which a distant ray finds the lattice:
-                                     ///< model/unit/shade/approach.hpp
-constexpr int max_lights = 64;       ///< maximum of Config::lights
-constexpr int most_fine = 4;         ///< maximum of Surface::fine
-constexpr int sample_bits = 6;       ///< a pixel's sample, 0..63
-constexpr int sub_pixel_bits = 8;    ///< fraction bits of a sample's place
-constexpr int depth_bits = 4;        ///< bounces of a camera ray, 0..15
-constexpr int unit_stages = 8;       ///< latency of rtl/fixed/rc_unit.sv
-constexpr int power_stages = 7;      ///< latency of rc_power.sv
+constexpr int root_bits = 28;       ///< a square root in the sphere test
+constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fraction
+/// A light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches.
+constexpr int light_reach = 8;
+constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
+/// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
+constexpr int approach_steps = 12;
+constexpr int max_lights = 64;      ///< maximum of Config::lights
+constexpr int most_fine = 4;        ///< maximum of Surface::fine
+constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
+constexpr int sub_pixel_bits = 8;   ///< fraction bits of a sample's place
+constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
+constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv
+constexpr int power_stages = 7;     ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/origins.md.
 constexpr int far_drop = light_reach + 1;
@@ -161,8 +161,8 @@ struct Config {
     /// Memory clients of a pipeline: nodes, primitives, and in a chip with shading=1 surfaces or ray records.
     /// Such a chip leaves the number of its fourth client unused.
     int clients() const { return shading ? 4 : 2; }
-    int client_bits() const;   ///< number of a cache among those of all pipelines: clients() * pipeline + 0,
-                               ///< 1, 2
+    /// Bits of a cache's number among the caches of all pipelines: clients() * pipeline + 0, 1, 2.
+    int client_bits() const;
     int client_id_bits() const;    ///< id of a cache's request, unique in the machine
     int tile_coord_bits() const;   ///< coordinate of a tile, in tiles
     int mem_id_bits() const;       ///< id of a request at the memory port

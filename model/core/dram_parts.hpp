@@ -40,11 +40,11 @@ struct DramPart {
     int trfc = 0;       ///< refresh to activate or refresh
 
     // Controller.
-    int request_ps = 0;   ///< from the clock edge that accepts a request to the first command that it can
-                          ///< cause
-    int answer_ps = 0;    ///< from the last data to the answer on the chip's side
-    int queue = 16;       ///< most requests that it holds
-    int age_cap = 16;     ///< most later requests that may overtake a request
+    /// Time from the clock edge that accepts a request to the first command that it can cause.
+    int request_ps = 0;
+    int answer_ps = 0;   ///< from the last data to the answer on the chip's side
+    int queue = 16;      ///< most requests that it holds
+    int age_cap = 16;    ///< most later requests that may overtake a request
 
     int row_bytes() const { return columns * bus_bits / 8; }
     int burst_clocks() const { return burst_length / transfers; }

@@ -91,9 +91,9 @@ DramPart ddr3() {
     p.twtr = 4 * 3'000;    // the greater of twtr 7.5 ns and 4 clocks
     p.trefi = 7'800'000;   // trefi
     p.trfc = 160'000;      // trfc
-    p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller at a quarter of the memory's clock
-                                 // (PHYRatio)
-    p.answer_ps = 5 * 12'000;    // assumed: the same on the way back
+    // Assumed: five clocks of a controller at a quarter of the memory's clock (PHYRatio).
+    p.request_ps = 5 * 12'000;
+    p.answer_ps = 5 * 12'000;   // assumed: the same on the way back
     return p;
 }
 
@@ -220,8 +220,7 @@ DramPart hbm2() {
     p.source =
         "DRAMsim3 configs/HBM2_8Gb_x128.ini, https://github.com/umd-memsys/DRAMsim3; rows of 2 KB: gem5 "
         "src/mem/DRAMInterface.py, class HBM_1000_4H_1x128, https://github.com/gem5/gem5; controller: "
-        "assumed, "
-        "as for ddr3";
+        "assumed, as for ddr3";
     p.bus_bits = 128;
     p.transfers = 2;
     p.burst_length = 4;   // 64 bytes

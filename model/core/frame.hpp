@@ -28,12 +28,12 @@ constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
 
 /// Registers of a frame for a chip that shades.
 struct ShadeFrame {
-    std::uint32_t surfaces = 0;    ///< line of primitive 0's surface
-    std::uint32_t depth = 0;       ///< most bounces
-    std::uint32_t threshold = 0;   ///< least weight of a ray, rounded down to unit_bits + 1 fraction bits;
-                                   ///< see weighs_enough()
-    std::uint32_t side = 1;        ///< a pixel has side * side samples
-    std::uint32_t stride = 1;      ///< from sample to sample through the cells
+    std::uint32_t surfaces = 0;   ///< line of primitive 0's surface
+    std::uint32_t depth = 0;      ///< most bounces
+    /// Least weight of a ray, rounded down to unit_bits + 1 fraction bits; see weighs_enough().
+    std::uint32_t threshold = 0;
+    std::uint32_t side = 1;     ///< a pixel has side * side samples
+    std::uint32_t stride = 1;   ///< from sample to sample through the cells
     std::uint32_t jitter = 0;
     std::uint32_t contrast = 0;   ///< unit_bits fraction bits; 0: trace all samples
     /// round(2^unit_bits / samples), for all samples and for the first ones.
@@ -41,11 +41,11 @@ struct ShadeFrame {
     std::uint32_t seed = 0;
     std::array<std::uint32_t, 3> background{};   ///< unit_bits fraction bits
     std::uint32_t lights = 0;
-    std::array<std::uint32_t, max_lights> near{};    ///< 1: the light lies within the lattice
-    std::array<std::uint32_t, max_lights> clear{};   ///< 1: no plane except panes separates the light from
-                                                     ///< the eye
-    std::array<std::uint32_t, max_lights> cell{};    ///< the panes that separate the light from the eye, one
-                                                     ///< bit each
+    std::array<std::uint32_t, max_lights> near{};   ///< 1: the light lies within the lattice
+    /// 1: no plane except panes separates the light from the eye.
+    std::array<std::uint32_t, max_lights> clear{};
+    /// The panes that separate the light from the eye, one bit each.
+    std::array<std::uint32_t, max_lights> cell{};
     std::array<std::int32_t, 3 * max_lights> place{};     ///< [3 * light + axis], lattice points
     std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits fraction bits
     template <class V> void fields(V& v, const Config& c) {
@@ -85,10 +85,11 @@ struct ShadeFrame {
 /// |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of
 /// the range of t.
 struct Frame {
-    std::uint32_t width = 0, height = 0;   ///< with a stream: 2^pixel_bits, and the rows that `ray_count`
-                                           ///< rays take
-    std::uint32_t ray_count = 0;           ///< with a stream: the number of its rays
-    std::uint32_t rays = 0;                ///< with a stream: line of the first two rays
+    /// With a stream, the width is 2^pixel_bits, and the height is the number of rows that `ray_count` rays
+    /// take.
+    std::uint32_t width = 0, height = 0;
+    std::uint32_t ray_count = 0;       ///< with a stream: the number of its rays
+    std::uint32_t rays = 0;            ///< with a stream: line of the first two rays
     std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
     std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree
     Vec3i eye{};                       ///< lattice point

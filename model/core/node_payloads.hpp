@@ -52,12 +52,12 @@ struct BoxRsp {
 struct Leaves {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;
-    std::uint32_t leaves = 0;                        ///< number of leaves
-    std::array<std::uint32_t, max_width> t_near{};   ///< distance at which the ray enters each leaf, rounded
-                                                     ///< down
-    std::array<std::uint32_t, max_width> offset{};   ///< of the leaf's first primitive from base, in half
-                                                     ///< lines
-    std::array<std::uint32_t, max_width> count{};    ///< number of its primitives
+    std::uint32_t leaves = 0;   ///< number of leaves
+    /// Distance at which the ray enters each leaf, rounded down.
+    std::array<std::uint32_t, max_width> t_near{};
+    /// Offset of the leaf's first primitive from base, in half lines.
+    std::array<std::uint32_t, max_width> offset{};
+    std::array<std::uint32_t, max_width> count{};   ///< number of its primitives
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("base", base, c.addr_bits);

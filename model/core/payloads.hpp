@@ -113,8 +113,9 @@ struct Ray {
     std::array<std::uint32_t, 3> len{};     ///< 0..M
     Shear shear;                            ///< with the sheared test
     std::uint32_t kind = 0;                 ///< RayKind
-    std::uint32_t self = 0, inside = 0;   ///< primitive that a bounce leaves, or at which a shadow ray ends;
-                                          ///< 1 if on a sphere's inside
+    /// `self`: the primitive that a bounce leaves, or at which a shadow ray ends. `inside`: 1 if on a
+    /// sphere's inside.
+    std::uint32_t self = 0, inside = 0;
     /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
     /// meets planes, and begins beyond the lattice, at o 2^far_drop.
     std::uint32_t partial = 0;

@@ -29,8 +29,8 @@ Stages::Stages(const Config& config) {
     cut = fast ? 1 : 0;
     far = config.shading ? cut : 0;
     multiply = fast ? 3 : 0;
-    quotient_bits = fast && !config.shading ? 1 : 2;   // a chip that shades is full; this halves the
-                                                       // registers
+    // A chip that shades fills the device; two bits per stage halve the registers.
+    quotient_bits = fast && !config.shading ? 1 : 2;
     slab_planes = 2 + 2 * cut;
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut + config.box_interval() - 1;

@@ -9,8 +9,8 @@ namespace rayclock {
 /// (`rtl/cells/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
     int cut = 0;   ///< stages of rc_path_register
-    int far = 0;   ///< stages of additional registers between units of a chip that shades, which fills the
-                   ///< device
+    /// Stages of additional registers between units of a chip that shades, which fills the device.
+    int far = 0;
     int multiply = 0;        ///< stages of rc_mul
     int quotient_bits = 0;   ///< quotient bits per stage of rc_divide
     int hit_bits = 0;        ///< the same for rc_hitdiv, whose operands are the widest
@@ -20,12 +20,14 @@ struct Stages {
     int meet = 0;          ///< from these, of the first children, to the intersections of all children
     int rank = 0;          ///< from the intersections to the children's order
     // The treelet, rtl/engine/kd/rc_treelet.sv, rc_plane.sv. It orders its exits as box does.
-    int plane = 0;      ///< from a treelet to the times of its planes
-    int exits = 0;      ///< from these to the exits' intervals
-    int globe = 0;      ///< from a node of globes to the globes that are met, rtl/engine/spheres/rc_globe.sv;
-                        ///< order as in box
-    int crossing = 0;   ///< from a slant to the times of its planes, rtl/engine/bsp/rc_crossing.sv; exits and
-                        ///< order as in treelet
+    int plane = 0;   ///< from a treelet to the times of its planes
+    int exits = 0;   ///< from these to the exits' intervals
+    /// Stages from a node of globes to the globes that are met (rtl/engine/spheres/rc_globe.sv). The order
+    /// takes as many as in box.
+    int globe = 0;
+    /// Stages from a slant to the times of its planes (rtl/engine/bsp/rc_crossing.sv). Exits and order take
+    /// as many as in treelet.
+    int crossing = 0;
     // Products and quotients that share a multiplier or divider in turn, if tri accepts a primitive only
     // every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products (cross_share), of the four sums
     // of products that are edge functions (dot_share), of a pair (pair_share). Each product of a pair may be
@@ -58,11 +60,11 @@ struct Stages {
     // A pass of shade, rtl/unit/shade/rc_pass.sv. A pass stays in each of its stages for shade_interval
     // cycles.
     int pass = 28;
-    int pass_cut = 0;     ///< registers within a stage, if a pass stays in it long enough
-    int pass_out = 28;    ///< stage at whose end the outcome of a pass is accepted
-    int pass_parts = 1;   ///< parts, one per cycle, in which values that accompany a pass are written and
-                          ///< read
-    int pass_read = 0;    ///< cycles until a context's state has been read
+    int pass_cut = 0;    ///< registers within a stage, if a pass stays in it long enough
+    int pass_out = 28;   ///< stage at whose end the outcome of a pass is accepted
+    /// Number of parts in which values that accompany a pass are written and read, one per cycle.
+    int pass_parts = 1;
+    int pass_read = 0;   ///< cycles until a context's state has been read
     // Units that keep state per ray.
     int arrive = 0;    ///< additional stages of trav, from box's answer to its leaves
     int tried = 0;     ///< additional stages of list, after tri's answer

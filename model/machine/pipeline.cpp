@@ -73,7 +73,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 if (source_ == Rays::shade)
                     levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
-            default: break;   // box stands for all units that decide nodes
+            default: break;   // box represents all units that decide nodes
         }
     account_caches();
 }

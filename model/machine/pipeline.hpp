@@ -156,7 +156,7 @@ private:
         /// True if one of these links fires.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links stand for those of the unit that decides nodes. With two such units, at most one gets a
+    /// box's links represent those of the unit that decides nodes. With two such units, at most one gets a
     /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
     static constexpr Link inside(Link link) {
         return is_node_request(link) ? Link::box_req : is_node_answer(link) ? Link::box_rsp : link;
@@ -217,8 +217,8 @@ private:
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
-    std::uint32_t raygen_hold_, raygen_hold_left_ = 0;   // cycles after a ray in which raygen begins none;
-                                                         // cycles left
+    // Cycles after a ray in which raygen begins no other ray, and how many of them are left.
+    std::uint32_t raygen_hold_, raygen_hold_left_ = 0;
     Trav trav_;
     Cache node_cache_;
     Delay box_, boxed_;   // boxed_, tried_: delay the answers to trav and list in a fast chip

@@ -17,8 +17,8 @@ enum class DramCause { busy, refresh, row, starved };
 constexpr int dram_causes = 4;
 
 struct DramStatistics {
-    std::uint64_t reads = 0;   ///< requests whose last read was given; each of these, and each write, counts
-                               ///< in one of the next three
+    /// Requests whose last read was given. Each of these, and each write, counts in one of the next three.
+    std::uint64_t reads = 0;
     std::uint64_t writes = 0;
     /// The row was open; the bank was closed; another row was open.
     std::uint64_t row_hits = 0, row_misses = 0, row_conflicts = 0;

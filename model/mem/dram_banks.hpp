@@ -43,8 +43,8 @@ private:
 
     int tck_;
     Clock trcd_, trp_, tras_, trc_, trrd_, trrd_l_, tfaw_, trtp_, tccd_, tccd_l_, trfc_;
-    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read, and to a
-                                                // precharge
+    // Limits from a read to a write, and from a write to a read and to a precharge.
+    Clock to_write_, to_read_, to_precharge_;
     struct Group {
         Clock activate = 0, column = 0;   // first clock that the group's own gates allow
     };

@@ -77,8 +77,8 @@ public:
 private:
     std::uint32_t khz_, answers_of_word_, base_ = 0;
     bool scans_, writes_, had_turn_ = false;   ///< had_turn_: the last request was the picture's
-    std::uint32_t phase_ = 0, due_ = 0;   ///< phase_ grows by words_per_ms per cycle; khz_ of it make a word
-                                          ///< due
+    /// `phase_` grows by words_per_ms per cycle. When it reaches `khz_`, a word is due.
+    std::uint32_t phase_ = 0, due_ = 0;
     std::uint32_t free_ids_ = (1U << ids) - 1, screen_at_ = 0, backlog_ = 0;
     std::uint32_t pixels_ = 0, pixel_words_ = 0, pixels_at_ = 0;
     std::uint64_t scanned_ = 0, written_ = 0;

@@ -22,14 +22,14 @@ constexpr std::size_t memory_outcomes = 4;
 
 /// Totals of the memory.
 struct MemoryStats {
-    std::uint64_t reads = 0;                         ///< of 64 bytes, including the screen's
-    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of the reads and writes: the row was open; another
-                                                     ///< row was open
+    std::uint64_t reads = 0;   ///< of 64 bytes, including the screen's
+    /// Reads and writes that found their row open, and that found another row open.
+    std::uint64_t row_hits = 0, row_conflicts = 0;
     std::uint64_t refreshes = 0;
     std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels
     std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels
-    std::uint32_t backlog = 0;   ///< most words for which the screen waited at the same time, since the
-                                 ///< beginning
+    /// The largest number of words for which the screen waited at the same time, since the beginning.
+    std::uint32_t backlog = 0;
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
         return {a.reads - b.reads,
                 a.row_hits - b.row_hits,
@@ -111,8 +111,8 @@ private:
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
-    bool sleeping_ = false;    // the DRAM is idle; it catches up on the cycles that pass when it has work
-                               // again
+    // The DRAM is idle; it catches up on the cycles that pass when it has work again.
+    bool sleeping_ = false;
     std::uint64_t owed_ = 0;   // number of these cycles
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_outcomes> ideal_outcomes_{};

@@ -12,8 +12,8 @@ namespace rayclock {
 /// Traffic that tests add to the memory port and the sinks, on top of their fixed figures. It is seeded: two
 /// machines that make the same requests in the same cycles see the same traffic.
 struct Traffic {
-    int jitter = 0;   ///< extra cycles of latency, 0..jitter, drawn per answer, so that answers overtake each
-                      ///< other
+    /// Extra cycles of latency, 0..jitter, drawn per answer, so that answers overtake each other.
+    int jitter = 0;
     int stall_percent = 0;   ///< percentage of cycles in which no request is accepted
     std::uint64_t seed = 1;
     bool none() const { return jitter == 0 && stall_percent == 0; }

@@ -131,9 +131,8 @@ void make_faceted(const std::vector<std::uint32_t>& facets, Deforming& deforming
     constexpr std::uint32_t none = ~0U;
     std::vector<bool> is_facet(mesh.triangles.size(), false);
     for (const std::uint32_t facet : facets) is_facet[facet] = true;
-    std::vector<std::uint32_t> from, shared(deforming.rest.size(), none);   // from: old vertex of each new
-                                                                            // one; shared: new vertex of each
-                                                                            // old one
+    // `from`: the old vertex of each new one. `shared`: the new vertex of each old one.
+    std::vector<std::uint32_t> from, shared(deforming.rest.size(), none);
     from.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (std::uint32_t& v : mesh.triangles[i].vertex) {

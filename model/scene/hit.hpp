@@ -11,9 +11,9 @@ constexpr std::uint32_t no_primitive = 0xffff'ffffu;
 
 /// The hit of a primary ray, in the terms of the scene as given. Every engine produces it.
 struct Hit {
-    std::uint32_t primitive = no_primitive;   ///< number in the scene (model/scene/scene.hpp), or
-                                              ///< no_primitive
-    float depth = 0;                          ///< distance from the eye, scene units
+    /// Number in the scene (model/scene/scene.hpp), or no_primitive.
+    std::uint32_t primitive = no_primitive;
+    float depth = 0;   ///< distance from the eye, scene units
     /// For a triangle: barycentric weights of the second and third vertex. For a plane: multiples of its u
     /// and v from its point; a machine counts the plane's sides on the lattice, from its point there. For a
     /// sphere: 0.

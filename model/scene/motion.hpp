@@ -1,6 +1,6 @@
+#pragma once
 // The motion of a scene: nodes over time, and the objects attached to them. scenes/README.md has its form in
 // files.
-#pragma once
 #include <cstdint>
 #include <optional>
 #include <string>

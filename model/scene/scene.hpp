@@ -25,8 +25,8 @@ struct Material {
     double index = 1;         ///< refractive index of the inside; the surrounding medium is 1
     bool checkered = false;   ///< for a plane: every second square has the colour `other`
     glm::dvec3 other{0.2};
-    bool schlick = false;   ///< mirror and transmit are weighted by Fresnel's term, in the approximation of
-                            ///< Schlick 1994
+    /// Fresnel's term weights `mirror` and `transmit`, in the approximation of Schlick 1994.
+    bool schlick = false;
 };
 
 /// Point light without attenuation; `colour` is its strength (spd: 1/sqrt(number of lights)).

@@ -1,5 +1,5 @@
-// A value over time. scenes/README.md has its form in files.
 #pragma once
+// A value over time. scenes/README.md has its form in files.
 #include <vector>
 
 namespace rayclock {

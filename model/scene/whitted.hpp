@@ -12,12 +12,12 @@ constexpr int most_depth = 15, most_aa = 8;
 /// refraction.
 struct Whitted {
     int depth = 5;   ///< bounces of a camera ray, 0..15; a hit at this depth does not reflect or refract
-    double threshold = 0;   ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg
-                            ///< 1983); 0: all are
-    int aa = 1;             ///< a pixel has aa x aa samples, 1..8
-    bool jitter = false;    ///< 1: each sample lies anywhere in its cell (Cook 1986), not in the middle
-    double contrast = 0;   ///< if not 0: after 4 samples, trace the rest only if some channel differs by more
-                           ///< among them
+    /// A reflected or refracted ray of less weight is not traced (Hall, Greenberg 1983); 0: all are.
+    double threshold = 0;
+    int aa = 1;            ///< a pixel has aa x aa samples, 1..8
+    bool jitter = false;   ///< 1: each sample lies anywhere in its cell (Cook 1986), not in the middle
+    /// If not 0: after 4 samples, trace the rest only if some channel differs by more among them.
+    double contrast = 0;
     std::uint32_t seed = 1;   ///< of the jitter
 };
 

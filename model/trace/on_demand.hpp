@@ -25,8 +25,8 @@ struct OnDemandJob {
     const MemoryImage& image;
     const Frame& frame;
     const Config& config;
-    Frame narrow;   ///< the frame with a width of 0, so that a recorder needs room for the hits of one row
-                    ///< only
+    /// The frame with a width of 0, so that a recorder needs room for the hits of one row only.
+    Frame narrow;
     std::optional<RecordJob> job;       ///< for camera rays
     std::unique_ptr<Decoder> decoder;   ///< for a chip that shades
 };

@@ -81,8 +81,8 @@ struct RecordScratch {
 
 /// Pixels x0..x1-1 of the rows y0..y1-1.
 struct RecordBlock {
-    static constexpr std::uint32_t side = 16;   ///< maximum of x1 - x0 and y1 - y0; rays of a block read the
-                                                ///< same nodes
+    /// Maximum of x1 - x0 and y1 - y0. Rays of a block read the same nodes.
+    static constexpr std::uint32_t side = 16;
     std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 

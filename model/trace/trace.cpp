@@ -91,7 +91,7 @@ struct Recording::Work {
         report();
     }
 
-    /// Records the next rays of a stream. Those that ask for any hit count as shadow rays.
+    /// Records the next rays of a stream. Rays that need any hit count as shadow rays.
     void record_stream(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals, RayCounts& counts) {
         const std::size_t first = chunk * stream_chunk,
                           last = std::min<std::size_t>(first + stream_chunk, frame.ray_count);

@@ -41,9 +41,9 @@ struct Trace {
     static constexpr int dropped_shift = 26;
     static constexpr std::uint32_t entry_flags = ~0u << dropped_shift;   ///< of an instance's visit
     static constexpr bool enters(std::uint32_t head) { return head >= entry_flags; }
-    static constexpr std::uint32_t last_flag = 1u << 31;    ///< of a triangle's word
-    static constexpr std::uint32_t place_flag = 1u << 31;   ///< of a word with the line of an instance or its
-                                                            ///< material
+    static constexpr std::uint32_t last_flag = 1u << 31;   ///< of a triangle's word
+    /// Marks a word with the line of an instance or of its material.
+    static constexpr std::uint32_t place_flag = 1u << 31;
     static constexpr std::uint32_t surface_flag = 1u << 24,
                                    pixel_flag = 1u << 25;   ///< of the word after a ray
     static constexpr int purpose_shift = 26;                ///< in the same word: RayPurpose of the next ray

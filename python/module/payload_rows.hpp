@@ -173,8 +173,8 @@ private:
     std::vector<RowField> fields_, long_;   ///< all, and numbers of 64 bits
     std::vector<Run> runs_;
     std::size_t words_ = 0;
-    std::vector<std::uint32_t> bias_, beyond_;   ///< of each word: offset of a signed field, and bits above
-                                                 ///< it
+    /// For each word, the offset of a signed field, and the bits above the field.
+    std::vector<std::uint32_t> bias_, beyond_;
 };
 
 }   // namespace rayclock::python

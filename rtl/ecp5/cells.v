@@ -7,9 +7,9 @@
 
 // 18 Kbit, written through port A and read through port B, with one clock; both ports are 36, 18 or 9
 // bits wide. The lowest bits of the writer's address enable its bytes of nine bits, if it has more
-// than one. With 36 bits the ports share their pins for data; else port A tells what was there
-// before. Nobody may use a word that port B reads in the cycle in which it is written: its bits come
-// inverted.
+// than one. With 36 bits the ports share their pins for data; otherwise port A returns the previous
+// content. A word that port B reads in the cycle in which it is written must not be used: the model
+// inverts its bits.
 module DP16KD (
   input  wire CLKA, CEA, OCEA, WEA, RSTA, CSA2, CSA1, CSA0,
   input  wire CLKB, CEB, OCEB, WEB, RSTB, CSB2, CSB1, CSB0,

@@ -3,16 +3,16 @@
 //
 // A request waits in a queue of two. The head of the queue is looked up, one request per cycle:
 // - A hit is answered 3 cycles after the request was accepted.
-// - A miss takes a free MSHR and a way of its set (rc_tags), and requests the line's words one by
-//   one. The first request leaves 2 cycles after the miss was accepted. Each has the id {MSHR,
+// - A miss allocates a free MSHR and a way of its set (rc_tags), and requests the line's words one
+//   by one. The first request leaves 2 cycles after the miss was accepted. Each has the id {MSHR,
 //   word}. Words may come in any order and are always accepted.
 // - A request for a line in flight joins the chain of that line, which may have any length
 //   (rc_mshr).
 // - A look-up that cannot proceed stays at the head of the queue.
 //
-// When the last word of a line has come, the line's requests are answered before the next look-up.
+// After the last word of a line, the line's requests are answered before the next look-up.
 // The first answer leaves 3 cycles after that word, the others follow one per cycle. outcome_o
-// reports what happened in a cycle.
+// reports the outcome of a cycle.
 //
 // With Cut the latency is two cycles longer. Tags are read when a request comes to the head. The
 // head is compared with them in a separate cycle, and waits for its look-up in a register. The data

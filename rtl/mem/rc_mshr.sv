@@ -1,12 +1,12 @@
 // The lines of a cache that are in flight, and the requests that wait for them. Part of rc_cache.
 //
 // Each line in flight has a miss status holding register (MSHR) with its set and way. Its waiting
-// requests form a chain through their ids, first to last. A request takes a free MSHR, or joins the
-// chain of the line that line_way_i waits for.
+// requests form a chain through their ids, first to last. A request allocates a free MSHR, or joins
+// the chain of the line that line_way_i waits for.
 //
 // Words come in any order. The last word fills the line, and from the next cycle on its chain is
-// answered, one request per drain_i. In those cycles no request may take or merge. The MSHR is free
-// after the last answer.
+// answered, one request per drain_i. In those cycles no request may allocate or merge. The MSHR is
+// free after the last answer.
 //
 // Model: Mshr, ask() and drain() in model/mem/cache.cpp. Proof: tests/formal/mshr.sv.
 `default_nettype none
@@ -33,7 +33,7 @@ module rc_mshr #(
   output logic              waits_o,       // at least one MSHR is busy
   output logic [MshrW-1:0]  free_o,        // the lowest free MSHR
   input  logic [WayW-1:0]   way_i,
-  input  logic              take_i,        // takes the free MSHR: way_i waits from now on
+  input  logic              take_i,        // allocates the free MSHR: way_i waits from now on
   input  logic [WayW-1:0]   line_way_i,
   input  logic              merge_i,       // line_way_i waits already: joins the chain
   // Word from memory, and the place of its line

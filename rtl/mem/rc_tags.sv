@@ -1,10 +1,10 @@
 // Tags of a cache, and the replacement order of each set (tree-PLRU). Part of rc_cache.
 //
-// Finds the way of a line. If the line is missing, gives the way that it may take: the set's
-// pseudo-least-recently-used way. If that way waits for a line, gives the lowest way that does not
-// wait. The look-up takes one cycle, and the next cycle sees the changes of touch_i and take_i.
+// Finds the way of a line. If the line is missing, selects the way to replace: the set's
+// pseudo-least-recently-used way. If that way waits for a line, selects the lowest way that does
+// not wait. The look-up takes one cycle, and the next one includes touch_i and take_i.
 //
-// With Cut the tags come from a block RAM. They are read when a request comes ahead (next_*,
+// With Cut the tags are in a block RAM. They are read when a request moves ahead (next_*,
 // accepted with next_load_i) and compared one cycle before the look-up (ahead_*, accepted with
 // load_i). The comparison includes the changes that earlier requests make in these cycles.
 //
@@ -23,7 +23,7 @@ module rc_tags #(
   input  logic            clk_i,
   input  logic            rst_ni,
   // Request ahead
-  input  logic            next_load_i, // with Cut: tags are read for the request that comes ahead
+  input  logic            next_load_i, // with Cut: tags are read for the request that moves ahead
   input  logic [SetW-1:0] next_set_i,
   input  logic            load_i,      // with Cut: the request ahead is the next one
   input  logic [SetW-1:0] ahead_set_i, // without Cut: the same as set_i, tag_i
@@ -36,9 +36,9 @@ module rc_tags #(
   output logic            hit_o,       // a way has the line
   output logic            conflict_o,  // all ways wait
   output logic [WayW-1:0] found_o,     // the way that has the line
-  output logic [WayW-1:0] way_o,       // found_o, or the way that the line may take
+  output logic [WayW-1:0] way_o,       // found_o, or the way to replace
   input  logic            touch_i,     // way_o is used
-  input  logic            take_i       // way_o takes this line
+  input  logic            take_i       // way_o is allocated to this line
 );
   if (TagW < 1) begin : gen_refuse
     $error("rc_tags: TagW must be at least 1");
@@ -85,7 +85,7 @@ module rc_tags #(
   assign late_entry  = {1'b1, late_tag};
 
   logic            same_set;   // the request and the one ahead have the same set
-  logic [WayW-1:0] victim;     // way that a missing line may take
+  logic [WayW-1:0] victim;     // the way to replace
 
   assign same_set = set_i == ahead_set_i;
 
@@ -116,8 +116,8 @@ module rc_tags #(
     if (Cut == 0) begin : gen_at_once
       assign mine = entry == ahead_entry;
     end else begin : gen_ahead
-      // Data of a block RAM comes late. So this cycle compares pairs of bits, and the look-up
-      // combines them. took_q: the way took another line while its tags were read.
+      // Data of a block RAM arrives late. So this cycle compares pairs of bits, and the look-up
+      // combines them. took_q: the way was allocated to another line while its tags were read.
       localparam int unsigned Pairs = (TagW + 2) / 2;
       logic             took_q;
       logic [Pairs-1:0] mine_q, same_new, same_took, same_entry;

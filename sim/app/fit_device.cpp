@@ -16,8 +16,8 @@ namespace rayclock {
 
 namespace {
 
-constexpr const char* default_fill = "90%";   // leaves room for the host and for wiring between units, which
-                                              // are not counted before routing
+// Leaves room for the host and for wiring between units, which are not counted before routing.
+constexpr const char* default_fill = "90%";
 constexpr const char* device_group = "Device (without --device only formats are fitted)";
 
 /// Returns a sentence for a device that is too small for the least machine.

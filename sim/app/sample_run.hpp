@@ -22,8 +22,7 @@ std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& 
                                         const SampleChoice& choice, double seconds_gone, sample::Ask& ask,
                                         Traffic traffic, int threads, const Progress& progress);
 
-/// Returns a sentence if the sample does not have the error, or did not end in the time, that was asked for;
-/// otherwise nothing.
+/// Returns a sentence if the sample misses the requested error or time; otherwise nothing.
 std::string shortfall(const SampleChoice& choice, const std::vector<sample::Sampled>& clocks, double seconds);
 
 /// Returns the report with the keys of simulate. Figures are estimates, and `sampling` has their intervals.

@@ -133,8 +133,8 @@ using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 /// Returns the explanations of the slowest pixels. A second run of the frame records only their events.
 Texts explain_slowest(const SimulateInput& work, const SimulateResult& s, const FrameCosts& costs,
                       Traffic traffic, const Progress& progress) {
-    constexpr std::size_t most_bytes = 4 << 20;   // one pixel of a finished picture may have thousands of
-                                                  // rays
+    // One pixel of a finished picture may have thousands of rays.
+    constexpr std::size_t most_bytes = 4 << 20;
     const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);

@@ -119,7 +119,7 @@ void check_outputs(const StreamCommand& c) {
     check_hits(c.stream, c.json);
 }
 
-/// Writes the hits if they are asked for. Returns false if it was interrupted; nothing is written then.
+/// Writes the hits if they are requested. Returns false if it was interrupted; nothing is written then.
 bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame,
                 const FramesAtClock& run, Traffic traffic, const Progress& progress) {
     if (!c.stream.hits) return true;

@@ -67,8 +67,8 @@ struct StreamCommand {
     bool no_judge = false;
     int threads = 0;
     JsonOutput json;
-    std::optional<std::string> elastic{};   ///< for verify: the units whose timing may differ from the
-                                            ///< model's
+    /// For verify: the units whose timing may differ from the model's.
+    std::optional<std::string> elastic{};
 };
 /// Simulates a stream on the model at each clock. Returns the exit code. Throws UserError.
 int simulate_stream(const StreamCommand& command);

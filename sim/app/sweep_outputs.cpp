@@ -36,8 +36,8 @@ namespace {
 /// The argument of --plot.
 struct Plot {
     std::string name;
-    std::optional<std::pair<std::string, std::string>> columns;   ///< columns X and Y, or nothing for the
-                                                                  ///< fronts
+    /// Columns X and Y; empty for the fronts.
+    std::optional<std::pair<std::string, std::string>> columns;
 };
 Plot plot_of(const std::string& typed) {
     const std::size_t equals = typed.find('='), comma = typed.substr(0, equals).find(',');

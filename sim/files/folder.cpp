@@ -123,8 +123,8 @@ void StagedFiles::publish(const std::vector<std::string>& outdated) {
     }
     std::error_code ignored;
     for (const std::string& name : outdated) fs::remove(folder_ / name, ignored);
-    fs::remove(stage_, ignored);   // it is empty now, and forget() took it off the list that a signal handler
-                                   // removes
+    // The folder is empty now, and forget() took it off the list that a signal handler removes.
+    fs::remove(stage_, ignored);
 }
 
 }   // namespace rayclock

@@ -49,8 +49,8 @@ public:
     void publish(const std::vector<std::string>& outdated = {});
 
 private:
-    std::filesystem::path folder_, made_, stage_;   ///< made_: the topmost folder that had to be created, or
-                                                    ///< empty
+    /// `made_`: the topmost folder that had to be created, or empty.
+    std::filesystem::path folder_, made_, stage_;
     Scratch scratch_;
 };
 

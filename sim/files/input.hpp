@@ -1,5 +1,5 @@
-// Reading a whole file. Each way in which a file can be unusable has its own error message.
 #pragma once
+// Reading a whole file. Each way in which a file can be unusable has its own error message.
 #include <cstdint>
 #include <filesystem>
 #include <string>

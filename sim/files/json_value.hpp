@@ -1,8 +1,8 @@
+#pragma once
 // A JSON value that carries its file and its path, so that every error message can say "desk.json:
 // objects[2].scale ...".
 //
 // The caller must keep the document alive as long as the values.
-#pragma once
 #include <cstdint>
 #include <initializer_list>
 #include <optional>

@@ -1,4 +1,4 @@
-// Writing to a temporary file `.rayclock-<pid>-<i>.part`, then fsync() if asked for, then rename().
+// Writing to a temporary file `.rayclock-<pid>-<i>.part`, then fsync() if requested, then rename().
 #include "sim/files/output.hpp"
 
 #include <algorithm>

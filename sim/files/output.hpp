@@ -1,6 +1,6 @@
+#pragma once
 // Writing whole files: a file appears complete or not at all. Every error is reported, including one in the
 // last byte.
-#pragma once
 #include <filesystem>
 #include <string>
 #include <string_view>

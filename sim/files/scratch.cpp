@@ -56,15 +56,15 @@ void remove_scratch() noexcept {
             remove_folder(path);   // does not free `path`: free() is not safe in a signal handler
 }
 
-TemporaryFolder::TemporaryFolder(const std::string& prefix, const fs::path& beside) {
+TemporaryFolder::TemporaryFolder(const std::string& prefix, const fs::path& parent) {
     std::error_code error;
-    const fs::path place = beside.empty() ? fs::temp_directory_path(error) : beside;
+    const fs::path place = parent.empty() ? fs::temp_directory_path(error) : parent;
     std::string name = (place / (prefix + "-XXXXXX")).string();
     if (error || !::mkdtemp(name.data()))
         throw UserError(fmt::format("{}: no folder can be made there for temporary files ({}){}",
                                     printable(error ? "TMPDIR" : place.string()),
                                     error ? error.message() : std::strerror(errno),
-                                    beside.empty() ? "; set TMPDIR to another" : ""));
+                                    parent.empty() ? "; set TMPDIR to another" : ""));
     path_ = name;
     scratch_.name(path_);
 }

@@ -29,11 +29,11 @@ private:
 /// Removes all files and folders that a Scratch registers. Signal handlers may call it: it allocates nothing.
 void remove_scratch() noexcept;
 
-/// A new temporary folder that only this user may enter. The destructor removes it. It lies in `beside`, or
-/// in the system's temporary folder if `beside` is empty. Throws UserError if it cannot be made.
+/// A new temporary folder that only this user may enter. The destructor removes it. It lies in `parent`, or
+/// in the system's temporary folder if `parent` is empty. Throws UserError if it cannot be made.
 class TemporaryFolder {
 public:
-    explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& beside = {});
+    explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& parent = {});
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -1,5 +1,5 @@
-// The program's standard streams: the program reports it if printed text does not arrive.
 #pragma once
+// The program's standard streams: the program reports it if printed text does not arrive.
 #include <string>
 #include <string_view>
 

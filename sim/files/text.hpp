@@ -1,9 +1,9 @@
+#pragma once
 // Words, lines and numbers of a text file, and the form of all error messages about it: "<file>: line 7:
 // ...".
 //
 // The standard's from_chars reads numbers: exactly and independently of the locale. A coordinate must also be
 // finite as a 32-bit float, because the mesh readers store floats.
-#pragma once
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
-// The default lights of a scene without lights.
 #pragma once
+// The default lights of a scene without lights.
 #include "model/scene/scene.hpp"
 
 namespace rayclock {

@@ -1,5 +1,5 @@
-// The state of one load, whichever files it reads: progress, the memory allowance and the notes for the user.
 #pragma once
+// The state of one load, whichever files it reads: progress, the memory allowance and the notes for the user.
 #include <cstdint>
 #include <filesystem>
 #include <functional>

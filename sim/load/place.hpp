@@ -1,6 +1,6 @@
+#pragma once
 // Building the parts of a scene: vertices are joined exactly, and flat and smooth parts can share a scene.
 // model/scene/placed.hpp places them.
-#pragma once
 #include <array>
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
-// Converts materials and lights of other formats to rayclock's.
 #pragma once
+// Converts materials and lights of other formats to rayclock's.
 #include <array>
 #include <string>
 #include <string_view>

@@ -112,9 +112,9 @@ TEST_CASE("the order of instances does not change what is hit", "[levels]") {
 
 TEST_CASE("two levels refuse scenes and configurations that they cannot compile", "[levels]") {
     const PlacedScene scene = solids(2, 1, 1, 1, 0);
-    const auto refused = [&](Config config, const PlacedScene& asked) {
+    const auto refused = [&](Config config, const PlacedScene& placed) {
         try {
-            compile_levels(asked, {9, 7, 8}, config);
+            compile_levels(placed, {9, 7, 8}, config);
         } catch (const UserError& error) {
             return std::string(error.what());
         }

@@ -78,7 +78,7 @@ public:
 
     /// Tests every triangle of every instance, without a tree. Counts crossings whose point on the scene's
     /// ray is not in the instance's box.
-    Closest asked(const Ray& ray, std::uint64_t& outside) const {
+    Closest answer_of(const Ray& ray, std::uint64_t& outside) const {
         BestHit best({0, ray.kind}, reach_of(RayKind(ray.kind), config_));
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const Change in = xform({0, ray.o, ray.d, placements_[i], ray.kind, ray.home}, config_);
@@ -277,7 +277,7 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
             Ray ray = aim.camera_ray(at);
             for (int depth = 0; depth <= config.bounces; ++depth) {
                 const Closest hit = world.trace(ray);
-                ++rays, hits += hit.found, wrong += !is_same(hit, world.asked(ray, outside));
+                ++rays, hits += hit.found, wrong += !is_same(hit, world.answer_of(ray, outside));
                 if (!hit.found) break;
                 PassIn in;
                 ShadeState state = world.surface_of(ray, hit, in);
@@ -288,7 +288,7 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
                 if (const LightOut out = light(frame, config, state, in.placement); out.counts) {
                     Ray way = make_ray(ray_origin(place, config), out.d, config, RayKind::shadow);
                     way.home = out.home;
-                    ++shadows, wrong += world.trace(way).found != world.asked(way, outside).found;
+                    ++shadows, wrong += world.trace(way).found != world.answer_of(way, outside).found;
                 }
                 const Vec3i d = aim.direction(state.o);
                 Vec3i o{};

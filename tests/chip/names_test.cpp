@@ -37,7 +37,7 @@ TEST_CASE("names of registers lose their bit numbers") {
     CHECK(register_of("in_q_TRELLIS_FF_Q_103", "harness") == "in_q");
 }
 
-TEST_CASE("the source of a cell is not where an instance stands, but what is in it") {
+TEST_CASE("the source of a cell is the text in its module, not the place of its instance") {
     const TestFolder folder;
     std::ofstream(folder / "rc_box.sv") << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
                                            "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
@@ -68,7 +68,7 @@ TEST_CASE("a device is found by its name") {
     CHECK_THROWS_WITH(device_of("lfe5u-84"), Catch::Contains("did you mean 'lfe5u-85'"));
 }
 
-TEST_CASE("what does not fit says by how much, and what to narrow") {
+TEST_CASE("the message about a design that does not fit says by how much, and what to narrow") {
     const Device device = device_of("lfe5u-25");
     const std::map<std::string, Use> units{
         {"box", {20000, 100, 10, 0}}, {"tri", {4000, 100, 19, 0}}, {"harness", {288, 0, 0, 0}}};

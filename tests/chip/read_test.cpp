@@ -141,7 +141,7 @@ TEST_CASE("delays of a file by hand: the slowest of all ways, and no way through
     CHECK_THROWS(slowest_paths("(DELAYFILE\n", 5, both));
 }
 
-TEST_CASE("how far a run is stands in its log") {
+TEST_CASE("a run's log shows its progress") {
     CHECK(step_of_log("").what == "packing");
     CHECK(step_of_log("Info: Creating initial analytic placement for 777 cells\n").what == "placing");
     const std::string routing =

@@ -1,5 +1,5 @@
 # cmake -DFORMAT=clang-format -DSOURCE= -DFOLDERS=a,b -P format.cmake
-# Every C++ file in the folders is as .clang-format wants it. What is generated or wrong on purpose lies elsewhere.
+# Checks that every C++ file in the folders has the layout of .clang-format. Generated files and deliberate faults lie elsewhere.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files)
 foreach(folder IN LISTS folders)

@@ -49,7 +49,7 @@ TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[s
 
     std::vector<std::string> verify{"verify", "--no-wave"};
     verify.insert(verify.end(), frame.begin(), frame.end());
-    const Outcome beside = run_program(verify, environment);
-    CHECK(beside.code == 1);
-    CHECK(json::parse(beside.out)["reference"]["causes"]["bug"] == error["causes"]["bug"]);
+    const Outcome verified = run_program(verify, environment);
+    CHECK(verified.code == 1);
+    CHECK(json::parse(verified.out)["reference"]["causes"]["bug"] == error["causes"]["bug"]);
 }

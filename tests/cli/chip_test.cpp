@@ -164,7 +164,7 @@ std::string fake_yosys(const FakeNextpnr& fake, int multipliers) {
 
 }   // namespace
 
-TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
+TEST_CASE("the report of a chip that does not fit says by how much, and the chip is not routed") {
     const FakeNextpnr fake;
     std::vector<std::string> environment = fake.environment();
     environment.push_back(fake_yosys(fake, 30));
@@ -199,8 +199,8 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placements", "3"}, environment);
     CHECK_THAT(thrice.out, Catch::Contains("with seed 1, placer mixed, router1, placed 3 times\n"));
     CHECK_THAT(bytes_of(fake.calls()), Catch::Contains(static_again));   // heap is the last of them
-    CHECK(fake.routed() == 4);   // the sites of multipliers and block memories from the first placement were
-                                 // kept
+    // The sites of multipliers and block memories from the first placement were kept.
+    CHECK(fake.routed() == 4);
     // The first placement of mixed equals static's. The last of one is not that of the other.
     const auto by_static =
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placer", "static"}, environment);

@@ -70,7 +70,7 @@ TEST_CASE("explain reports every ray, visit, test and wait of a pixel, and why i
     CHECK(bare["colour"].is_null());
 }
 
-TEST_CASE("explain counts look-ups that asked memory, and those that found their line on its way") {
+TEST_CASE("explain counts look-ups that requested a line, and those that found their line in flight") {
     for (const char* pixel : {"12,8", "13,9"}) {
         const json report = explained({"gears:2", pixel, "--size", "40x30", "--no-reference"});
         CAPTURE(pixel);

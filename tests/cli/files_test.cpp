@@ -233,7 +233,7 @@ TEST_CASE("a setting without effect is noted") {
     CHECK(outcome.err == "rayclock: note: mem_latency has no effect with dram=ddr3\n");
 }
 
-TEST_CASE("a mesh without a mirror says so when it is asked for reflections, and --material gives it one") {
+TEST_CASE("a mesh without a mirror: --depth prints a note, and --material adds a mirror") {
     const Folder folder;
     folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
     const auto reflections = [&](const std::vector<std::string>& more, const std::string& told) {

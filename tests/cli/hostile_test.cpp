@@ -280,7 +280,7 @@ TEST_CASE("merge refuses a damaged report and names the fault") {
     }
 }
 
-TEST_CASE("few bytes that ask for many keys or triangles are refused before these are made") {
+TEST_CASE("small files that declare many keys or triangles are refused before these are made") {
     const Folder folder;
     json turns = json::array();
     for (int i = 0; i < 15'000; ++i)

@@ -136,7 +136,7 @@ TEST_CASE("compare says which of its reports are far from the reference") {
     CHECK(!has(run_program({"compare", b, b}).out, "FAR"));
 }
 
-TEST_CASE("a depth that is far off is told, and has a limit of its own") {
+TEST_CASE("a depth that is far off is reported, and has a separate limit") {
     // The eye is as close to the surface as the lattice is coarse.
     std::vector<std::string> close{"simulate", "square",       "--size", "24x18",
                                    "--eye",    "0,0,0.000006", "--at",   "0,0,-1"};

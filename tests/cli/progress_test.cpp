@@ -49,8 +49,8 @@ Watched watch(const std::vector<std::string>& arguments, const std::string& fold
     for (char bytes[4096];;) {
         pollfd wanted{terminal, POLLIN, 0};
         if (poll(&wanted, 1, 1000) <= 0) continue;
-        const ssize_t got = read(terminal, bytes, sizeof bytes);   // an error means that the terminal is
-                                                                   // closed
+        // An error means that the terminal is closed.
+        const ssize_t got = read(terminal, bytes, sizeof bytes);
         heard(Clock::now());
         if (got <= 0) break;
         shown.assign(bytes, std::size_t(got));

@@ -199,7 +199,7 @@ TEST_CASE("only the remains of dead builds are removed") {
     for (const std::string& other : others) CHECK(fs::exists(tools.cache() + "/" + other));
 }
 
-TEST_CASE("programs that want the same RTL at once build it once") {
+TEST_CASE("programs that need the same RTL at the same time build it once") {
     const FakeTools tools;
     tools.replace("c++", FakeTools::compiler("/bin/sleep 0.3; echo built > \"$out\""));
     std::vector<Outcome> outcomes(4);
@@ -217,7 +217,7 @@ TEST_CASE("programs that want the same RTL at once build it once") {
     CHECK(bytes_of(tools.entry() + "/module.so") == "built\n");
 }
 
-TEST_CASE("RTL of another Verilator or compiler is not taken, and the first one's is still there") {
+TEST_CASE("RTL built by another Verilator or compiler is not used, and the first build remains") {
     const FakeTools tools;
     check_built(tools, true);
     tools.replace("c++", FakeTools::compiler("echo built > \"$out\"", "14.2.0"));

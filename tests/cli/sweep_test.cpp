@@ -112,8 +112,8 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
         {{"spheres", "--depth", "3", "--aa", "2", "--jittered", "--fresnel"}, "surf_sets", {"1", "64"}},
         // Horizon needs 9 bits of an origin.
         {{"scenes/pond.json", "--depth", "2"}, "bary_bits", {"8", "12"}},
-        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},   // fewer than the scene has are
-                                                               // refused
+        // Fewer lights than the scene has are refused.
+        {{"spheres", "--depth", "1"}, "lights", {"1", "4"}},
         {{"crowd", "--frames", "3", "--fps", "5"}, "levels", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--depth", "1", "--frames", "2"}, "pipelines", {"1", "2"}},
         {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},
@@ -224,7 +224,7 @@ TEST_CASE("values that do not go together are refused in their rows only") {
     CHECK(report["points"][2].contains("clock"));
 }
 
-TEST_CASE("a sweep weighs what is asked for, over caches of one size") {
+TEST_CASE("a sweep uses the requested cost, over caches of one size") {
     const Folder folder;
     const std::string csv = folder.name("a.csv");
     const std::vector<std::string> caches{"sweep", "tetra:2", "--size",

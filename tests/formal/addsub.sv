@@ -1,4 +1,4 @@
-// What rc_addsub promises, for every pair of numbers: their sum or difference, in the device's carry cells as well.
+// Property of rc_addsub: it returns the sum or difference, for every pair of numbers, also in the device's carry cells.
 module addsub #(
   parameter int unsigned Width = 5
 ) (

@@ -59,7 +59,7 @@ module arbiter #(
     else if (ready_o != '0) passed_q <= passed_q + 1'b1;
   end
   always @* if (begun_q) assume (whom_i == whom_q);
-  logic fresh_q;   // nobody has been served since reset
+  logic fresh_q;   // no source has been served since reset
   always @(posedge clk_i) begin
     if (!rst_ni) fresh_q <= 1'b1;
     else if (ready_o != '0) fresh_q <= 1'b0;

@@ -1,10 +1,12 @@
-// What rc_cache promises as a whole, if ids in use are not given again and memory sends each word that was asked for once, in
-// any order and at any time: every request is answered once, with the word at its address, however often lines come and go;
-// no answer is lost in a full queue; and when memory owes nothing and answers are taken, soon nothing is open.
+// Properties of the whole rc_cache, if ids in use are not given again and memory sends each requested word once, in any order
+// and at any time:
+// - every request is answered once, with the word at its address, however often lines are filled and evicted;
+// - no answer is lost in a full queue;
+// - if memory owes no word and answers are accepted, no request stays open for long.
 //
-// The smallest cache in which lines are evicted, requests join a line that is on its way, and ways and MSHRs run out: two ways,
-// one set, two MSHRs, four ids, memory of four lines of one bit each, whose content is any. Only for a number of cycles from
-// reset: its parts are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
+// The proof uses the smallest cache in which lines are evicted, requests merge into a line in flight, and ways and MSHRs run
+// out: two ways, one set, two MSHRs, four ids, and a memory of four lines of one bit each with arbitrary content. It covers a
+// number of cycles from reset. The parts are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
 module cache #(
   parameter  int unsigned Words  = 1,   // of a line, 1 or 2
   parameter  int unsigned Soon   = 9,   // cycles
@@ -52,8 +54,8 @@ module cache #(
 
   logic [Ids-1:0]          open_q;     // between request and answer
   logic [Ids*AddrBits-1:0] wants_q;
-  logic [(1<<MissIdW)-1:0] owed_q;     // words asked for that have not come
-  logic [4:0]              quiet_q;    // cycles in which nobody kept anybody waiting
+  logic [(1<<MissIdW)-1:0] owed_q;     // requested words that have not arrived
+  logic [4:0]              quiet_q;    // cycles without a stalled request or answer
   logic                    stalled_q, shown_q;
   logic [IdBits-1:0]       shown_id_q;
   always @(posedge clk_i) begin

@@ -1,10 +1,13 @@
-// What rc_cache promises as a whole, for all time, if ids in use are not given again and memory sends each word that was asked
-// for once, in any order and at any time: every request is in exactly one place until it is answered, once, with the word at
-// its address; a way that waits for a line keeps it; a line is asked for once; nothing is dropped; and the cache never stands
-// still with a request inside unless memory owes a word or answers are not taken.
+// Properties of the whole rc_cache for all time, if ids in use are not given again and memory sends each requested word once, in
+// any order and at any time:
+// - every request is in exactly one place until it is answered, once, with the word at its address;
+// - a way that waits for a line keeps it, and a line is requested once;
+// - nothing is dropped;
+// - the cache makes progress while it holds a request, unless memory owes a word or answers are not accepted.
 //
-// The smallest cache in which lines are evicted, requests join a line that is on its way, and ways and MSHRs run out: one set
-// of two ways, two MSHRs, four ids, queues of two, memory of four lines of one bit each, whose content is any (`memory_i`).
+// The proof uses the smallest cache in which lines are evicted, requests merge into a line in flight, and ways and MSHRs run
+// out: one set of two ways, two MSHRs, four ids, queues of two, and a memory of four lines of one bit each with arbitrary
+// content (`memory_i`).
 module cache_always (
   input logic       clk_i,
   input logic       rst_ni,
@@ -168,7 +171,7 @@ module cache_always (
     end
   end
 
-  // Lines on their way: asked for or to be asked for, until filled; then in the queue of the filled.
+  // Lines in flight: requested or waiting for their request until they are filled, then in the queue of filled lines.
   logic lines_ok;
   always @* begin
     lines_ok = 1'b1;

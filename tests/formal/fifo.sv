@@ -1,8 +1,8 @@
-// What rc_fifo_peek promises, and so rc_fifo, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
-// else comes out; ready and an offer stay until they are used.
+// Properties of rc_fifo_peek, and so of rc_fifo, for any traffic on both sides: each entry leaves once, in order and unchanged,
+// and nothing else leaves. ready and an offer stay until they are used.
 //
-// One entry is followed, any: `pick_i` says which. `ahead_q` entries leave before it. Ties to the inside, as an
-// induction needs them: pointers to the number of entries, the followed entry to its place.
+// The proof follows one arbitrary entry: `pick_i` selects it, and `ahead_q` entries leave before it. The induction needs
+// invariants of the inside: the pointers agree with the number of entries, and the followed entry is at its place.
 module fifo #(
   parameter  int unsigned Depth  = 4,   // 2 or 4
   parameter  int unsigned Width  = 2,

@@ -1,9 +1,9 @@
-// What rc_host promises about `cycles`: a read of its lower word gives the number of cycles that were counted since the frame
-// was prepared, modulo 2^32, and the read of its upper word that follows gives the rest of the same number, however far the
-// count went on in between.
+// Property of the register `cycles` of rc_host: a read of its lower word returns the number of cycles since the frame was
+// prepared, modulo 2^32. The next read of its upper word returns the upper bits of the same number, however far the count has
+// advanced since.
 //
-// A frame of 2^32 cycles is too long for any run from reset. So a trace here begins in any state, with any count; only the bus
-// is idle for the first two cycles. A master holds its request until it is answered.
+// A frame of 2^32 cycles is too long for a run from reset. So a trace begins in any state, with any count; only the bus is
+// idle for the first two cycles. A master holds its request until it is answered.
 module host_cycles (
   input logic                         clk_i,
   input logic                         rst_ni,

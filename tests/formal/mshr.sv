@@ -1,10 +1,11 @@
-// What rc_mshr promises, if it is used as rc_cache uses it: each waiting requester is answered once, in the order of asking among
-// those of a line, with the place of its own line; an MSHR is free exactly after the last of its chain; nobody is answered
-// before all words of the line are there.
+// Properties of rc_mshr, if it is used as rc_cache uses it:
+// - each waiting request is answered once, with the place of its own line, and requests to one line in their order;
+// - no request is answered before all words of the line have arrived;
+// - an MSHR is free exactly after the last request of its chain.
 //
-// Two MSHRs, four ids. The proof tracks: who waits, for which MSHR, and as which of the chain; which lines are on their way,
-// where they go and how many of their words have come. Ties to the inside: the chains' heads, tails and links, and the queue
-// of filled lines, are what these say.
+// The proof uses two MSHRs and four ids. It tracks which request waits, for which MSHR, and at which position of the chain. It
+// also tracks which lines are in flight, their destination, and how many of their words have arrived. The invariants compare
+// the chains' heads, tails and links, and the queue of filled lines, with this record.
 module mshr #(
   parameter  int unsigned Words = 2,   // 1 or 2
   localparam int unsigned IdBits = 2,

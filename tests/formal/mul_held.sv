@@ -1,4 +1,4 @@
-// The promise of rc_mul_held: if operands stay stable for Every cycles, all their products are right in the last one.
+// Property of rc_mul_held: if operands stay stable for Every cycles, all their products are right in the last one.
 // With Late operands phase_i is late as well, so the last cycle is phase Every - 1 - Late.
 module mul_held #(
   parameter  int unsigned AW       = 3,

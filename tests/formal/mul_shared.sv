@@ -1,5 +1,5 @@
-// What rc_mul_shared promises, and rc_mul_parts with Parts = 1: every product of operands that came together, for every operand,
-// Share - 1 cycles later. What comes before or behind, at least Share cycles away, is any.
+// Property of rc_mul_shared, and of rc_mul_parts with Parts = 1: Share - 1 cycles after the operands it gives all their products,
+// for all values. Operands before and after are arbitrary, at least Share cycles away.
 module mul_shared #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 4,

@@ -1,4 +1,4 @@
-// What rc_mul_spill promises, for every pair of numbers: their product.
+// Property of rc_mul_spill: it returns the product, for every pair of numbers.
 module mul_spill #(
   parameter int unsigned AW    = 5,
   parameter int unsigned BW    = 5,

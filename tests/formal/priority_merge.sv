@@ -1,5 +1,5 @@
-// What rc_priority_merge promises, if an offer that was not taken stays: what is taken is what one source offered, and that source
-// is told so; nobody else is; the first goes before the second, but an offer on show stays until it is taken.
+// Properties of rc_priority_merge, if an offer stays until it is accepted: the output carries the offer of one source, and only
+// that source sees the acceptance. The first source goes before the second, but an offer on the output stays until accepted.
 module priority_merge #(
   parameter int unsigned Width = 2
 ) (

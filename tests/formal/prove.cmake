@@ -26,7 +26,7 @@ foreach(parameter IN LISTS WITH)
   string(APPEND parameters " -set ${parameter}")
 endforeach()
 # Memories become registers, so that harnesses can name their words. The RTL is read without -formal: its own
-# assertions are for Verilator; what is assumed and what is claimed stands in the harness alone.
+# assertions are for Verilator. Only the harness has assumptions and claims.
 set(device "")
 set(cells "")
 set(quiet "")

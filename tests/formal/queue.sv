@@ -1,5 +1,5 @@
-// What rc_queue promises, if no more than Depth entries are ever there: the same as rc_fifo (fifo.sv), and that nothing
-// that is pushed is refused. Depth may be 1.
+// Properties of rc_queue, if it never gets more than Depth entries: those of rc_fifo (fifo.sv), and it accepts every push.
+// Depth may be 1.
 module queue #(
   parameter  int unsigned Depth  = 4,
   parameter  int unsigned Width  = 2,

@@ -1,5 +1,5 @@
-// What rc_sqrt promises, for every square: the root is the floor, and inexact_o tells whether something is left. A request is
-// followed through the stages by a delay line; what is before it or behind it, at least Every cycles away, is any.
+// Properties of rc_sqrt, for every square: the root is the floor, and inexact_o is set if there is a remainder. A delay line
+// follows one request through the stages. Requests before and after it are arbitrary, at least Every cycles away.
 module sqrt #(
   parameter  int unsigned Stages  = 2,
   parameter  int unsigned Bits    = 2,

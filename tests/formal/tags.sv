@@ -1,8 +1,10 @@
-// What rc_tags promises, if a way is taken only for a line that is not there and only if not all ways wait: a line that was
-// taken is found, in its way, until that way is taken again, and nothing else is; no line has two ways; a way that waits is
-// not given away; and the way that was used last is not the next to go, unless others wait.
+// Properties of rc_tags, if a way is allocated only for a line that is not in the set, and only if not all ways wait:
+// - an allocated line is found in its way until the way is allocated again, and no other line is found;
+// - no line has two ways;
+// - a way that waits is not replaced;
+// - the way that was used last is not the next one to be replaced, unless all others wait.
 //
-// Two sets of four ways. The proof tracks: every way's line, and which way of a set was used last.
+// The proof uses two sets of four ways. It tracks every way's line, and which way of a set was used last.
 module tags #(
   parameter  int unsigned TagW = 2,
   localparam int unsigned Sets = 2,

@@ -1,8 +1,8 @@
-// What rc_tags promises with Cut: for a request that is valid it answers as rc_tags without Cut does. Both instances see the
-// same look-ups; the one with Cut reads and compares its tags while the request waits as `next` and as `head`, moved as
-// rc_cache moves them. A way that is taken, or a tree that changes, while a request waits there is seen by its look-up.
+// Property of rc_tags with Cut: for a valid request it answers as rc_tags without Cut does. Both instances get the same
+// look-ups. The one with Cut reads and compares its tags while the request waits as `next` and as `head`, moved as rc_cache
+// moves them. If a way is allocated or a tree changes while a request waits there, its look-up sees the change.
 //
-// Two sets of two ways.
+// The proof uses two sets of two ways.
 module tags_ahead #(
   parameter  int unsigned TagW = 2,
   localparam int unsigned Sets = 2,

@@ -197,11 +197,11 @@ TEST_CASE("writing that is stopped leaves what was there, and else every row is 
         write_picture(folder / name, picture, no_hits(size));
         const std::string before = contents(folder / name);
         CHECK(compare(picture, read_picture(folder / name)).largest == 0);
-        int asked = 0;
+        int polls = 0;
         CHECK_THROWS_WITH(
-            write_picture(folder / name, grey_picture(size, 1), no_hits(size), [&] { return ++asked > 1; }),
+            write_picture(folder / name, grey_picture(size, 1), no_hits(size), [&] { return ++polls > 1; }),
             "interrupted: nothing is written");
-        CHECK(asked == 5);   // before a band, twice before the end, before reading back, before replacing
+        CHECK(polls == 5);   // before a band, twice before the end, before reading back, before replacing
         CHECK(contents(folder / name) == before);
     }
 }

@@ -14,8 +14,8 @@ namespace {
 
 struct Bad {
     std::string name, bytes;
-    std::vector<std::string> words;   ///< words that the sentence must contain, in addition to the file's
-                                      ///< name
+    /// Words that the sentence must contain, in addition to the file's name.
+    std::vector<std::string> words;
 };
 
 void check(const std::vector<Bad>& cases) {

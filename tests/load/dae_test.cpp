@@ -163,7 +163,7 @@ TEST_CASE("dae: a node's transforms are applied in their order, lookat and skew 
                Contains("lookat") && Contains("one line"));
 }
 
-TEST_CASE("dae: each part stands in the axes and the unit of its own asset") {
+TEST_CASE("dae: each part has the axes and the unit of its own asset") {
     const auto up = [](const char* axis) { return "<up_axis>" + std::string(axis) + "</up_axis>"; };
     check(document(here, mesh(plain), {}, up("Z_UP")),
           {[](const Point& p) { return Point(p.x, p.z, -p.y); }});
@@ -182,7 +182,7 @@ TEST_CASE("dae: each part stands in the axes and the unit of its own asset") {
     CHECK_THAT(load(document(here, small, {}, whole)).notes, Contains("unit or an up axis of their own"));
 }
 
-TEST_CASE("dae: a node or a geometry may stand in several places") {
+TEST_CASE("dae: a node or a geometry may occur in several places") {
     const std::string at4 = "<node><translate>4 0 0</translate><instance_node url=\"#n\"/></node>";
     const std::string library = "<library_nodes><node id=\"n\">" + instance + "</node></library_nodes>";
     check(document("<node><instance_node url=\"#n\"/></node>" + at4, mesh(plain), library),
@@ -244,19 +244,19 @@ TEST_CASE("dae: a polygon with holes is cut around them") {
 
 TEST_CASE("dae: colours come by parameters, a missing one is black, a glowing one needs no light") {
     const auto colour = [](const std::string& text) { return material(text).colour; };
-    const std::string asked = "<lambert><diffuse><param ref=\"c\"/></diffuse></lambert>";
+    const std::string reference = "<lambert><diffuse><param ref=\"c\"/></diffuse></lambert>";
     const auto param = [](const char* kind, const char* value) {
         return "<newparam sid=\"c\"><" + std::string(kind) + ">" + value + "</" + kind + "></newparam>";
     };
     const Point wanted(1, 0, 0);
     CHECK(colour(drawn_with("<lambert>" + std::string(red) + "</lambert>")) == wanted);
-    CHECK(colour(drawn_with(asked, param("float4", "1 0 0 1"))) == wanted);
-    CHECK(colour(drawn_with(asked, param("float3", "1 0 0"))) == wanted);
-    CHECK(colour(drawn_with(asked, {}, param("float4", "1 0 0 1"))) == wanted);
-    CHECK(colour(drawn_with(asked, param("float4", "0 1 0 1"), {},
+    CHECK(colour(drawn_with(reference, param("float4", "1 0 0 1"))) == wanted);
+    CHECK(colour(drawn_with(reference, param("float3", "1 0 0"))) == wanted);
+    CHECK(colour(drawn_with(reference, {}, param("float4", "1 0 0 1"))) == wanted);
+    CHECK(colour(drawn_with(reference, param("float4", "0 1 0 1"), {},
                             "<setparam ref=\"c\"><float4>1 0 0 1</float4></setparam>")) == wanted);
     const Folder folder;
-    CHECK_THAT(complaint(folder.write("a.dae", drawn_with(asked))), Contains("'c'"));
+    CHECK_THAT(complaint(folder.write("a.dae", drawn_with(reference))), Contains("'c'"));
     CHECK(colour(drawn_with("<phong><ambient><color>1 1 1 1</color></ambient></phong>")) == Point(0));
     const std::string emission = "<emission><color>1 0 0 1</color></emission>";
     const Material glowing = material(drawn_with("<constant>" + emission + "</constant>"));
@@ -286,7 +286,7 @@ TEST_CASE("dae: how transparent a material is, in the four modes of the standard
     CHECK(transmitted("", "1 1 1 1", "0.25", "FBX COLLADA exporter") == Approx(0.25));
 }
 
-TEST_CASE("dae: a skin stands as its joints do, a morph has the weights of the file") {
+TEST_CASE("dae: a skin has the pose of its joints, a morph has the weights of the file") {
     // A vertex: 0.75 of joint J at (4, 0, 0), 0.25 of joint K at (0, 8, 0), after the bind shape.
     check(document(skinned, mesh(plain), skin("2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1", one, "0.75 0.25")),
           {[](const Point& p) { return 2.0 * p + Point(3, 2, 0); }});

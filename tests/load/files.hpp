@@ -1,5 +1,5 @@
-// Small files for the tests of loading: a temporary folder, and one mesh written in every format.
 #pragma once
+// Small files for the tests of loading: a temporary folder, and one mesh written in every format.
 #include <array>
 #include <cstdint>
 #include <cstring>

@@ -123,7 +123,7 @@ TEST_CASE("gltf: base colour, metal, glass") {
     CHECK(material(3).index == 1.25);
 }
 
-TEST_CASE("gltf: cameras and lights stand where their nodes are") {
+TEST_CASE("gltf: cameras and lights are placed by their nodes") {
     Json json = document();
     json["cameras"] = {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}, {"aspectRatio", 2}}}}};

@@ -87,7 +87,7 @@ TEST_CASE("a JSON number that no double holds is refused with its place") {
     check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"a.glb: line 1", "'1e400'"});
 }
 
-TEST_CASE("a key that stands twice in a file is refused") {
+TEST_CASE("a key that occurs twice in a file is refused") {
     const Folder folder;
     check_says(quick(folder.write("a.json", R"({"meshes":{},"objects":[],"meshes":{}})")),
                {"'meshes'", "twice"});
@@ -120,7 +120,7 @@ TEST_CASE("pipes, devices and folders are refused by every reader") {
                {"p.obj: is not an ordinary file", "b.json: meshes.m.file asks for it"});
 }
 
-TEST_CASE("of a missing file both are named, it and the one that asks for it") {
+TEST_CASE("a message about a missing file names that file and the file that refers to it") {
     const Folder folder;
     check_says(quick(folder.write("a.gltf", Octahedron().gltf("none.bin"))),
                {folder.name("none.bin") + ": there is no such file",
@@ -184,7 +184,7 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
           "; there are '" + std::string(40, 'y') + "...'");
 }
 
-TEST_CASE("tens of thousands of materials, primitives and nodes take a time that grows with their number") {
+TEST_CASE("the time to read materials, primitives and nodes grows in proportion to their number") {
     const Folder folder;
     std::string obj = v3, mtl;
     for (int i = 0; i < 80'000; ++i) (obj += "usemtl m") += std::to_string(i) + "\nf 1 2 3\n";
@@ -207,8 +207,7 @@ TEST_CASE("tens of thousands of materials, primitives and nodes take a time that
     CHECK(quick(folder.write("a.json", json.dump())).empty());
 }
 
-TEST_CASE(
-    "a megabyte of names of missing files, or of faces with their corners in a few places, takes no time") {
+TEST_CASE("a megabyte of names of missing files, or of faces with few distinct corners, is read quickly") {
     const Folder folder;
     std::string names = "mtllib", places, face = "f";
     for (int i = 0; i < 150'000; ++i) (names += ' ') += std::to_string(i);
@@ -221,7 +220,7 @@ TEST_CASE(
     CHECK(quick(folder.write("places.obj", places + repeated(face + "\n", 49))).empty());
 }
 
-TEST_CASE("a small file cannot ask for more than its size allows") {
+TEST_CASE("a small file cannot declare more than its size allows") {
     const Folder folder;
     const std::string much = "makes more than 1024 MB";
     // Copies of copies, also of materials.

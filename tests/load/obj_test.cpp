@@ -117,7 +117,7 @@ TEST_CASE("polygons without an inside still give n - 2 triangles") {
     CHECK(cut.size() == 3);
 }
 
-TEST_CASE("negative indices count from the line they stand on") {
+TEST_CASE("negative indices count from their own line") {
     const Folder folder;
     const Scene scene = folder.load(
         "n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -1 -4 -3\nf 5 1 2\nv 7 7 7\n");

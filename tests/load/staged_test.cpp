@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of this test's that no signal's handler knows.
+/// A folder that is not on the list that signal handlers remove.
 struct UnmanagedFolder {
     fs::path path = fs::temp_directory_path() / ("rayclock-staged-test-" + std::to_string(getpid()));
     UnmanagedFolder() { fs::create_directory(path); }

@@ -20,8 +20,8 @@ namespace {
 struct Hostile {
     int number;
     const char *file, *old, *fresh;
-    const char* alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands
-                         ///< still
+    /// The message that refuses this RTL when it runs alone. Null if it makes a frame or stops.
+    const char* alone;
 };
 
 const Hostile hostile[] = {
@@ -47,9 +47,8 @@ const Hostile hostile[] = {
     {11, "mem/rc_arbiter.sv", "<< source_o;", "<< (rc_mut::id == 11 ? ~source_o : source_o);", nullptr},
 };
 
-/// While it lives, the RTL is the copy with all of them, and one can be called. It lies in the same
-/// place every time, since the place of the file that says which is part of the text, and of what the cache
-/// knows it by.
+/// While it exists, the RTL is the copy with all faults, and call() selects one. The copy always has the same
+/// path, because the path of the selecting file is part of the RTL's text and so of the cache's key.
 class HostileRtl {
 public:
     HostileRtl() : folder_(HOSTILE_FOLDER), caller_(folder_ / "called") {

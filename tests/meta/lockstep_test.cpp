@@ -56,7 +56,7 @@ Job small_job(int tri_interval = 1) {
     return make_job(scene, *scene.camera, {24, 18}, config);
 }
 
-/// What the model does first on a link that satisfies `wanted`: cycle, ray and pixel.
+/// The model's first transfer that satisfies `wanted`: cycle, ray and pixel.
 struct Event {
     std::uint64_t cycle = 0;
     std::uint32_t ray = 0, x = 0, y = 0;

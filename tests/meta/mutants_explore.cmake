@@ -15,13 +15,13 @@ mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST unit "what fit fin
 mutant(stress_sheared_rounds_by_triangle FILE model/unit/isect/sheared.cpp TEST system "controls are noticed*"
   OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
   NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
-mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp TEST system "the exact test stands*"
+mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp TEST system "the exact test meets*"
   OLD [[image.report.stack_need = nodes_[0].need;]]
   NEW [[image.report.stack_need = nodes_[0].need - 1;]])
 mutant(stress_judge_forgets_leaks FILE sim/explore/stress/judge.cpp TEST system "controls are noticed*"
   OLD [[counts.leaks += !missing.empty();]]
   NEW [[]])
-mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system "a test that meets no demand*"
+mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system "the study distinguishes a test that*"
   OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
   NEW [[false]])
 
@@ -41,8 +41,8 @@ mutant(merge_takes_what_was_interrupted FILE sim/explore/sweep/merge.cpp TEST cl
 
 # ---- balance.
 mutant(balance_never_exchanges FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
-  OLD [[if (up.ladder != down.ladder)]]
-  NEW [[if (up.ladder == down.ladder)]])
+  OLD [[if (up.parameter != down.parameter)]]
+  NEW [[if (up.parameter == down.parameter)]])
 mutant(balance_keeps_what_brings_nothing FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
   OLD [[return gain(m) < 0;]]
   NEW [[return gain(m) < 10;]])
@@ -54,10 +54,10 @@ mutant(chip_way_from_a_pad_counts FILE sim/silicon/chip/timing.cpp TEST chip "de
 mutant(chip_source_is_the_outermost_instance FILE sim/silicon/chip/cells.cpp TEST chip "the source of a cell*"
   OLD [[!line.empty()) found = line;]]
   NEW [[!line.empty() && found.empty()) found = line;]])
-mutant(chip_full_device_is_too_small FILE sim/silicon/chip/run.cpp TEST chip "what does not fit*"
+mutant(chip_full_device_is_too_small FILE sim/silicon/chip/run.cpp TEST chip "the message about a*"
   OLD [[if (needs <= has) continue;]]
   NEW [[if (needs < has) continue;]])
-mutant(chip_mixed_is_kept_as_static FILE sim/silicon/chip/run.cpp TEST cli "a chip that does not fit*"
+mutant(chip_mixed_is_kept_as_static FILE sim/silicon/chip/run.cpp TEST cli "the report of a chip that*"
   OLD [[last == first ? "" :]]
   NEW [[true ? "" :]])
 mutant(chip_anchors_take_a_site_twice FILE sim/silicon/chip/anchor.cpp TEST chip "anchors are the sites*"
@@ -69,10 +69,10 @@ mutant(chip_anchors_pass_each_other FILE sim/silicon/chip/anchor.cpp TEST chip "
 mutant(chip_else_of_a_simulation_is_lost FILE sim/silicon/synth/yosys.cpp TEST chip "a word in a comment*"
   OLD [[(word == "`endif" || (left_out == 1 && word == "`else"))]]
   NEW [[word == "`endif"]])
-mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/silicon/chip/nextpnr.cpp TEST chip "how far a run is*"
+mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/silicon/chip/nextpnr.cpp TEST chip "a run's log shows its*"
   OLD [[if (arcs > 0 && has_number)]]
   NEW [[if (arcs > 0 && (has_number || parts.size() >= 5))]])
-mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST chip "how far a run is*"
+mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST chip "a run's log shows its*"
   OLD [[if (!routes && line.starts_with("Info: overlap: "))]]
   NEW [[if (routes && line.starts_with("Info: overlap: "))]])
 

@@ -10,7 +10,7 @@ mutant(files_long_number_is_read FILE sim/files/text.cpp TEST load "a word of te
 mutant(files_name_written_raw FILE model/base/quote.cpp TEST load "what is odd*"
   OLD [[first >= 0x20 && first != 0x7f]]
   NEW [[first != 0x7f]])
-mutant(turns_are_not_counted FILE sim/load/json/motion.cpp TEST cli "few bytes*"
+mutant(turns_are_not_counted FILE sim/load/json/motion.cpp TEST cli "small files that declare*"
   OLD [[if (!loading.may_make(all * (sizeof(double) + sizeof(glm::dquat)))) keyframes.refuse(loading.too_much());]]
   NEW [[]])
 mutant(load_buffer_from_anywhere FILE sim/load/gltf/buffers.cpp TEST load "a glTF file reads*"

@@ -64,7 +64,7 @@ mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH
   NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- Answers that are wrong by a tie, judged pixel by pixel.
-mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "where coplanar triangles*"
+mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
   OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
   NEW [[return mine < theirs;]])
 
@@ -127,7 +127,7 @@ mutant(model_threshold_too_much_slack FILE model/unit/shade/pass.cpp TEST unit [
 mutant(model_approach_any_slab FILE model/unit/shade/approach.cpp TEST unit [approach]
   OLD [[d[k] < 0 ? q[k] > end : q[k] < -end]]
   NEW [[d[k] < 0 ? q[k] > end : q[k] <= -end]])
-mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system "of two spheres at one place*"
+mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system "of two equal spheres the second*"
   OLD [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;]]
   NEW [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second && seen.empty();]])
 mutant(host_plane_in_a_pane_is_a_pane_of_its_own FILE model/compile/surfaces.cpp TEST system [panes]

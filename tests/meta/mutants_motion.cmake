@@ -69,7 +69,7 @@ mutant(film_mesh_lattices_of_the_first_frame FILE model/compile/levels/maps.cpp 
 mutant(film_has_room_for_its_first_tree FILE model/compile/levels/moving.cpp TEST motion "frames of a film write*"
   OLD [[for (const Places& places : times) {]]
   NEW [[for (const Places& places : times.first(1)) {]])
-mutant(film_leaves_out_lines_of_zeros FILE model/compile/refit/flat.cpp TEST motion "the chip has what the host means*"
+mutant(film_leaves_out_lines_of_zeros FILE model/compile/refit/flat.cpp TEST motion "uploads give the chip the host's image*"
   OLD [[{held.begin(), part(written_)}, upload);]]
   NEW [[{held.begin(), part(tree)}, upload);]])
 mutant(film_writes_one_line_less FILE model/compile/levels/moving.cpp TEST motion [film]

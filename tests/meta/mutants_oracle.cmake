@@ -1,4 +1,4 @@
-# Faults of the judges themselves: oracles, ladder, and reference tracer. mutants_rtl.cmake explains a row.
+# Faults of the judges themselves: oracles, stages of causes, and reference tracer. mutants_rtl.cmake explains a row.
 
 # ---- The oracle of one level.
 mutant(oracle_fraction_by_boost FILE sim/judge/oracle/exact.hpp WITH tests/unit/fractions_test.cpp TEST unit "a fraction and a whole number*"
@@ -32,11 +32,11 @@ mutant(judge_of_levels_misses_short_refracted_rays FILE sim/judge/paths/path_bou
   NEW [[if (!rules_.placed && std::max(]])
 
 # ---- Causes of differing pixels.
-mutant(ladder_forgets_ties_of_rays_to_far_lights FILE sim/judge/cause/guide.cpp TEST system "where the rounded direction*"
+mutant(stages_forget_ties_of_rays_to_far_lights FILE sim/judge/cause/guide.cpp TEST system "where the rounded direction*"
   OLD [[        if (is_blocking_tied(moved, distance, machine)) {
             tie();]]
   NEW [[        if (is_blocking_tied(moved, distance, machine)) {]])
-mutant(judge_planes_turn_less_than_proven FILE sim/judge/paths/world.cpp TEST system "a light far off beside a plane*"
+mutant(judge_planes_turn_less_than_proven FILE sim/judge/paths/world.cpp TEST system "a distant light close to a plane*"
   OLD [[return half * (a + b + half) / glm::length(glm::cross(p, q));]]
   NEW [[return std::exp2(6 - lattice.coord_bits);]])
 mutant(seams_are_nowhere FILE sim/judge/cause/seam.cpp TEST system [cause][levels]

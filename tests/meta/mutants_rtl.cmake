@@ -36,13 +36,13 @@ mutant(hitdiv_t_wraps FILE rtl/unit/isect/rc_hitdiv.sv TEST unit "t ends where i
 mutant(sphere_far_root_rounded_down FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || r_lost) && 1'b0};]])
-mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
+mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit "a discriminant next to a square is not*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
 mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[? 2 * (M + OriginWidth) + 2 : 2 * (N + OriginWidth) + 4;]]
   NEW [[? 2 * (M + OriginWidth) + 1 : 2 * (N + OriginWidth) + 3;]])
-mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "the sphere test distinguishes inside*"
   OLD [[assign s3_goes  = (!s3_own || s3_inside)]]
   NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
 mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/isect/rc_sphere.sv

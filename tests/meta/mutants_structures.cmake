@@ -35,7 +35,7 @@ mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/comp
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/engine/kd/clip.cpp TEST accel [slant]
-  OLD [[wall.at + (wall.upper ? -beside : beside)]]
+  OLD [[wall.at + (wall.upper ? -margin : margin)]]
   NEW [[wall.at + (wall.upper ? 40 : -40)]])
 mutant(kd_loses_what_lies_in_a_plane FILE model/engine/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]

@@ -41,7 +41,7 @@ mutant(page_escapes_no_markup FILE sim/view/page/html.cpp TEST cli "names with m
 mutant(page_data_ends_its_element FILE sim/view/page/html.cpp TEST cli "names with markup in them*"
   OLD [[out += "\\u003c";]]
   NEW [[out += '<';]])
-mutant(explain_forgets_merged_misses FILE sim/view/explain/json.cpp TEST cli "explain counts look-ups*"
+mutant(explain_forgets_merged_misses FILE sim/view/explain/json.cpp TEST cli "explain counts look-ups that*"
   OLD [[{"cache_misses", ray.misses + ray.merges},]]
   NEW [[{"cache_misses", ray.misses},]])
 mutant(compare_lets_a_bound_pass FILE sim/view/compare/compare.cpp TEST cli "compare finds*"

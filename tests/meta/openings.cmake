@@ -1,5 +1,6 @@
 # cmake -DSOURCE= -DFOLDERS=a,b -P openings.cmake
-# Checks that every C and C++ file in the folders opens with a comment. In a header the comment follows #pragma once.
+# Checks that every C and C++ file in the folders opens with a comment. A C++ header has #pragma once in its first line, and the
+# comment in its second.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(faults "")
 set(count 0)
@@ -9,7 +10,9 @@ foreach(folder IN LISTS folders)
   foreach(file IN LISTS files)
     math(EXPR count "${count} + 1")
     file(READ ${SOURCE}/${file} start LIMIT 32)
-    if(NOT start MATCHES "^(#pragma once\n)?/[/*]")
+    if(file MATCHES "[.]hpp$" AND NOT start MATCHES "^#pragma once\n")
+      string(APPEND faults "${file}: #pragma once is not its first line\n")
+    elseif(NOT start MATCHES "^(#pragma once\n)?/[/*]")
       string(APPEND faults "${file}: does not open with a comment\n")
     endif()
   endforeach()

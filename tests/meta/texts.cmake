@@ -1,6 +1,6 @@
 # cmake -DFOLDER= -DSOURCE= -P texts.cmake
-# Every row of the table, slow ones too, still finds its text: so that a change to the code is told at once that a mutant
-# has to follow.
+# Checks that every mutant, also each slow one, still finds its text. So a change to the code shows at once which mutants must
+# follow.
 file(STRINGS ${FOLDER}/names names)
 set(lost "")
 foreach(name IN LISTS names)
@@ -17,7 +17,7 @@ foreach(name IN LISTS names)
     endif()
   endforeach()
 endforeach()
-# docs/verdict.md tells every fault of a rule, and none that is not there.
+# docs/verdict.md names every fault of a rule, and no mutant that does not exist.
 cmake_policy(SET CMP0057 NEW)
 file(READ ${SOURCE}/docs/verdict.md verdict)
 string(REGEX MATCHALL "`(rule|judge)_[a-z0-9_]+`" told "${verdict}")

@@ -26,7 +26,7 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
 
 }   // namespace
 
-TEST_CASE("keyed shapes: every corner goes straight from key to key, and stays before and behind them",
+TEST_CASE("keyed shapes: every corner moves straight from key to key, and stays still before and after them",
           "[motion][deform]") {
     const Folder folder;
     folder.write("a.obj", square);

@@ -54,7 +54,7 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
             INFO("frame " << f);
             CHECK(upload.instances == (f == 0 ? 0 : 45));
             CHECK_FALSE(upload.is_whole);
-            CHECK(upload.beside == (is_double && f > 0));
+            CHECK(upload.overlaps_previous_frame == (is_double && f > 0));
             // Between frames every tree is where the last one was read. With two buffers each is read every
             // second frame, and one reset empties the caches of both.
             CHECK(upload.resets == (is_double ? f > 0 && f % 2 == 0 : f > 0));
@@ -294,7 +294,7 @@ TEST_CASE("a film of two levels has finished pictures, and its light moves", "[m
     }
 }
 
-TEST_CASE("the times of frames are those that were asked for", "[motion][film]") {
+TEST_CASE("the times of frames are the requested ones", "[motion][film]") {
     FramesOptions o;
     CHECK(frame_times(o, true).times == std::vector<double>{0});
     o.frames = 3;

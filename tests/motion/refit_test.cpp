@@ -225,7 +225,7 @@ void compare_below(std::uint32_t line, const Decoder& host, const MemoryImage& i
 
 }   // namespace
 
-TEST_CASE("the chip has what the host means, whatever its memory held, though a line be zeros",
+TEST_CASE("uploads give the chip the host's image, whatever its memory held before, even for lines of zeros",
           "[motion][refit]") {
     const Config config = named_config("default");
     const Bounds box{glm::dvec3(-4), glm::dvec3(4)};

@@ -58,8 +58,8 @@ TEST_CASE("writes keep the gates of every memory, and so do the reads between th
     dram.record(&log);
     Rng rng{7};
     std::vector<bool> under_way(8);
-    std::uint64_t written = 0, asked = 0, answered = 0;
-    while (written < 600 || asked < 600 || answered < asked || dram.writes()) {
+    std::uint64_t written = 0, requested = 0, answered = 0;
+    while (written < 600 || requested < 600 || answered < requested || dram.writes()) {
         REQUIRE(dram.now() < 200'000);
         if (dram.valid()) {
             under_way[dram.answer().id] = false;
@@ -69,13 +69,14 @@ TEST_CASE("writes keep the gates of every memory, and so do the reads between th
         std::uint32_t id = 0;
         while (id < 8 && under_way[id]) ++id;
         const auto addr = std::uint32_t(rng.below(3) ? rng.below(600) : rng.below(1 << 18));
-        const bool goes = dram.ready() && rng.below(3) && (writes ? written < 600 : id < 8 && asked < 600);
+        const bool goes =
+            dram.ready() && rng.below(3) && (writes ? written < 600 : id < 8 && requested < 600);
         const Dram::Answer request{writes ? 0 : id, addr, writes};
         if (goes) {
             if (writes)
                 ++written;
             else
-                ++asked, under_way[id] = true;
+                ++requested, under_way[id] = true;
         }
         dram.clock(goes ? &request : nullptr);
     }
@@ -109,7 +110,7 @@ TEST_CASE("the host's writes in sequence come near the peak of the memory", "[mo
     }
 }
 
-TEST_CASE("an ideal memory takes a write in the place of a request", "[motion][dram]") {
+TEST_CASE("an ideal memory accepts a write in place of a request", "[motion][dram]") {
     Config config = named_config("default");
     set_parameter(config, "dram", "ideal", "test");
     set_parameter(config, "mem_interval", "3", "test");

@@ -49,7 +49,7 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
         CHECK(misses == account(unit, 1));
         CHECK(merges == account(unit, 2));
     }
-    if (config.l2_sets == 0) {   // each miss asks the memory for its line, on behalf of the ray that missed
+    if (config.l2_sets == 0) {   // each miss requests its line from the memory, for the ray that missed
         const std::uint64_t words[] = {
             std::uint64_t(config.node_line), std::uint64_t(config.prim_line),
             std::uint64_t(config.is_stream() ? config.stream_line : config.surf_line)};

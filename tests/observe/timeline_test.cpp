@@ -173,7 +173,7 @@ std::map<std::string, std::vector<Slice>> decoded(const std::string& bytes) {
     return done;
 }
 
-/// A waveform of texts, read by GTKWave's code: of each signal the cycles that each of its texts stands.
+/// A waveform of texts, read by GTKWave's code: for each signal and each of its texts, the number of cycles.
 struct WavesOfText {
     std::map<std::string, std::map<std::string, std::uint64_t>> cycles;
     WavesOfText(const std::string& bytes, std::uint64_t last) {

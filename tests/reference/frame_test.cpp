@@ -88,7 +88,7 @@ TEST_CASE("a frame's pixels are the rays of the camera's definition, row by row"
     CHECK(frame.hits[0].primitive == no_primitive);
 }
 
-TEST_CASE("progress is told by one thread at a time, grows, and ends at the total", "[reference]") {
+TEST_CASE("one thread at a time reports progress, which grows and ends at the total", "[reference]") {
     std::atomic<int> inside = 0;
     std::uint64_t last = 0;
     bool alone = true, grows = true;

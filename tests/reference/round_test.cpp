@@ -112,8 +112,8 @@ TEST_CASE("triangles, spheres and planes count through", "[reference][round]") {
     const Reference reference(scene);
     CHECK(reference.trace({0, 0, 4}, {0, 0, -1}).primitive == 0);
     CHECK(reference.trace({5, 0, 4}, {0, 0, -1}).primitive == 1);
-    CHECK(reference.trace({5, 0, -4}, {0, 0, 1}).primitive == 1);   // both begin at z = -1: the lower number
-                                                                    // wins
+    // Both begin at z = -1: the lower number wins.
+    CHECK(reference.trace({5, 0, -4}, {0, 0, 1}).primitive == 1);
     CHECK(reference.trace({9, 0, 4}, {0, 0, -1}).primitive == 3);
     CHECK(reference.trace({9, 0, 4}, {0, 0, 1}).primitive == no_primitive);
     CHECK(reference.trace({9, 0, 4}, {1, 0, 0}).primitive == no_primitive);

@@ -238,8 +238,8 @@ TEST_CASE("The camera of every built-in scene sees something in the middle of it
             inside += p.x > 0 && p.x < 99 && p.y > 0 && p.y < 99;
         }
         const std::size_t parts = scene.vertices.size() + scene.spheres.size();
-        const std::size_t least = b.name == "wknd" ? 5 : 3;   // its published camera sees one corner of the
-                                                              // grid
+        // Its published camera sees one corner of the grid.
+        const std::size_t least = b.name == "wknd" ? 5 : 3;
         if (parts > 0)
             CHECK(least * inside > parts);
         else

@@ -99,9 +99,8 @@ TEST_CASE("timing does not make another trace, every width does") {
 }
 
 TEST_CASE("parts of a sweep share no point, miss none, and cut few traces") {
-    const std::vector<sweep::Point> points =
-        points_of({"clock=33,66,90,120,200", "coord_bits=12,14,16,18"});   // every fourth point shares a
-                                                                           // trace
+    // Every fourth point shares a trace.
+    const std::vector<sweep::Point> points = points_of({"clock=33,66,90,120,200", "coord_bits=12,14,16,18"});
     for (const int of : {1, 3, 4, 7, 20}) {
         INFO(of << " parts");
         std::vector<int> seen(points.size());

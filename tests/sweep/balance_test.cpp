@@ -46,13 +46,13 @@ struct Formulas {
 /// Returns all machines one step away, up (1) or down (-1) in one parameter.
 std::vector<Config> steps(const Config& config, int by) {
     std::vector<Config> all;
-    for (const Ladder& ladder : ladders()) {
-        const auto at = std::find(ladder.rungs.begin(), ladder.rungs.end(), config.*ladder.member);
-        REQUIRE(at != ladder.rungs.end());
-        const std::ptrdiff_t to = at - ladder.rungs.begin() + by;
-        if (to < 0 || to >= std::ptrdiff_t(ladder.rungs.size())) continue;
+    for (const ParameterValues& p : parameter_values()) {
+        const auto at = std::find(p.values.begin(), p.values.end(), config.*p.member);
+        REQUIRE(at != p.values.end());
+        const std::ptrdiff_t to = at - p.values.begin() + by;
+        if (to < 0 || to >= std::ptrdiff_t(p.values.size())) continue;
         all.push_back(config);
-        all.back().*ladder.member = ladder.rungs[std::size_t(to)];
+        all.back().*p.member = p.values[std::size_t(to)];
     }
     return all;
 }
@@ -117,7 +117,7 @@ TEST_CASE("the path goes from the least machine to the best, and each machine on
     const std::optional<SearchResult> found = search(named_config("default"), rooms[3], formulas.evaluator());
     REQUIRE(found);
     Config at = found->first.config;
-    for (const Ladder& ladder : ladders()) CHECK(at.*ladder.member == ladder.rungs.front());
+    for (const ParameterValues& p : parameter_values()) CHECK(at.*p.member == p.values.front());
     REQUIRE(found->others.size() == 3);   // eight pipelines at their least do not fit
     CHECK_FALSE(fits(*found->others.back().use, rooms[3]));
     for (const Machine& other : found->others) {
@@ -127,17 +127,17 @@ TEST_CASE("the path goes from the least machine to the best, and each machine on
     double fps = *found->first.fps;
     for (const Machine& machine : found->path) {
         for (const Step& step : machine.steps) {
-            CHECK(at.*step.ladder->member == step.from);
-            at.*step.ladder->member = step.to;
+            CHECK(at.*step.parameter->member == step.from);
+            at.*step.parameter->member = step.to;
         }
-        for (const Ladder& ladder : ladders()) CHECK(at.*ladder.member == machine.config.*ladder.member);
+        for (const ParameterValues& p : parameter_values()) CHECK(at.*p.member == machine.config.*p.member);
         CHECK(*machine.fps >= fps);
         CHECK(inside(*machine.use, rooms[3]));
         fps = *machine.fps;
     }
     CHECK(found->path.size() >= 5);
     CHECK(formulas.sizes < found->machines / 2);   // Yosys is used only for machines that would be faster
-    // Parameters without a ladder are the base's.
+    // Other parameters keep the base's values.
     CHECK(found->best().config.coord_bits == named_config("default").coord_bits);
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("an entry that is broken is worked out again") {
     }
 }
 
-TEST_CASE("a refusal is kept as well, and each memory is asked for itself") {
+TEST_CASE("a refusal is cached as well, separately for each memory") {
     const CacheFolder folder;
     const Scene scene = scene_with_camera("icosphere:2");
     for (const std::size_t known : {0, 2}) {

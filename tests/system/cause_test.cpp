@@ -178,7 +178,8 @@ TEST_CASE("the oracle finds every answer right, and every pixel that differs has
     CHECK(tally_other == j.causes_other);
 }
 
-TEST_CASE("where coplanar triangles are hit at the same t, the oracle wants the lowest number", "[cause]") {
+TEST_CASE("the oracle requires the lowest number of coplanar triangles that are hit at the same t",
+          "[cause]") {
     Scene scene = waves(16);
     for (glm::dvec3& v : scene.vertices) v.z = scene.vertices[0].z;
     const auto last = std::uint32_t(scene.vertices.size() - 1);

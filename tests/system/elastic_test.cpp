@@ -86,7 +86,7 @@ TEST_CASE("the project's RTL passes elastic verification in the model's cycles")
     }
 }
 
-TEST_CASE("elastic verification takes several frames on one machine") {
+TEST_CASE("elastic verification runs several frames on one machine") {
     const Shot shot = make_shot("gears:1", {24, 18}, quick_config("small"));
     std::vector<RecordedFrame> frames;
     for (int i = 0; i < 3; ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("a tri with five more cycles passes, and lockstep names tri") {
     CHECK(result.rtl.cycles > result.model.cycles);
 }
 
-TEST_CASE("a tri that takes a primitive every third cycle passes, and lockstep names tri", "[slow]") {
+TEST_CASE("a tri that accepts a primitive every third cycle passes, and lockstep names tri", "[slow]") {
     const OtherUnit other("tri", rtl_folder + "slow_tri.sv");
     const ElasticResult result = check_other_timing(small_job(), "tri");
     CHECK(result.rtl.cycles > result.model.cycles);

@@ -36,10 +36,10 @@ Config with_all_units(Config config, const Whitted& settings) {
     return all;
 }
 
-Job finished_job(const Finished& asked, FrameSize size, const Config& config) {
-    Scene scene = load_scene(asked.scene, {}, Primitives::native);
+Job finished_job(const Finished& picture, FrameSize size, const Config& config) {
+    Scene scene = load_scene(picture.scene, {}, Primitives::native);
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
-    return make_job(scene, *scene.camera, size, config, {}, asked.settings);
+    return make_job(scene, *scene.camera, size, config, {}, picture.settings);
 }
 
 const std::vector<Finished> pictures{{"spheres", {4}},
@@ -72,11 +72,11 @@ TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
 }
 
 TEST_CASE("model and RTL make the same finished pictures in the same cycles") {
-    const Finished asked = GENERATE(from_range(pictures));
+    const Finished picture = GENERATE(from_range(pictures));
     const std::string config = GENERATE("default", "narrow");
-    INFO(asked.scene << " depth " << asked.settings.depth << " aa " << asked.settings.aa << " configuration "
-                     << config);
-    check_lockstep(finished_job(asked, {24, 18}, with_all_units(quick_config(config), asked.settings)));
+    INFO(picture.scene << " depth " << picture.settings.depth << " aa " << picture.settings.aa
+                       << " configuration " << config);
+    check_lockstep(finished_job(picture, {24, 18}, with_all_units(quick_config(config), picture.settings)));
 }
 
 TEST_CASE("finished pictures do not depend on memory and sinks") {

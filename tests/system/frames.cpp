@@ -132,9 +132,9 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
                                 code(Unit::stream, 1) * std::uint64_t(config.stream_line / line_bytes);
     CHECK(code(Unit::memport, 0) == words);
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
-    const std::uint64_t asked =
+    const std::uint64_t requested =
         config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words;
-    CHECK(run.memory.reads == asked + run.memory.scanned);
+    CHECK(run.memory.reads == requested + run.memory.scanned);
     CHECK(run.box_tests >= (config.is_bvh() ? steps : 0));
     CHECK(run.box_tests <= run.visits * std::uint64_t(config.node_width));
 }

@@ -42,15 +42,15 @@ struct Case {
         job = make_job(scene, *scene.camera, size, units, {}, settings);
         trace = record_frame(job, job.frame);
     }
-    FrameInputs asked() const { return {scene, *scene.camera, trace.frame, job.image.lattice, job.config}; }
+    FrameInputs inputs() const { return {scene, *scene.camera, trace.frame, job.image.lattice, job.config}; }
     PictureJudgement judged() const {
-        return judge_picture(asked(), job.image, settings,
+        return judge_picture(inputs(), job.image, settings,
                              {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
     }
     Judgement judged_hits() const {
         const HitFrame reference = Reference(scene).frame(*scene.camera, size);
         const Picture picture = shade(scene, scaled(job, job.frame, trace.trace.hits));
-        return judge(asked(), job.image, {reference, trace.trace.hits, picture});
+        return judge(inputs(), job.image, {reference, trace.trace.hits, picture});
     }
     /// Replaces the placement of the instances.
     void move(const std::function<void(PlacedScene&)>& change) {
@@ -122,7 +122,7 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
     }
 }
 
-TEST_CASE("every ray of planes and true spheres beside instances is judged, in every structure",
+TEST_CASE("every ray is judged in scenes of planes, true spheres and instances, in every structure",
           "[judge][levels]") {
     for (const Structure structure : tree_structures()) {
         INFO(name_of(structure));
@@ -144,17 +144,18 @@ TEST_CASE("every ray of planes and true spheres beside instances is judged, in e
 TEST_CASE("an answer of planes and true spheres next to instances with any fault is wrong",
           "[judge][levels]") {
     const Case made(mixed_with_round(false), true, named_config("default"), 2);
-    const FrameInputs asked = made.asked();
-    const PlacedWorld world(asked, made.job.image);
+    const FrameInputs inputs = made.inputs();
+    const PlacedWorld world(inputs, made.job.image);
     REQUIRE(world.faults().empty());
     const std::vector<Closest>& hits = made.trace.trace.hits;
     const auto first = std::uint32_t(made.scene.triangles.size()), plane = first + 2;
     const auto judged = [&](std::size_t at, const Closest& answer) {
         const std::uint32_t x = std::uint32_t(at) % size.width, y = std::uint32_t(at) / size.width;
         Ray ray;
-        ray.d = exact_direction(asked.frame, asked.config, made.settings, int(x), int(y), 0);
-        for (std::size_t k = 0; k < 3; ++k) ray.o[k] = asked.frame.eye[k] * (1 << asked.config.origin_frac());
-        const char* const wrong = judge_answer(world, asked.config, ray, answer);
+        ray.d = exact_direction(inputs.frame, inputs.config, made.settings, int(x), int(y), 0);
+        for (std::size_t k = 0; k < 3; ++k)
+            ray.o[k] = inputs.frame.eye[k] * (1 << inputs.config.origin_frac());
+        const char* const wrong = judge_answer(world, inputs.config, ray, answer);
         return std::string(wrong ? wrong : "");
     };
     const auto seen_plane =

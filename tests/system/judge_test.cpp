@@ -18,8 +18,8 @@ struct Case {
     Job job;
     RecordedFrame trace;
 
-    Case(const std::string& name, const Whitted& asked, const Config& config, FrameSize size = {48, 36})
-        : scene(load_scene(name, {}, Primitives::native)), settings(asked) {
+    Case(const std::string& name, const Whitted& given, const Config& config, FrameSize size = {48, 36})
+        : scene(load_scene(name, {}, Primitives::native)), settings(given) {
         if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
         Config units = fitted_config(scene, settings, config);
         units.stack_depth = 64;
@@ -27,8 +27,8 @@ struct Case {
         trace = record_frame(job, job.frame);
     }
     PictureJudgement judged() const {
-        const FrameInputs asked{scene, *scene.camera, trace.frame, job.image.lattice, job.config};
-        return judge_picture(asked, job.image, settings,
+        const FrameInputs inputs{scene, *scene.camera, trace.frame, job.image.lattice, job.config};
+        return judge_picture(inputs, job.image, settings,
                              {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
     }
 };

@@ -38,9 +38,9 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
 /// Returns chips with two structures.
 const std::vector<Config>& two_engines() {
     static const std::vector<Config> all{
-        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // the lower unit has a
-                                                                                     // longer interval
-        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // the door closes
+        // The lower unit has a longer interval.
+        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),
+        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),   // the door closes
         both("small", Structure::bsp, Structure::spheres, 4, fast)};
     return all;
 }

@@ -102,22 +102,22 @@ Scene scene_of(const Setting& s) {
 }   // namespace
 
 TEST_CASE("planes that transmit or mirror are drawn up to the horizon as the reference draws them",
-          "[ladder][panes]") {
+          "[stages][panes]") {
     const Setting setting = GENERATE(from_range(settings));
     const int levels = GENERATE(1, 2);
     CAPTURE(setting.what, levels);
     const Scene scene = scene_of(setting);
     const FrameSize size{80, 60};
-    const Whitted asked{3};
+    const Whitted whitted{3};
     Config config = named_config("default");
     config.levels = levels, config.stack_depth = 64;
-    config = fitted_config(scene, asked, config);
-    const Job job = make_job(scene, *scene.camera, size, config, {}, asked);
+    config = fitted_config(scene, whitted, config);
+    const Job job = make_job(scene, *scene.camera, size, config, {}, whitted);
     const RecordedFrame made = record_frame(job, job.frame);
-    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, asked, 1);
+    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, whitted, 1);
     const Picture picture = picture_from_colours(size, made.trace.colours);
     const Judgement judged =
-        judge_finished({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, asked,
+        judge_finished({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, whitted,
                        {right, picture, {made.trace.hits, made.trace.colours, made.trace.signatures}},
                        scaled(job, job.frame, made.trace.hits));
     for (const PictureFault& f : judged.faults)

@@ -132,15 +132,15 @@ TEST_CASE("spheres seen from both sides are drawn as the reference draws them", 
     CAPTURE(setting.what, name, levels);
     const Scene scene = scene_of(setting);
     const FrameSize size{64, 48};
-    const Whitted asked{3};
-    Config config = fitted_config(scene, asked, named_config(name));
+    const Whitted whitted{3};
+    Config config = fitted_config(scene, whitted, named_config(name));
     config.stack_depth = 64, config.levels = levels;
-    const Job job = make_job(scene, *scene.camera, size, config, {}, asked);
+    const Job job = make_job(scene, *scene.camera, size, config, {}, whitted);
     const RecordedFrame made = record_frame(job, job.frame);
-    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, asked, 1);
+    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, whitted, 1);
 
     const PictureJudgement judged =
-        judge_picture({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, asked,
+        judge_picture({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, whitted,
                       {made.trace.hits, made.trace.colours, made.trace.signatures});
     for (const PictureFault& f : judged.faults)
         FAIL_CHECK("pixel (" << f.x << ", " << f.y << "), after ray " << f.ray << ": " << f.what);

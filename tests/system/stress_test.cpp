@@ -88,7 +88,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("the exact test stands every hard case, on every lattice", "[stress]") {
+TEST_CASE("the exact test meets every demand in every hard case, on every lattice", "[stress]") {
     Plan plan = small_plan({"exact"}, 600'000);
     plan.bits = {12, 13, 14, 15, 16, 17, 18, 19, 20};
     const Outcome outcome = run(plan);
@@ -138,7 +138,7 @@ TEST_CASE("controls are noticed, the sheared test is watertight, float and trunc
     CHECK(of("sheared", "edges").oracle_mismatches > 0);   // watertight, but not exact
 }
 
-TEST_CASE("a test that meets no demand is told from one that does", "[stress]") {
+TEST_CASE("the study distinguishes a test that meets no demand from one that does", "[stress]") {
     const NamedTest exact = named_test("exact"), control = named_test("inclusive");
     Cell clean{"exact", 16, "edges", {}}, seams{"exact", 16, "t_junction", {}};
     clean.counts.rays = seams.counts.rays = 100;

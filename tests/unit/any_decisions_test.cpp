@@ -40,8 +40,8 @@ TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[a
     REQUIRE(blocked > 200);
 }
 
-TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays", "[tri][any]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("the sphere test distinguishes inside, rim and the sphere's own rays", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_format("default");
     const int one = 1 << config.origin_bits, full = 1 << (config.dir_bits - 1);
     const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1,
@@ -68,8 +68,8 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
     };
     struct Case {
         TriReq req;
-        std::uint32_t closer, t, back, opaque;   // t in lattice steps; `opaque`: `closer` for an opaque
-                                                 // sphere
+        // `t` in lattice steps. `opaque` is `closer` for an opaque sphere.
+        std::uint32_t closer, t, back, opaque;
     };
     const int rim = 100 * one;
     const Case cases[] = {
@@ -106,8 +106,7 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0, 0},              // to its other side
         {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0, 0},   // to its own point
         {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0, 0},   // to its own point, seen from inside
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0, 0},       // the same with the light inside as
-                                                                      // well
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0, 0},       // the same, and the light is inside
         {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0, 1},             // out of it
         {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0, 0},
         {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0, 0},                             // a light on it: away

@@ -216,8 +216,8 @@ TEMPLATE_TEST_CASE("tri of a chip that shades answers after exactly its latency"
     check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades takes a primitive in every cycle", "[tri][any]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades accepts a primitive in every cycle", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(0, 8));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });

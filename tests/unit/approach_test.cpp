@@ -64,7 +64,7 @@ Vec3l inner_point(Draw& draw, const Config& c) {
 
 }   // namespace
 
-TEST_CASE("a ray from beyond the lattice comes into it where division says", "[approach]") {
+TEST_CASE("a ray from beyond the lattice enters it at the point that exact division gives", "[approach]") {
     const Config c = shaded_format(GENERATE("all", "narrow", "broad", "short"));
     Draw draw{1};
     int entered = 0;
@@ -108,7 +108,7 @@ TEST_CASE("every ray to a finite primitive enters the lattice before that primit
     }
 }
 
-TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or ask planes alone",
+TEST_CASE("a bounce from beyond the lattice starts where it enters the lattice, or tests planes alone",
           "[far]") {
     Config c = shaded_format("all");
     c.horizon = GENERATE(0, 1);

@@ -12,8 +12,8 @@ TEMPLATE_TEST_CASE("a hit is answered exactly three cycles after it was accepted
     in_quick_shapes<TestType>(check_hit_latency<TestType>);
 }
 
-TEMPLATE_TEST_CASE("a miss asks memory after two cycles and is answered three after the last word", "[cache]",
-                   ALL_CACHES) {
+TEMPLATE_TEST_CASE("a miss requests its line after two cycles and is answered three after the last word",
+                   "[cache]", ALL_CACHES) {
     in_quick_shapes<TestType>(check_miss_latency<TestType>);
 }
 
@@ -25,12 +25,12 @@ TEMPLATE_TEST_CASE("hits go on while a line is on its way", "[cache]", ALL_CACHE
     in_quick_shapes<TestType>(check_hit_under_miss<TestType>);
 }
 
-TEMPLATE_TEST_CASE("misses to one line ask memory once and are answered in order, one a cycle", "[cache]",
+TEMPLATE_TEST_CASE("misses to one line send one request and are answered in order, one a cycle", "[cache]",
                    ALL_CACHES) {
     in_quick_shapes<TestType>(check_merges<TestType>);
 }
 
-TEMPLATE_TEST_CASE("a set gives up the line that the tree says was used longest ago", "[cache]", ALL_CACHES) {
+TEMPLATE_TEST_CASE("the pseudo-LRU way of a set is replaced", "[cache]", ALL_CACHES) {
     in_quick_shapes<TestType>(check_eviction<TestType>);
 }
 
@@ -46,7 +46,8 @@ TEMPLATE_TEST_CASE("a look-up waits while no MSHR is free", "[cache]", ALL_CACHE
     in_quick_shapes<TestType>(check_full_mshrs<TestType>);
 }
 
-TEMPLATE_TEST_CASE("answers that are not taken stop a cache, and nothing is lost", "[cache]", ALL_CACHES) {
+TEMPLATE_TEST_CASE("a cache stalls while its answers are not accepted, and loses nothing", "[cache]",
+                   ALL_CACHES) {
     in_quick_shapes<TestType>(check_answers_not_taken<TestType>);
 }
 

@@ -7,17 +7,18 @@ using namespace rayclock::test;
 
 namespace {
 
-struct Asked {
+struct TimedRequest {
     std::uint64_t cycle;
     Dram::Answer what;
 };
 
 /// Sends random requests to `channels` and calls `each` in every cycle. Returns the requests with their
 /// cycles.
-template <class Each> std::vector<Asked> drive(DramChannels& channels, int turns, int ids, Each&& each) {
+template <class Each>
+std::vector<TimedRequest> drive(DramChannels& channels, int turns, int ids, Each&& each) {
     Rng rng{std::uint64_t(turns)};
     std::vector<char> under_way(std::size_t(ids), 0);
-    std::vector<Asked> asked;
+    std::vector<TimedRequest> sent;
     for (int i = 0; i < turns; ++i) {
         if (channels.valid()) {
             REQUIRE(under_way[channels.answer().id]);
@@ -28,12 +29,12 @@ template <class Each> std::vector<Asked> drive(DramChannels& channels, int turns
         const bool sends = channels.ready() && !under_way[id] && (i / 500 % 2 || rng.below(40) == 0);
         const Dram::Answer request{id, std::uint32_t(rng.below(2) ? rng.below(1 << 20) : rng.below(512))};
         if (sends) {
-            asked.push_back({channels.now(), request});
+            sent.push_back({channels.now(), request});
             under_way[id] = 1;
         }
         channels.clock(sends ? &request : nullptr);
     }
-    return asked;
+    return sent;
 }
 
 }   // namespace
@@ -52,10 +53,10 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
         std::uint32_t addr;
     };
     std::vector<MachineOutput> given;
-    const auto asked = drive(channels, 12'000, ids, [&] {
+    const auto sent = drive(channels, 12'000, ids, [&] {
         if (channels.valid()) given.push_back({channels.now(), channels.answer().addr});
     });
-    REQUIRE(asked.size() > 50);
+    REQUIRE(sent.size() > 50);
     CAPTURE(name, n, khz);
 
     // The same requests, each to a separate DRAM.
@@ -67,11 +68,10 @@ TEST_CASE("each channel is a DRAM of its own, and neighbouring words lie in diff
         for (std::uint64_t cycle = 0; cycle < 12'000; ++cycle) {
             if (dram.valid())
                 due.push_back({cycle, dram.answer().addr * std::uint32_t(n) + std::uint32_t(c)});
-            while (next < asked.size() && asked[next].what.addr % std::uint32_t(n) != std::uint32_t(c))
-                ++next;
-            const bool now = next < asked.size() && asked[next].cycle == cycle;
-            const Dram::Answer own{now ? asked[next].what.id : 0,
-                                   now ? asked[next].what.addr / std::uint32_t(n) : 0};
+            while (next < sent.size() && sent[next].what.addr % std::uint32_t(n) != std::uint32_t(c)) ++next;
+            const bool now = next < sent.size() && sent[next].cycle == cycle;
+            const Dram::Answer own{now ? sent[next].what.id : 0,
+                                   now ? sent[next].what.addr / std::uint32_t(n) : 0};
             dram.clock(now ? &own : nullptr);
             next += now;
         }

@@ -222,7 +222,7 @@ TEST_CASE("a row is not closed while a request for it waits, even if the bus bel
     REQUIRE(dram.statistics().row_conflicts == 1);
 }
 
-TEST_CASE("the controller takes as many requests as its queue holds, and another when one has its last read",
+TEST_CASE("the controller accepts requests until its queue is full, and another when one has its last read",
           "[dram]") {
     const DramPart part = dram_part(slow_part());
     Dram dram{part, 400'000, 64};

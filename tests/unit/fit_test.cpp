@@ -196,9 +196,8 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
     CHECK(part->without.triangles.size() == 10);
     CHECK(part->ratio == Approx(1000));
 
-    for (Triangle& t : scene.triangles)
-        t.material = 0;   // one material for all, so the parts are found by
-                          // triangles
+    // One material for all, so the parts are found by triangles.
+    for (Triangle& t : scene.triangles) t.material = 0;
     part = fit::dominant_part(scene);
     REQUIRE(part);
     CHECK(part->what == "the 2 largest triangles (10 first)");

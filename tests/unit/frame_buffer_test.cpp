@@ -48,7 +48,7 @@ TEST_CASE(
             Memory memory{config, khz, traffic};
             const auto ids = std::uint32_t(1 << config.mem_id_bits());
             std::vector<bool> under_way(ids);
-            std::uint64_t asked = 0, answered = 0;
+            std::uint64_t requested = 0, answered = 0;
             Rng rng{3};
             for (int cycle = 0; cycle < 20 * khz; ++cycle) {
                 if (memory.valid()) {
@@ -59,38 +59,38 @@ TEST_CASE(
                 }
                 std::uint32_t id = 0;
                 while (id < ids && under_way[id]) ++id;
-                const bool asks = memory.ready() && id < ids;
+                const bool requests = memory.ready() && id < ids;
                 const Memory::Answer request{id, std::uint32_t(rng.below(4096))};
-                if (asks) under_way[id] = true, ++asked;
-                memory.clock(asks ? &request : nullptr);
+                if (requests) under_way[id] = true, ++requested;
+                memory.clock(requests ? &request : nullptr);
             }
             const MemoryStats stats = memory.stats();
-            CHECK(asked - answered <= ids);
+            CHECK(requested - answered <= ids);
             CHECK(stats.scanned + 40 >= 23040);   // 20 ms
             CHECK(stats.scanned <= 23040);
             CHECK(stats.backlog <= 16);
-            CHECK(stats.reads == asked + stats.scanned);
+            CHECK(stats.reads == requested + stats.scanned);
         }
     }
 }
 
-TEST_CASE("a memory too slow for the screen goes on serving the chip", "[memport][picture]") {
+TEST_CASE("a memory too slow for the screen continues to serve the chip", "[memport][picture]") {
     Config config = with_picture("ideal", 1, 0);
     config.mem_interval = 100;   // 660,000 words per second; the screen needs 1,152,000
     Memory memory{config, khz, {}};
-    std::uint64_t asked = 0;
+    std::uint64_t requested = 0;
     for (int cycle = 0; cycle < 10 * khz; ++cycle) {
         const Memory::Answer request{0, 1};
-        const bool asks = memory.ready();
-        asked += asks;
-        memory.clock(asks ? &request : nullptr);
+        const bool requests = memory.ready();
+        requested += requests;
+        memory.clock(requests ? &request : nullptr);
     }
-    CHECK(asked > 3000);
+    CHECK(requested > 3000);
     CHECK(memory.stats().scanned > 3000);
     CHECK(memory.stats().backlog > 1000);
 }
 
-TEST_CASE("sixteen finished pixels are a word, written when the chip asks for nothing, or when four wait",
+TEST_CASE("sixteen finished pixels are a word, written when the chip sends no request, or when four wait",
           "[memport][picture]") {
     Config config = with_picture("ideal", 0, 1);
     config.mem_latency = 4;
@@ -105,9 +105,9 @@ TEST_CASE("sixteen finished pixels are a word, written when the chip asks for no
     int refused = 0;
     for (std::uint32_t i = 0; i < 200; ++i) {   // two pixels per cycle, and the chip requests in every cycle
         const Memory::Answer request{i % 8, i};
-        const bool asks = memory.ready();
-        refused += !asks;
-        memory.clock(asks ? &request : nullptr, 2);
+        const bool requests = memory.ready();
+        refused += !requests;
+        memory.clock(requests ? &request : nullptr, 2);
     }
     const MemoryStats stats = memory.stats();
     CHECK(stats.pixel_writes == std::uint64_t(refused) + 1);
@@ -151,11 +151,11 @@ TEST_CASE("a memory with a picture that is skipped is the same as one that is st
     std::vector<std::uint64_t> free_at(8);   // by id
     for (std::uint64_t now = 0; now < 300'000;) {
         const Memory::Answer request{std::uint32_t(rng.below(8)), std::uint32_t(rng.below(9000))};
-        const bool asks = stepped.ready() && free_at[request.id] <= now && rng.below(6) == 0;
-        if (asks) free_at[request.id] = now + 4000;
+        const bool requests = stepped.ready() && free_at[request.id] <= now && rng.below(6) == 0;
+        if (requests) free_at[request.id] = now + 4000;
         const auto pixels = std::uint32_t(rng.below(8) == 0);
-        stepped.clock(asks ? &request : nullptr, pixels);
-        skipped.clock(asks ? &request : nullptr, pixels);
+        stepped.clock(requests ? &request : nullptr, pixels);
+        skipped.clock(requests ? &request : nullptr, pixels);
         ++now;
         const std::uint64_t before = now;
         if (!test::pass_quiet(stepped, skipped, now)) continue;

@@ -92,7 +92,7 @@ TriRsp miss(std::uint32_t ray) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("list asks for each leaf's triangles, nearest leaf first, none beyond the best hit",
+TEMPLATE_TEST_CASE("list requests each leaf's triangles, nearest leaf first, none beyond the best hit",
                    "[list]", ListModel, ListRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 3; ++seed) serve_rays<TestType>(format("default"), seed, flow, 300);
@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and not
                 REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300) > 50);
 }
 
-TEMPLATE_TEST_CASE("list asks for each leaf's triangles in nodes of four", "[list][slow]", ListModel,
+TEMPLATE_TEST_CASE("list requests each leaf's triangles in nodes of four", "[list][slow]", ListModel,
                    ListRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 10; ++seed) serve_rays<TestType>(format("small"), seed, flow, 300);
@@ -140,7 +140,7 @@ TEMPLATE_TEST_CASE("list passes on in the next cycle, and the inputs wait for no
     REQUIRE((seen.prim_req.offer->ray == 5 && seen.tested.offer->ray == 3));
 }
 
-TEMPLATE_TEST_CASE("list takes leaves and a test in every cycle", "[list]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list accepts leaves and a test in every cycle", "[list]", ListModel, ListRtl) {
     const Config config = format("default");
     Hand<TestType> hand{config};
     const std::uint32_t half = 32;

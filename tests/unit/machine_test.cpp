@@ -134,8 +134,8 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
              count(Link::prim_miss) == count(Link::prim_fill)));
     REQUIRE(count(Link::mem_req) == count(Link::mem_rsp));
     REQUIRE(count(Link::mem_req) == machine.memory().stats().reads);
-    const Link asked = job.config.l2_sets > 0 ? Link::l2_req : Link::mem_req;
-    REQUIRE(count(asked) == count(Link::node_miss) + count(Link::prim_miss));
+    const Link request_link = job.config.l2_sets > 0 ? Link::l2_req : Link::mem_req;
+    REQUIRE(count(request_link) == count(Link::node_miss) + count(Link::prim_miss));
     REQUIRE(code(Unit::sched, 0) == count(Link::slot));
     REQUIRE(code(Unit::raygen, 0) == job.config.raygen_interval * count(Link::ray));
     // A turn is work, or holds a step up.
@@ -144,7 +144,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     REQUIRE(code(Unit::box, 0) == job.config.box_interval() * count(Link::box_req));
     REQUIRE(code(Unit::tri, 0) == job.config.tri_interval * count(Link::tri_req));
     REQUIRE(code(Unit::dispatch, 0) == count(Link::tile));
-    REQUIRE(code(Unit::memport, 0) == count(asked));
+    REQUIRE(code(Unit::memport, 0) == count(request_link));
     for (const auto& [cache, request, miss, line] :
          {std::tuple{Unit::node_cache, Link::node_req, Link::node_miss, job.config.node_line},
           std::tuple{Unit::prim_cache, Link::prim_req, Link::prim_miss, job.config.prim_line}}) {
@@ -192,8 +192,8 @@ TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") 
     const Job job = small_job(scene, {16, 12}, format(name));
     const RecordedFrame frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :
-         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // in the last case both caches
-                                                                               // wait
+         // In the last case both caches wait.
+         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {
         Machine model{job.config, job.khz, traffic};
         RtlMachine rtl{job.image, job.config, job.khz, traffic};
         for (int i = 0; i < 2; ++i) {

@@ -83,7 +83,7 @@ TEST_CASE("an answer of the ideal memory comes exactly mem_latency cycles after 
     }
 }
 
-TEST_CASE("the ideal memory takes one request every mem_interval cycles", "[memport]") {
+TEST_CASE("the ideal memory accepts one request every mem_interval cycles", "[memport]") {
     const int interval = GENERATE(1, 2, 3, 7);
     const Log log = run_ideal(memory(5, interval), 100);
     for (std::size_t i = 0; i < 100; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("the ideal memory takes one request every mem_interval cycles", "[memp
     }
 }
 
-TEST_CASE("the ideal memory says until when nothing changes, and skips to there", "[memport]") {
+TEST_CASE("the ideal memory returns the next cycle with a change, and skips to it", "[memport]") {
     const int latency = GENERATE(1, 8, 50), interval = GENERATE(1, 3);
     Memport stepped{memory(latency, interval), 16}, skipped{memory(latency, interval), 16};
     Rng rng(std::uint64_t(latency * 10 + interval));
@@ -111,7 +111,7 @@ TEST_CASE("the ideal memory says until when nothing changes, and skips to there"
     }
 }
 
-TEST_CASE("without traffic a memory is as its kind says, and counts what it does", "[memport]") {
+TEST_CASE("without traffic a memory has the timing of its kind, and counts its work", "[memport]") {
     const Config config = memory(8, 2);
     REQUIRE(run_disturbed(config, {}, 200) == [&] {
         Memport port{config, 1 << config.mem_id_bits()};

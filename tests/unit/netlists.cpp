@@ -5,7 +5,7 @@
 
 namespace {
 
-[[maybe_unused]] const bool asked = [] {
+[[maybe_unused]] const bool are_built = [] {
     const char* const set = std::getenv("RAYCLOCK_TEST_NETLISTS");
     if (set && *set) rayclock::build_netlists();
     return true;

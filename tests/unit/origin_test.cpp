@@ -182,7 +182,7 @@ TEST_CASE("rays from a surface point are decided exactly", "[origin]") {
     REQUIRE(hits > 100);
 }
 
-TEST_CASE("what stands between a light and a surface point is decided exactly", "[origin]") {
+TEST_CASE("a blocker between a light and a surface point is decided exactly", "[origin]") {
     const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))),
               frac_bits = GENERATE(2, 8, 16);
     Draw draw{unsigned(bits * 100 + frac_bits)};

@@ -78,7 +78,7 @@ TEST_CASE("the overlap is exact at full width", "[overlap]") {
     REQUIRE(met > 200);
 }
 
-TEST_CASE("no child box that a frame's rays meet is lost, and few others are taken", "[overlap]") {
+TEST_CASE("no child box that a frame's rays meet is lost, and few others are kept", "[overlap]") {
     Config config;
     config.coord_bits = GENERATE(12, 18, 20);
     config.recip_bits = GENERATE(8, 16);

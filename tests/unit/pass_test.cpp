@@ -140,10 +140,10 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
         put(rtl, "valid", valid);
         if (valid) drive(rtl, *under_way.back(), c);
         // If a pass stays for several cycles, its waiting ray comes exactly one cycle later.
-        const std::optional<PassIn>& asks = under_way[under_way.size() - (c.shade_interval == 1 ? 1 : 2)];
-        set_data(rtl.port("top"), asks ? asks->top : Waiting{}, c);
+        const std::optional<PassIn>& entering = under_way[under_way.size() - (c.shade_interval == 1 ? 1 : 2)];
+        set_data(rtl.port("top"), entering ? entering->top : Waiting{}, c);
         rtl.settle();
-        judge_look(rtl, asks, frame, c);
+        judge_look(rtl, entering, frame, c);
         const std::optional<PassIn> due = under_way.front();
         under_way.pop_front();
         REQUIRE(got(rtl, "end_valid")[0] == std::uint32_t(due.has_value()));

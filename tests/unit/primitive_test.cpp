@@ -44,7 +44,7 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
         const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) /
                               std::hypot(target[0], target[1], target[2]) / std::hypot(d[0], d[1], d[2]);
         if (std::abs(cosine) < 0.3) continue;
-        const TriRsp there = ask(exact, o, d, t), here = ask(config, o, d, t);
+        const TriRsp there = run_test(exact, o, d, t), here = run_test(config, o, d, t);
         CAPTURE(name, i);
         REQUIRE((there.closer && here.closer));
         REQUIRE(here.prim == t.prim);
@@ -57,25 +57,25 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
         // A hit beats a farther one and not a nearer one. Of equal hits the lower number wins.
         const Best same{1, here.num, here.det, t.prim}, nearer{1, here.num - here.num / 8, here.det, t.prim},
             farther{1, here.num + here.num / 8, here.det, 0};
-        REQUIRE(ask(config, o, d, t, same).closer == 1);
-        REQUIRE(ask(config, o, d, t, nearer).closer == 0);
-        REQUIRE(ask(config, o, d, t, farther).closer == 1);
+        REQUIRE(run_test(config, o, d, t, same).closer == 1);
+        REQUIRE(run_test(config, o, d, t, nearer).closer == 0);
+        REQUIRE(run_test(config, o, d, t, farther).closer == 1);
         const Best lower{1, here.num, here.det, t.prim - 1};
-        if (t.prim > 0) REQUIRE(ask(config, o, d, t, lower).closer == 0);
+        if (t.prim > 0) REQUIRE(run_test(config, o, d, t, lower).closer == 0);
     }
 }
 
-TEST_CASE("no test takes what lies behind, and none a direction of zero", "[primitive]") {
+TEST_CASE("no test accepts a hit behind the origin, or a direction of zero", "[primitive]") {
     const auto name = GENERATE("exact", "sheared", "unit24", "moller", "woop", "truncated");
     const Config config = with_test(name);
     const PrimData t{{-40000, -40000, 1000}, {40000, -40000, 1000}, {0, 80000, 1000}, 5};
-    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 100000}, t).closer == 1);
-    REQUIRE(ask(config, {0, 0, 0}, {0, 0, -100000}, t).closer == 0);
-    REQUIRE(ask(config, {0, 0, 2000}, {0, 0, 100000}, t).closer == 0);
-    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 0}, t).closer == 0);
-    REQUIRE(ask(config, {0, 0, 0}, {100000, 0, 0}, t).closer == 0);
+    REQUIRE(run_test(config, {0, 0, 0}, {0, 0, 100000}, t).closer == 1);
+    REQUIRE(run_test(config, {0, 0, 0}, {0, 0, -100000}, t).closer == 0);
+    REQUIRE(run_test(config, {0, 0, 2000}, {0, 0, 100000}, t).closer == 0);
+    REQUIRE(run_test(config, {0, 0, 0}, {0, 0, 0}, t).closer == 0);
+    REQUIRE(run_test(config, {0, 0, 0}, {100000, 0, 0}, t).closer == 0);
     const PrimData edge_on{{0, -100, 1000}, {0, 100, 1000}, {0, 0, 5000}, 5};
-    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 100000}, edge_on).closer == 0);
+    REQUIRE(run_test(config, {0, 0, 0}, {0, 0, 100000}, edge_on).closer == 0);
 }
 
 TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by nothing exact",
@@ -88,7 +88,7 @@ TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by n
     const auto taken = [&](const char* name, const Vec3i& d) {
         int n = 0;
         for (const PrimData& t : {PrimData{q, r, p, 1}, PrimData{s, p, r, 2}})
-            n += int(ask(with_test(name), o, d, t).closer);
+            n += int(run_test(with_test(name), o, d, t).closer);
         return n;
     };
     int lost = 0;

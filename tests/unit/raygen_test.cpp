@@ -121,8 +121,8 @@ TEMPLATE_TEST_CASE("a camera ray of two levels has an opposite", "[raygen]", Mod
         const Frame frame = short_camera(int(seed % 3), seed, config);
         Draw draw{seed};
         TestType dut{config, frame, int(seed)};
-        const auto ask = [&](Draw& from) { return random_slot(from, config); };
-        stream(dut, config, flows[0], draw, 4, ask, [&](const Slot& slot, const Ray& ray) {
+        const auto make_slot = [&](Draw& from) { return random_slot(from, config); };
+        stream(dut, config, flows[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
             judge(slot, ray, frame, config);
             for (const std::int32_t d : ray.d) longest += d == 1 - (1 << (config.dir_bits - 1));
         });
@@ -153,8 +153,8 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
             const Frame frame = short_camera(free, seed, config);
             Draw draw{seed};
             TestType dut{config, frame, int(seed)};
-            const auto ask = [&](Draw& from) { return random_slot(from, config); };
-            stream(dut, config, flows[0], draw, 4, ask, [&](const Slot& slot, const Ray& ray) {
+            const auto make_slot = [&](Draw& from) { return random_slot(from, config); };
+            stream(dut, config, flows[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
                 judge(slot, ray, frame, config);
                 const auto [x, y, z] = ray.d;
                 if (free <= most_shift)

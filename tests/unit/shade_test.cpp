@@ -150,8 +150,8 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle, or every few", "[shade]", 
         dut.ray->ray = i;
         step(dut);
     }
-    int first = -1, idle = -1, busy = 0, pixels = 0;   // first cycle with a pass; first later cycle without
-                                                       // one
+    // `first`: the first cycle with a pass. `idle`: the first later cycle without one.
+    int first = -1, idle = -1, busy = 0, pixels = 0;
     for (int i = 0; i < 400 * every; ++i) {
         if (i < 64) dut.closest.offer = Closest{std::uint32_t(i), 0, 0, 0, 0, 0, 0};
         dut.eval();

@@ -119,11 +119,10 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz),
                    c = seen(req.triangle.c, req.o, req.d, kz);
         const long double sign = shear.neg ? -1 : 1;
-        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0)
-            continue;   // the whole triangle must be
-                        // ahead
-        const TriRsp there = ask(exact, req.o, req.d, req.triangle),
-                     here = ask(config, req.o, req.d, req.triangle);
+        // The whole triangle must be ahead.
+        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;
+        const TriRsp there = run_test(exact, req.o, req.d, req.triangle),
+                     here = run_test(config, req.o, req.d, req.triangle);
         CAPTURE(bits, i);
         if (there.closer != here.closer) {
             ++differ;
@@ -151,7 +150,7 @@ TEST_CASE("the sheared test's distance is rounded up, and its weights down", "[p
     int hits = 0;
     for (int i = 0; i < 8000; ++i) {
         const TriReq req = random_tri_req(draw, config);
-        const TriRsp rsp = ask(config, req.o, req.d, req.triangle);
+        const TriRsp rsp = run_test(config, req.o, req.d, req.triangle);
         if (!rsp.closer) continue;
         ++hits;
         const oracle::Rational t(oracle::Int(rsp.num), oracle::Int(rsp.det) * shear_of(req.d, config).size);
@@ -180,8 +179,8 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
                 for (int o = 0; o < 8; ++o)
                     for (int d = 0; d < 8; ++d) {
                         if (a == b || b == c || c == a) continue;
-                        const TriRsp rsp = ask(config, extreme(o, 20), extreme(d, config.dir_bits),
-                                               {extreme(a, 20), extreme(b, 20), extreme(c, 20), 7});
+                        const TriRsp rsp = run_test(config, extreme(o, 20), extreme(d, config.dir_bits),
+                                                    {extreme(a, 20), extreme(b, 20), extreme(c, 20), 7});
                         largest_num = std::max(largest_num, rsp.num);
                         largest_det = std::max(largest_det, rsp.det);
                     }

@@ -221,8 +221,8 @@ TEMPLATE_TEST_CASE("raygen sends camera rays through every sample, other formats
     every_sample<TestType>(format(GENERATE("samples:small", "samples:wide")));
 }
 
-TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in every cycle", "[raygen][shading]",
-                   RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen accepts shade's ray before a new pixel, and one ray in every cycle",
+                   "[raygen][shading]", RaygenModel, RaygenRtl) {
     Config config = format(GENERATE("shading:default", "samples:default"));
     if (config.supersampling) config.raygen_queue = 32;   // more than its latency
     const Frame frame = frame_of(3, config, config.supersampling ? 4 : 1, true);

@@ -1,4 +1,4 @@
-// A machine that stands still: the watchdog detects it and reports where every ray is.
+// A machine that hangs: the watchdog detects it and reports where every ray is.
 #include <map>
 
 #include "model/machine/machine.hpp"
@@ -67,7 +67,7 @@ int lines_with(const std::string& text, const std::string& part) {
 
 }   // namespace
 
-TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
+TEST_CASE("rays whose hit is not accepted wait for its acceptance", "[machine][stuck]") {
     Alone alone({{"contexts", 16}});
     REQUIRE(alone.places() == std::map<std::string, int>{{"", 16}});   // no ray is in flight
     alone.run(5000, true, true);
@@ -75,7 +75,7 @@ TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
     REQUIRE(alone.places() == std::map<std::string, int>{{"trav: done, waits for its hit to be taken", 16}});
 }
 
-TEST_CASE("rays whose node never comes are with the node cache, and those behind them where they stand",
+TEST_CASE("rays whose node never arrives are in the node cache, and those behind them in their own units",
           "[machine][stuck]") {
     Alone alone({{"contexts", 64}, {"raygen_queue", 4}});
     alone.run(5000, false, true);
@@ -90,7 +90,7 @@ TEST_CASE("rays whose node never comes are with the node cache, and those behind
     REQUIRE(cached == 64);   // any number of requests may wait for one line
 }
 
-TEST_CASE("rays whose triangle never comes are with the primitive cache or done", "[machine][stuck]") {
+TEST_CASE("rays whose triangle never arrives are in the primitive cache or done", "[machine][stuck]") {
     Alone alone({{"contexts", 32}});
     alone.run(5000, true, false);
     int cached = 0;
@@ -166,13 +166,13 @@ TEST_CASE("a memory latency of tens of thousands of cycles is not reported as a 
     Dram dram(part, job.khz, 1);
     std::uint64_t longest = 0;
     for (std::uint32_t i = 0; i < 400; ++i) {
-        const std::uint64_t asked = dram.now();
+        const std::uint64_t sent_at = dram.now();
         const Dram::Answer request{0, i * 4099};
         dram.clock(&request);
         while (!dram.valid())
             dram.quiet_until() > dram.now() + 1 ? dram.skip(dram.quiet_until() - dram.now() - 1)
                                                 : dram.clock(nullptr);
-        longest = std::max(longest, dram.now() - asked);
+        longest = std::max(longest, dram.now() - sent_at);
     }
     CHECK(longest <= pause);
     CHECK(longest > pause / 3);   // the bound is realistic

@@ -128,12 +128,12 @@ TEST_CASE("a machine may replay a trace that is still being recorded", "[trace]"
     for (const Values& values : shapes()) {
         const Job job = small_job("gears:2", {100, 70}, shaped(format("small"), values));
         INFO(job.config.name);
-        std::vector<RecordedFrame> before, beside;
+        std::vector<RecordedFrame> before, replayed;
         before.push_back(record_frame(job, job.frame));
         const std::vector<FrameTiming> expected = replay(job.config, job.khz, before);
         for (const int threads : {1, 2, 5}) {
-            require_same(record_and_replay(job, job.khz, beside, {}, threads)[0], expected[0]);
-            require_same(beside[0].trace, before[0].trace, job.config);
+            require_same(record_and_replay(job, job.khz, replayed, {}, threads)[0], expected[0]);
+            require_same(replayed[0].trace, before[0].trace, job.config);
         }
     }
 }

@@ -224,7 +224,7 @@ TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
     REQUIRE(stack.height() == 0);
 }
 
-TEMPLATE_TEST_CASE("trav takes a child exactly as far as the best hit", "[trav]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav visits a child exactly as far away as the best hit", "[trav]", TravModel, TravRtl) {
     Hand<TestType> hand{format("default")};
     hand.start(1);
     hand.cycle();

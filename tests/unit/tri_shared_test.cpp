@@ -68,8 +68,8 @@ int taken(const std::vector<TriRsp>& rsps) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("exactly one triangle around a corner or edge takes the ray", "[tri]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a ray through a corner or edge hits exactly one triangle around it", "[tri]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     TestType dut{config};
     for (unsigned seed = 1; seed <= 25; ++seed) {

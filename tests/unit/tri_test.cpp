@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUn
     check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("tri takes a triangle in every cycle, or every few", "[tri]", Model<TriUnit>,
+TEMPLATE_TEST_CASE("tri accepts a triangle in every cycle, or every few", "[tri]", Model<TriUnit>,
                    Rtl<TriUnit>) {
     const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:wide",
                                           "fast:default", "every2:default", "every4:fast:default"));

@@ -180,7 +180,7 @@ TEST_CASE("model and RTL of xform do the same in every cycle", "[xform]") {
     REQUIRE(moved > 2000 / (4 * interval));
 }
 
-TEMPLATE_TEST_CASE("xform answers after its latency, and takes a ray every so many cycles", "[xform]",
+TEMPLATE_TEST_CASE("xform answers after its latency, and accepts a ray at its interval", "[xform]",
                    ModelXform, RtlXform) {
     const auto [name, interval] = GENERATE(from_range(shapes));
     const Config config = machine(name, interval);

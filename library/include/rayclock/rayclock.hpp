@@ -95,8 +95,8 @@ constexpr std::uint32_t no_primitive = ~std::uint32_t(0);
 
 /// The answer to a ray. t, u and v are NaN and the primitive is no_primitive without a closest hit.
 struct Hit {
-    bool hit = false, back = false;           ///< back: the ray meets the side from which (b - a) x (c - a)
-                                              ///< points away
+    /// `back`: the ray meets the side from which (b - a) x (c - a) points away.
+    bool hit = false, back = false;
     std::uint32_t primitive = no_primitive;   ///< the triangle's number in the scene
     double t = 0, u = 0, v = 0;               ///< u, v: weights of the second and third corner
 };

@@ -207,8 +207,8 @@ private:
 
 std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
     std::vector<PrimData> all;
-    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // a mirrored mesh is inside out:
-                                                                           // swap two corners
+    // A mirrored mesh is inside out, so two of its corners are swapped.
+    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto corner = [&](std::size_t k) {
             return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);

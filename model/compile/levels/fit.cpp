@@ -69,8 +69,8 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
     glm::dvec3 reach(0);   // of a step in the mesh
     for (int i = 0; i < 3; ++i) reach[i] = std::abs(back[0][i]) + std::abs(back[1][i]) + std::abs(back[2][i]);
     const double stretch = std::max({reach.x, reach.y, reach.z});   // alpha
-    const double shortest = std::ldexp(1, config.dir_bits - 2);     // least size of a direction's largest
-                                                                    // component
+    // The smallest value of a direction's largest component.
+    const double shortest = std::ldexp(1, config.dir_bits - 2);
     fitted.stretched = !(stretch <= most_stretch);
     if (fitted.stretched) return;
     const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);

@@ -167,9 +167,9 @@ private:
         sort_into_classes();
         make_lattices();
         double beyond = 0;
+        // The first time comes last, so its map stays.
         for (std::size_t i = 0; i < parts_.instances.size(); ++i)
-            for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)   // the first time comes last, and
-                                                                            // its map stays
+            for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)
                 beyond = std::max(beyond, map_one(i, t));
         return beyond;
     }

@@ -123,7 +123,7 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
     upload.image = without_words(levels_.image);
     upload.image_lines = levels_.image.lines();
     for (const Region& region : regions_) take_region(region, buffer, upload);
-    upload.beside = buffers_ > 1 && frame_ > 0;
+    upload.overlaps_previous_frame = buffers_ > 1 && frame_ > 0;
     upload.resets = !upload.lines.empty() && is_read_[buffer];
     if (upload.resets) is_read_.fill(false);
     is_read_[buffer] = true;

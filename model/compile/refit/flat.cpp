@@ -51,8 +51,8 @@ Upload RefittedScene::next(const Scene& given) {
     const std::optional<Scene> moved = config_.shading ? aligned(given, image_.lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> prims = snapped(scene);
-    const std::size_t coincident = drop_coincident_spheres(prims);   // the same in each frame: no sphere
-                                                                     // moves
+    // The number is the same in each frame, because spheres do not move.
+    const std::size_t coincident = drop_coincident_spheres(prims);
     if (frame_ == 0) {
         std::vector<PrimData> kept = prims;
         std::erase_if(kept, [&](const PrimData& t) { return !counts(t, config_); });

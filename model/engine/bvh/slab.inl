@@ -74,8 +74,8 @@ template <bool zeros> RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& 
     const Lanes far_0 = round_up(beyond * (ray.far * shrink)) * scale, far_step = ray.far * scale;
     std::uint32_t hits = 0;
     for (std::uint32_t h = 0; h < width; h += sizeof(Children) / sizeof(double)) {
-        Children near{}, far = ray.past - near;   // broadcast to every lane; the compiler drops x - 0, but
-                                                  // not x + 0
+        // Subtracting 0 broadcasts ray.past to every lane. The compiler drops x - 0, but not x + 0.
+        Children near{}, far = ray.past - near;
         for (std::size_t k = 0; k < 3; ++k) {
             const Children n = near_0[k] + planes_at(&node.planes[ray.near_at[k] + h]) * near_step[k];
             const Children f = far_0[k] + planes_at(&node.planes[ray.far_at[k] + h]) * far_step[k];

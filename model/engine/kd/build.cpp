@@ -30,8 +30,8 @@ public:
         auto cell = std::make_unique<Cell>();
         cell->bounds = bounds_of(items);
         cell->count = std::uint32_t(items.size());
-        if (level % levels_ == 0 && !items.empty()) {   // a treelet's line holds this box, so nothing else is
-                                                        // met
+        // A treelet's line holds this box, so a ray meets nothing outside it.
+        if (level % levels_ == 0 && !items.empty()) {
             region.box = cell->bounds;
             region.own = region.walls.size();
         }

@@ -97,8 +97,8 @@ Clipper::Reach Clipper::reach(const Vec3i& n) const {
         return {across(prim_.a) - most, across(prim_.a) + most};   // a step more than the radius
     }
     const std::int64_t a = across(prim_.a), b = across(prim_.b), c = across(prim_.c);
-    const auto beside = std::int64_t(margin_ * size(n));
-    return {std::min({a, b, c}) - beside, std::max({a, b, c}) + beside};
+    const auto margin = std::int64_t(margin_ * size(n));
+    return {std::min({a, b, c}) - margin, std::max({a, b, c}) + margin};
 }
 
 std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell, Walls walls) const {
@@ -124,8 +124,8 @@ std::optional<LatticeBox> Clipper::triangle(const LatticeBox& cell, Walls walls)
         cut(other, Along{k}, cell.hi[k] + margin_ + slack, true, one);
     }
     for (const Wall& wall : walls) {
-        const double beside = wall_slack + margin_ * size(wall.normal);
-        cut(one, Across{wall.normal}, wall.at + (wall.upper ? -beside : beside), !wall.upper, other);
+        const double margin = wall_slack + margin_ * size(wall.normal);
+        cut(one, Across{wall.normal}, wall.at + (wall.upper ? -margin : margin), !wall.upper, other);
         std::swap(one, other);
     }
     if (one.size == 0) return {};

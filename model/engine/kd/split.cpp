@@ -56,16 +56,16 @@ void sort(Coordinates& all, Coordinates& room) {
 /// A cursor in a sorted list while a plane sweeps over it.
 class Next {
 public:
-    Next(const Coordinates& list, std::int32_t beside) : list_(list), beside_(beside) {}
+    Next(const Coordinates& list, std::int32_t offset) : list_(list), offset_(offset) {}
     /// Returns the first entry that is not yet behind the plane.
     std::int32_t operator()(std::int32_t behind) {
-        while (at_ < list_.size() && list_[at_] + beside_ <= behind) ++at_;
-        return at_ < list_.size() ? list_[at_] + beside_ : LatticeBox::far;
+        while (at_ < list_.size() && list_[at_] + offset_ <= behind) ++at_;
+        return at_ < list_.size() ? list_[at_] + offset_ : LatticeBox::far;
     }
 
 private:
     const Coordinates& list_;
-    std::int32_t beside_;
+    std::int32_t offset_;
     std::size_t at_ = 0;
 };
 

@@ -60,7 +60,7 @@ public:
         else
             for (std::size_t i = 0; i < cells.size(); ++i) go_down(i);
         CellPtr tree = joined(cells.data(), box, 0);
-        return own.empty() ? std::move(tree) : beside(leaf_of(own), std::move(tree));
+        return own.empty() ? std::move(tree) : parent_of(leaf_of(own), std::move(tree));
     }
 
 private:
@@ -110,12 +110,12 @@ private:
         const Cut cut = middle(box, axis);
         LatticeBox below = box, above = box;
         if (cut.axis != no_axis) below.hi[axis] = above.lo[axis] = cut.plane;
-        CellPtr cell = beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1));
+        CellPtr cell = parent_of(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1));
         cell->axis = std::uint32_t(cut.axis);
         cell->at = cut.plane;
         return cell;
     }
-    static CellPtr beside(CellPtr lower, CellPtr upper) {
+    static CellPtr parent_of(CellPtr lower, CellPtr upper) {
         auto cell = std::make_unique<Cell>();
         cell->bounds = merged(lower->bounds, upper->bounds);
         cell->lower = std::move(lower);

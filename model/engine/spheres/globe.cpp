@@ -14,8 +14,8 @@ namespace {
 
 constexpr int radius_frac = 3;                        ///< distances are compared in eighths of a node's step
 constexpr int drop = toward_bits - 2 - radius_frac;   ///< from a product with the direction to an eighth
-constexpr std::int64_t distance_limit = 1 << (toward_bits - 1);   ///< no component of a relevant distance
-                                                                  ///< reaches this
+/// No component of a relevant distance reaches this.
+constexpr std::int64_t distance_limit = 1 << (toward_bits - 1);
 
 /// Values that all globes of a node share.
 struct Sight {

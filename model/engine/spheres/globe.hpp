@@ -9,8 +9,8 @@ namespace rayclock {
 struct GlobeRay {
     Vec3i o{};        ///< with B fraction bits if the chip shades
     Vec3i toward{};   ///< its direction, with the absolute value of the largest component in 2^16..2^17
-    std::uint32_t len = 0;   ///< bits of that component before scaling; as in Ray, more if the ray fills
-                             ///< dir_bits
+    /// Bits of that component before scaling; as in Ray, more if the ray fills dir_bits.
+    std::uint32_t len = 0;
 };
 /// Returns the ray of a globe test. It shifts all components by the same amount, until the longest fills
 /// toward_bits, and rounds to nearest, halves up. 2^17 becomes one less. Mirror of
@@ -21,9 +21,9 @@ GlobeRay globe_ray(const Ray& ray, const Config& config);
 struct WideGlobes {
     WideNode children;   ///< planes and exp are unused
     std::uint32_t exp = 0;
-    std::array<std::array<std::int32_t, max_width>, 3> centre{};   ///< [axis][child], from org, in steps of
-                                                                   ///< 2^exp
-    std::array<std::int32_t, max_width> radius{};                  ///< [child], in steps of 2^exp
+    /// [axis][child]: centre from org, in steps of 2^exp.
+    std::array<std::array<std::int32_t, max_width>, 3> centre{};
+    std::array<std::int32_t, max_width> radius{};   ///< [child], in steps of 2^exp
 };
 WideGlobes widen(const GlobeNode& node, int node_width);
 

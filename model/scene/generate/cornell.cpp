@@ -70,8 +70,8 @@ namespace {
 Scene make_room(const Walls& walls) {
     Scene scene;
     scene.background = glm::dvec3(0);
-    scene.camera = Camera{{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.3};   // a 25 mm film behind a 35 mm
-                                                                               // lens
+    // A 25 mm film behind a 35 mm lens.
+    scene.camera = Camera{{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.3};
     scene.lights = white_lights({{278, 500, 279.5}});
     MeshWriter mesh(scene);
     const Corners floor = add(mesh, {{{552.8, 0, 0}, {0, 0, 0}, {0, 0, 559.2}, {549.6, 0, 559.2}}});

@@ -50,8 +50,8 @@ public:
     std::uint32_t operator()(std::uint32_t a, std::uint32_t b) {
         if (a > b) std::swap(a, b);
         for (auto& [other, middle] : edges_[a]) {
-            if (middle == 0) {   // point 0 is a corner of the icosahedron, never a middle, so 0 marks a free
-                                 // entry
+            // Point 0 is a corner of the icosahedron, never a middle, so 0 marks a free entry.
+            if (middle == 0) {
                 other = b;
                 middle = static_cast<std::uint32_t>(ball_.points.size());
                 ball_.points.push_back(unit(ball_.points[a] + ball_.points[b]));

@@ -21,8 +21,8 @@ glm::dmat3 fork(double beta_degrees, double delta_degrees, double kappa) {
 }
 
 using Forks = std::array<glm::dmat3, 2>;
-constexpr double taper = 0.67;   // ratio of a branch's top radius to its base radius, and of a child's
-                                 // thickness to its parent's
+// Ratio of a branch's top radius to its base radius, and of a child's thickness to its parent's.
+constexpr double taper = 0.67;
 
 /// Calls `use` with base, base radius, top and top radius of every branch. A ball of the top radius lies on
 /// the top.

@@ -103,15 +103,15 @@ Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config&
     return m;
 }
 
-/// True if a sphere stands between the light, where the ray begins, and the point.
+/// True if a sphere lies between the light, where the ray begins, and the point.
 bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;
     const bool seen_inside = is_seen_inside(sphere);
     if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
-    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the squared
-                                                                              // radius
+    // |O - c|^2 minus the squared radius.
+    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;
     if (!seen_inside && end <= 0) return false;   // the point is inside and sees out
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
@@ -161,8 +161,8 @@ Root root(WideNatural square) {
     const int bits = int(high != 0 ? 64 + std::bit_width(high) : std::bit_width(std::uint64_t(square)));
     r.shift = std::max(bits - 2 * root_bits + 1, 0) / 2;
     const auto cut = std::uint64_t(square >> (2 * r.shift));
-    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));   // off by at most one: cut has 56 bits, a
-                                                                   // double 53
+    // Off by at most one: cut has 56 bits, a double 53.
+    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));
     while (whole * whole > cut) --whole;
     while ((whole + 1) * (whole + 1) <= cut) ++whole;
     r.whole = std::uint32_t(whole);
@@ -174,9 +174,8 @@ void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Conf
     no_hit(out);
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
-    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always true, as only camera
-                                                                               // rays compare with hits of
-                                                                               // camera rays
+    // Always true, as only camera rays compare with hits of camera rays.
+    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;
     if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best ||
         config.has_instances())
         return flat_test(ray, prim, best, config, out);

@@ -8,8 +8,8 @@ namespace rayclock {
 /// does not depend on d. With e1 = b - a, e2 = c - a, s = o - a:
 ///       det = d . (e2 x e1), u = d . (e2 x s), v = d . (s x e1), num = (e1 x e2) . s.
 struct Facet {
-    std::array<std::uint64_t, 3> det{}, u{}, v{};   ///< coefficients; signed, modulo 2^64, because
-                                                    ///< intermediate sums may exceed it
+    /// Coefficients, signed and modulo 2^64, because intermediate sums may exceed 64 bits.
+    std::array<std::uint64_t, 3> det{}, u{}, v{};
     std::int64_t num = 0;
     std::uint32_t prim = 0;
 };

@@ -9,8 +9,8 @@ namespace rayclock {
 ///
 /// z is the axis of the largest |d| (the lowest among equals), x and y the next two in turn. A ray's Shear,
 /// computed once per ray, has
-///       slope_x = d_x / d_z, rounded to S = M - 2 fraction bits, halves away from zero; slope_y in the same
-///       way.
+///       slope_x = d_x / d_z, rounded to S = M - 2 fraction bits, halves away from zero;
+///       slope_y in the same way.
 /// A corner p, seen from the origin as r = p - o, becomes the point
 ///       X = floor(r_x - slope_x r_z + 1/2), Y in the same way:
 /// a lattice point of the plane, with one rounding each. It depends only on the corner and the ray, so all

@@ -9,8 +9,8 @@ namespace rayclock {
 /// Ray-triangle test with exact decisions.
 ///
 /// With e1 = b - a, e2 = c - a, s = o - a (Moller and Trumbore 1997, without division):
-///       P1 = d x e1, P2 = d x e2, det = P2 . e1, u = P2 . s, v = -P1 . s, w = det - u - v, num = (e1 x e2) .
-///       s,
+///       P1 = d x e1, P2 = d x e2, det = P2 . e1,
+///       u = P2 . s, v = -P1 . s, w = det - u - v, num = (e1 x e2) . s,
 /// all turned so that det > 0. The ray's line crosses the triangle where u, v, w >= 0, at t = num / det > 0.
 ///
 /// Ties: an edge function that is exactly zero takes the sign that it would have for the origin o + (eps,

@@ -39,8 +39,8 @@ double float24(double x) {
     constexpr int drop = 52 - 16;
     constexpr double least = 0x1p-62, most = 0x1.ffffp63;
     auto bits = std::bit_cast<std::uint64_t>(x);
-    bits += (std::uint64_t(1) << (drop - 1)) - 1 + ((bits >> drop) & 1);   // carries into the exponent, as it
-                                                                           // should
+    // A carry into the exponent is correct.
+    bits += (std::uint64_t(1) << (drop - 1)) - 1 + ((bits >> drop) & 1);
     bits &= ~((std::uint64_t(1) << drop) - 1);
     const auto rounded = std::bit_cast<double>(bits);
     const double size = std::abs(rounded);

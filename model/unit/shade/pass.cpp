@@ -109,7 +109,7 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
 
 /// Sends a ray that tests a light. From a light within the lattice to a point in the lattice it is a shadow
 /// ray, and exact (docs/origins.md). To or from a place beyond the lattice it is a ray without end, cut to
-/// the lattice, which holds everything that has an end. That ray tests planes only if a plane stands between
+/// the lattice, which holds everything that has an end. That ray tests planes only if a plane lies between
 /// the light and the path. Otherwise no plane hides the light.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;

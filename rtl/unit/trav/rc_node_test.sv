@@ -1,7 +1,7 @@
 // The unit that decides the nodes of a structure. A new engine adds a line here. Part of rc_tree.
 //
-// Only box may accept a node every few cycles and rest in between. The answer comes Pad cycles
-// later than the unit's own, and must be accepted in that cycle.
+// Only box may be occupied for a few cycles after each node. The answer comes Pad cycles later than
+// the unit's own, and must be accepted in that cycle.
 `default_nettype none
 module rc_node_test #(
   parameter int unsigned Structure = rc_pkg::Structure,

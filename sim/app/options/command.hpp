@@ -14,8 +14,8 @@ struct Command {
     const char* what;   ///< the command's purpose, for the help
     const char* example;
     std::function<void(Parser&)> declare;   ///< declares its options
-    std::function<int()> run;   ///< returns the exit code: 0 success, 1 a check failed; throws UserError for
-                                ///< exit code 2
+    /// Returns the exit code: 0 for success, 1 if a check failed. Throws UserError for exit code 2.
+    std::function<int()> run;
 };
 
 /// Returns a command with its own type of options, which store what was typed.

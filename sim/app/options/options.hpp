@@ -76,8 +76,8 @@ struct JsonOutput {
 
     bool wanted() const { return !path.empty(); }
     bool is_alone() const { return path == "-"; }   ///< writes no text to standard output
-    void check() const;   ///< throws UserError if the file could not be written later, so that a command can
-                          ///< fail early
+    /// Throws UserError if the file could not be written later, so that a command can fail early.
+    void check() const;
     void write(const nlohmann::ordered_json& json) const;
 };
 void json_option(Parser& parser, JsonOutput& json);

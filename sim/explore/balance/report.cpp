@@ -33,7 +33,7 @@ ordered_json use_json(const chip::Use& use) {
 ordered_json machine_json(const Machine& machine, const chip::Use& room) {
     ordered_json steps = ordered_json::array();
     for (const Step& step : machine.steps)
-        steps.push_back({{"key", step.ladder->key}, {"from", step.from}, {"to", step.to}});
+        steps.push_back({{"key", step.parameter->key}, {"from", step.from}, {"to", step.to}});
     ordered_json json{{"steps", steps}};
     json["fps"] = machine.fps ? ordered_json(*machine.fps) : ordered_json(nullptr);
     json["use"] = machine.use ? use_json(*machine.use) : ordered_json(nullptr);
@@ -46,7 +46,7 @@ ordered_json machine_json(const Machine& machine, const chip::Use& room) {
 std::string steps_text(const std::vector<Step>& steps) {
     std::vector<std::string> parts;
     for (const Step& step : steps)
-        parts.push_back(fmt::format("{} {} -> {}", step.ladder->key, step.from, step.to));
+        parts.push_back(fmt::format("{} {} -> {}", step.parameter->key, step.from, step.to));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -1,4 +1,4 @@
-// Simulates and synthesises the machines that a search asks about, with a cache for both.
+// Simulates and synthesises the machines of a search, with a cache for both.
 #include "sim/explore/balance/scene_evaluator.hpp"
 
 #include <algorithm>

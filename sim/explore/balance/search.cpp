@@ -1,4 +1,4 @@
-// Climbs from the smallest machine along ladders of parameters.
+// Climbs from the smallest machine along the values of its parameters.
 #include "sim/explore/balance/search.hpp"
 
 #include <algorithm>
@@ -6,18 +6,18 @@
 
 namespace rayclock::balance {
 
-const std::vector<Ladder>& ladders() {
+const std::vector<ParameterValues>& parameter_values() {
     // Excludes parameters that formats and the scene fix (stack_depth), and those that cost no hardware
     // (tile_bits).
-    static const std::vector<Ladder> all{{"node_width", &Config::node_width, {2, 4, 8}},
-                                         {"contexts", &Config::contexts, {16, 32, 64, 128}},
-                                         {"box_queue", &Config::box_queue, {16, 32, 64}},
-                                         {"tri_queue", &Config::tri_queue, {16, 32, 64, 128}},
-                                         {"tri_interval", &Config::tri_interval, {4, 2, 1}},
-                                         {"node_sets", &Config::node_sets, {32, 64, 128, 256, 512}},
-                                         {"node_mshrs", &Config::node_mshrs, {4, 8, 16}},
-                                         {"prim_sets", &Config::prim_sets, {32, 64, 128, 256, 512}},
-                                         {"prim_mshrs", &Config::prim_mshrs, {4, 8, 16}}};
+    static const std::vector<ParameterValues> all{{"node_width", &Config::node_width, {2, 4, 8}},
+                                                  {"contexts", &Config::contexts, {16, 32, 64, 128}},
+                                                  {"box_queue", &Config::box_queue, {16, 32, 64}},
+                                                  {"tri_queue", &Config::tri_queue, {16, 32, 64, 128}},
+                                                  {"tri_interval", &Config::tri_interval, {4, 2, 1}},
+                                                  {"node_sets", &Config::node_sets, {32, 64, 128, 256, 512}},
+                                                  {"node_mshrs", &Config::node_mshrs, {4, 8, 16}},
+                                                  {"prim_sets", &Config::prim_sets, {32, 64, 128, 256, 512}},
+                                                  {"prim_mshrs", &Config::prim_mshrs, {4, 8, 16}}};
     return all;
 }
 
@@ -31,19 +31,19 @@ namespace {
 
 using Members = std::vector<int>;
 
-/// Returns the values on all ladders, which identify a machine.
+/// Returns the values of all parameters, which identify a machine.
 Members members(const Config& config) {
     Members all;
-    for (const Ladder& ladder : ladders()) all.push_back(config.*ladder.member);
+    for (const ParameterValues& p : parameter_values()) all.push_back(config.*p.member);
     return all;
 }
 
-/// Returns the step by `rungs` on a ladder; nothing beyond its ends.
-std::optional<Step> step_of(const Config& config, const Ladder& ladder, int rungs) {
-    const auto at = std::find(ladder.rungs.begin(), ladder.rungs.end(), config.*ladder.member);
-    const std::ptrdiff_t to = at - ladder.rungs.begin() + rungs;
-    if (at == ladder.rungs.end() || to < 0 || to >= std::ptrdiff_t(ladder.rungs.size())) return std::nullopt;
-    return Step{&ladder, *at, ladder.rungs[std::size_t(to)]};
+/// Returns the step by `by` places in the parameter's values; nothing beyond their ends.
+std::optional<Step> step_of(const Config& config, const ParameterValues& p, int by) {
+    const auto at = std::find(p.values.begin(), p.values.end(), config.*p.member);
+    const std::ptrdiff_t to = at - p.values.begin() + by;
+    if (at == p.values.end() || to < 0 || to >= std::ptrdiff_t(p.values.size())) return std::nullopt;
+    return Step{&p, *at, p.values[std::size_t(to)]};
 }
 
 class Search {
@@ -52,7 +52,7 @@ public:
 
     std::optional<SearchResult> run(const Config& base) {
         Machine first{{}, base, {}, {}};
-        for (const Ladder& ladder : ladders()) first.config.*ladder.member = ladder.rungs.front();
+        for (const ParameterValues& p : parameter_values()) first.config.*p.member = p.values.front();
         std::vector<Machine> one{first};
         if (!ask(one) || !evaluator_.use(one)) return std::nullopt;
         at_ = found_.first = one[0];
@@ -70,13 +70,13 @@ private:
     }
     Machine moved(std::vector<Step> steps) const {
         Machine machine{std::move(steps), at_.config, {}, {}};
-        for (const Step& step : machine.steps) machine.config.*step.ladder->member = step.to;
+        for (const Step& step : machine.steps) machine.config.*step.parameter->member = step.to;
         return machine;
     }
-    std::vector<Step> steps(int rungs) const {
+    std::vector<Step> steps(int by) const {
         std::vector<Step> all;
-        for (const Ladder& ladder : ladders())
-            if (const auto step = step_of(at_.config, ladder, rungs)) all.push_back(*step);
+        for (const ParameterValues& p : parameter_values())
+            if (const auto step = step_of(at_.config, p, by)) all.push_back(*step);
         return all;
     }
     std::vector<Machine> ups() const {
@@ -95,7 +95,7 @@ private:
         std::vector<Machine> all;
         for (const Step& down : steps(-1))
             for (const Step& up : steps(1))
-                if (up.ladder != down.ladder) all.push_back(moved({down, up}));
+                if (up.parameter != down.parameter) all.push_back(moved({down, up}));
         return all;
     }
 

@@ -12,20 +12,20 @@
 namespace rayclock::balance {
 
 /// A parameter of the machine's shape and its values, in order of rising hardware cost.
-struct Ladder {
+struct ParameterValues {
     const char* key;
     int Config::*member;
-    std::vector<int> rungs;
+    std::vector<int> values;
 };
-const std::vector<Ladder>& ladders();
+const std::vector<ParameterValues>& parameter_values();
 
 /// Each number of pipelines has its own search. Doubling them costs so much at once that single steps would
 /// not lead from one number to the next.
 constexpr int pipeline_counts[] = {1, 2, 4, 8};
 
-/// A step on a ladder, up or down.
+/// A step to the next value of a parameter, up or down.
 struct Step {
-    const Ladder* ladder = nullptr;
+    const ParameterValues* parameter = nullptr;
     int from = 0, to = 0;
 };
 
@@ -48,8 +48,8 @@ struct Evaluator {
 struct SearchResult {
     Machine first;               ///< all parameters at their least values
     std::vector<Machine> path;   ///< the accepted machines after `first`, each with the steps that led to it
-    std::vector<Machine> next;   ///< one step further in each parameter that would gain speed; none of them
-                                 ///< fits
+    /// Machines that are one step further in each parameter that would gain speed. None of them fits.
+    std::vector<Machine> next;
     std::vector<Machine> others;   ///< results, or least machines, with other numbers of pipelines
     std::size_t machines = 0;      ///< number of machines whose speed was measured
     const Machine& best() const { return path.empty() ? first : path.back(); }
@@ -60,13 +60,13 @@ constexpr double least_gain = 0.005;
 
 bool fits(const chip::Use& use, const chip::Use& room);
 
-/// Runs the search for each number of pipelines. The first machine has the least value on each ladder. Each
-/// round takes the step up, or the pair of steps, with the largest gain per step that fits, until none is
-/// left. Then it takes a step down in one parameter together with steps up in another, if that is faster, and
-/// starts again. The result is a local optimum: no step up, no pair, and no exchange of one for one both fits
-/// and gains `least_gain`. At the end every parameter steps down as long as no speed is lost. Returns the
-/// fastest result; among equals, the one with the fewest pipelines. Returns nothing if interrupted. `best()`
-/// does not fit if no first machine fits.
+/// Runs the search for each number of pipelines. The first machine has the least value of each parameter.
+/// Each round takes the step up, or the pair of steps, with the largest gain per step that fits, until none
+/// is left. Then it takes a step down in one parameter together with steps up in another, if that is faster,
+/// and starts again. The result is a local optimum: no step up, no pair, and no exchange of one for one both
+/// fits and gains `least_gain`. At the end every parameter steps down as long as no speed is lost. Returns
+/// the fastest result; among equals, the one with the fewest pipelines. Returns nothing if interrupted.
+/// `best()` does not fit if no first machine fits.
 std::optional<SearchResult> search(const Config& base, const chip::Use& room, const Evaluator& evaluator);
 
 }   // namespace rayclock::balance

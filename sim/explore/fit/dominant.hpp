@@ -10,9 +10,9 @@ namespace rayclock::fit {
 /// The triangles of a material, or the few largest triangles. Without them the scene and the eye have a
 /// smaller extent.
 struct Dominant {
-    std::string what;   ///< "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12
-                        ///< first)"
-    Scene without;      ///< the scene without them; its primitives are renumbered
+    /// Such as "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12 first)".
+    std::string what;
+    Scene without;               ///< the scene without them; its primitives are renumbered
     std::size_t triangles = 0;   ///< number of removed triangles
     double ratio = 1;            ///< extent of the whole scene with its eye, over the extent without them
 };

@@ -34,7 +34,7 @@ void slab(const Extremes::Group& node, int exp, const Interval& eye, const Recip
     add(all.step, hull(near_step, far_step));
     add(all.near_sum, near_sum);
     add(all.far_sum, far_sum);
-    if (ray.len == 0) return;   // only the signs of both are asked for
+    if (ray.len == 0) return;   // only the signs of both are used
     add(all.left, point(to_left));
     add(all.right, point(to_right));
     // A value below zero is not moved: near is zero then, and far a miss.

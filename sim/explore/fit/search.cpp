@@ -17,9 +17,8 @@ namespace rayclock::fit {
 
 namespace {
 
-constexpr double colour_loss = 0.1,
-                 colour_enough = 60;   // dB: the loss that bary_bits may cause, and the PSNR above which any
-                                       // loss is allowed
+// In dB: the loss that bary_bits may cause, and the PSNR above which any loss is allowed.
+constexpr double colour_loss = 0.1, colour_enough = 60;
 
 int most(int Config::*member) { return parameter(member).hi; }
 int least(int Config::*member) { return parameter(member).lo; }

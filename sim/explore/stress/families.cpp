@@ -103,9 +103,8 @@ Case edge_on(int n, int m, Rng& rng) {
             });
         };
         Shot shot{in_plane(p, q), {}, {}};
-        for (auto& x : shot.o)
-            x = std::clamp(x, -most(n), most(n));   // clamping can leave the plane; such
-                                                    // rays are hard cases too
+        // Clamping can leave the plane; such rays are hard cases too.
+        for (auto& x : shot.o) x = std::clamp(x, -most(n), most(n));
         shot.d = towards(shot.o, in_plane(r, s), m, from);
         for (std::size_t k = 0; k < 3; ++k)
             if (shot.o[k] < kept.lo[k] || shot.o[k] > kept.hi[k]) shot.inside = 0;

@@ -13,11 +13,11 @@ namespace rayclock::sweep {
 
 /// The errors of the last frame against the reference, and its needs. Depends only on the format.
 struct PictureFigures {
-    FrameError error;                      ///< for a stream of rays it has 0 pixels
-    std::optional<std::uint64_t> cracks;   ///< of triangles that camera rays meet; scenes without instances
-                                           ///< only
-    std::uint64_t memory_bytes = 0;        ///< size of the memory image
-    RayCounts rays;                        ///< rays sent
+    FrameError error;   ///< for a stream of rays it has 0 pixels
+    /// Only for triangles that camera rays meet, in scenes without instances.
+    std::optional<std::uint64_t> cracks;
+    std::uint64_t memory_bytes = 0;   ///< size of the memory image
+    RayCounts rays;                   ///< rays sent
 
     bool has_error() const { return error.pixels > 0; }
 };

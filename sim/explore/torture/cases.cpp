@@ -133,7 +133,7 @@ private:
                 if (first + more > 1u << config_.addr_bits) continue;
                 image.words.resize((first + more) * words_per_line, ~0u);
                 take_differences(image, first, more, {}, upload);
-                upload.beside = true;
+                upload.overlaps_previous_frame = true;
             }
             upload.image = without_words(image);
             upload.image_lines = image.lines();

@@ -160,8 +160,8 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.seed = std::uint32_t(dice.below(1 << 30));
     s.background = dice.colour(unit_bits);
     s.lights = std::uint32_t(dice.between(1, config.lights));
-    for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {   // those beyond are there, and do not
-                                                                     // shine
+    // Lights beyond the frame's number exist, but do not shine.
+    for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
         if (config.panes > 0) s.cell[i] = std::uint32_t(dice.below(1 << config.panes));
         const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));

@@ -82,8 +82,8 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, S
     if (flat) s.fine = fine_of(prim, config);
     s.smooth = style != SurfaceStyle::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
-    if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them
-                                                    // apart
+    // The phases of a plane's squares, and the bits that distinguish them.
+    if (s.kind == std::uint32_t(PrimKind::plane))
         for (std::size_t side : {0u, 1u}) {
             s.normal[side] = dice.number(most_of(corner_bits));
             s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);

@@ -13,8 +13,8 @@ namespace rayclock {
 
 namespace {
 
-constexpr suseconds_t patience = 500'000;   // microseconds until the program ends by itself; Ctrl-C may take
-                                            // one second
+// Microseconds until the program must have ended by itself. Ctrl-C may take one second.
+constexpr suseconds_t patience = 500'000;
 
 std::atomic<bool> seen, heard;
 static_assert(std::atomic<bool>::is_always_lock_free);

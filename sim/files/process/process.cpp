@@ -29,8 +29,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int parent_died = SIGUSR1;   // from the kernel when the parent dies, even if getppid() still names
-                                       // it; the parent sends SIGTERM
+// The kernel sends it when the parent dies, even if getppid() still names the parent. The parent sends
+// SIGTERM.
+constexpr int parent_died = SIGUSR1;
 constexpr int could_not_start = 127, ended_by_signal = 126;   // exit codes of the guard, as a shell has them
 
 /// All data that the child needs after fork(). It must not allocate there: another thread may have held the
@@ -104,9 +105,9 @@ void end_group(pid_t program) {
     bool orphan = getppid() != plan.parent, stop = orphan;   // the parent died before prctl()
     const pid_t program = stop ? -1 : fork();
     if (program == 0) become_program(plan);
+    // Parent and child both call setpgid(), so it has happened before either continues.
     if (program > 0)
-        setpgid(program, program);   // parent and child both call it, so it has happened before either
-                                     // continues
+        setpgid(program, program);
     else if (!stop)
         _exit(could_not_start);
     while (!stop) {
@@ -131,8 +132,8 @@ Process::Process(const Launch& launch)
     Plan plan(launch);
     sigset_t all;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &plan.signals);   // block all signals: no handler of this program may
-                                                         // run in the guard
+    // Block all signals, so no handler of this program can run in the guard.
+    pthread_sigmask(SIG_SETMASK, &all, &plan.signals);
     guard_ = fork();
     if (guard_ == 0) guard(plan);
     pthread_sigmask(SIG_SETMASK, &plan.signals, nullptr);
@@ -169,8 +170,8 @@ int Process::wait(const char* stopped, const std::function<void()>& meanwhile) {
     for (int turn = 0; !ended(); ++turn) {
         if (interrupted()) throw Interrupted(stopped);
         if (meanwhile) meanwhile();
-        std::this_thread::sleep_for(std::chrono::milliseconds(turn < 20 ? 1 : 10));   // most programs end at
-                                                                                      // once
+        // Most programs end at once.
+        std::this_thread::sleep_for(std::chrono::milliseconds(turn < 20 ? 1 : 10));
     }
     if (interrupted()) throw Interrupted(stopped);
     return code_;

@@ -12,11 +12,11 @@ namespace rayclock {
 
 /// The program to run, and its folder and output.
 struct Launch {
-    std::vector<std::string> words;   ///< the program (a path or a name in PATH) and its arguments; not
-                                      ///< parsed by a shell
-    std::filesystem::path folder;     ///< working folder and TMPDIR of the program; empty: those of this
-                                      ///< program
-    std::filesystem::path output;     ///< file for standard output and standard error; empty: discard both
+    /// The program (a path or a name in PATH) and its arguments; not parsed by a shell.
+    std::vector<std::string> words;
+    /// Working folder and TMPDIR of the program; empty: those of this program.
+    std::filesystem::path folder;
+    std::filesystem::path output;   ///< file for standard output and standard error; empty: discard both
     std::filesystem::path litter;   ///< file or folder to remove if this program dies meanwhile; may be empty
     std::uint64_t most_output = 16 << 20;   ///< bytes; a program that prints more is killed
 };

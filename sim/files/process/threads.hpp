@@ -24,8 +24,8 @@ void in_order(int threads, GoesOn goes_on, Make make, Take take) {
     using Made = decltype(make(std::size_t()));
     using tbb::filter_mode;
     const int cores = threads_of(threads);
-    const std::size_t ahead = cores > 1 ? 4 * std::size_t(cores) : 1;   // results that may wait for their
-                                                                        // turn
+    // The number of results that may wait for their turn.
+    const std::size_t ahead = cores > 1 ? 4 * std::size_t(cores) : 1;
     std::size_t next = 0;
     const auto begin = [&](tbb::flow_control& flow) {
         if (goes_on(next)) return next++;

@@ -14,7 +14,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "model/scene/folded.hpp"
-#include "sim/judge/cause/camera_rung.hpp"
+#include "sim/judge/cause/camera_stage_check.hpp"
 #include "sim/judge/cause/seam.hpp"
 #include "sim/judge/cause/snapped.hpp"
 #include "sim/judge/cause/exact_answers.hpp"
@@ -26,11 +26,11 @@ namespace {
 
 constexpr int stages = 7;
 constexpr int packed_width = 256;
-constexpr std::size_t most_ladder_faults = 20;
+constexpr std::size_t most_stage_faults = 20;
 constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
-/// Triangles as the machine has them, in lattice steps, for the reference.
+/// Returns the machine's triangles in lattice steps, for the reference.
 Scene on_lattice(const Scene& scene, const Lattice& lattice) {
     Scene snapped;
     snapped.triangles = scene.triangles;
@@ -58,7 +58,7 @@ public:
             report(0, sentence);
         find(progress);
         explain();
-        climb();
+        check_rules();
         check_light();
         for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
         judgement_.seconds = watch.seconds();
@@ -72,7 +72,7 @@ public:
         std::vector<PixelStage> all;
         for (std::size_t k = 0; k < hits.size(); ++k) {
             if (!world_ && k > 0 && PixelCause(k - 1) == PixelCause::seam)
-                continue;   // no stage of one level
+                continue;   // one level does not have this stage
             all.push_back({k == 0 ? "reference" : cause_info(PixelCause(k - 1)).key, hits[k].hits[0],
                            pictures[k].pixels[0]});
         }
@@ -93,7 +93,8 @@ private:
                 snapped_.emplace(steps_);
             },
             [&] { expected_ = shade(inputs_.scene, answered_.reference); });
-        rung_.emplace(inputs_, steps_, *snapped_, world_ ? &*world_ : nullptr, seams_ ? &*seams_ : nullptr);
+        camera_stage_.emplace(inputs_, steps_, *snapped_, world_ ? &*world_ : nullptr,
+                              seams_ ? &*seams_ : nullptr);
     }
     void prepare_levels() {
         world_.emplace(inputs_, image_);
@@ -104,10 +105,11 @@ private:
     }
     void report(std::size_t pixel, const std::string& sentence) {
         ++judgement_.wrong;
-        if (judgement_.faults.size() < most_ladder_faults)
+        if (judgement_.faults.size() < most_stage_faults)
             judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
-    /// As the flat scene has its corners: of a mirrored instance the second and the third change places.
+    /// Returns the hit with the flat scene's order of corners. A mirrored instance has the second and the
+    /// third corner exchanged.
     Hit as_flat(Hit hit) const {
         if (!world_ || hit.primitive == no_primitive) return hit;
         const std::uint32_t place = world_->place_of(hit.primitive);
@@ -128,7 +130,7 @@ private:
                srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
     }
 
-    /// Asks the oracle about every pixel; pixels that differ and are no bugs are left to explain().
+    /// Compares every pixel with the oracle's answer. Lists pixels that differ without a bug for explain().
     void find(const Progress& progress) {
         const std::size_t pixels = answered_.answers.size();
         const bool exact = inputs_.config.test() == PrimitiveTest::exact;
@@ -193,7 +195,7 @@ private:
         return s;
     }
 
-    /// The primitive of the last stage is that before it.
+    /// Finds the cause of each listed pixel from the primitives and colours of its stages.
     void explain() {
         const auto [hits, pictures] = staged();
         for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -210,7 +212,7 @@ private:
         }
     }
 
-    /// What the rounding of rays in instances has changed.
+    /// Decides whether a pixel that changed at the seam stage is a seam, ray_quantisation or a bug.
     PixelCause seam_or(std::size_t pixel) {
         const Vec3i direction = exact_direction(inputs_.frame, inputs_.config, {}, x(pixel), y(pixel), 0);
         switch (seams_->explain(camera_ray(inputs_.frame.eye, direction), answered_.answers[pixel],
@@ -223,8 +225,9 @@ private:
         return PixelCause::bug;
     }
 
-    /// Whatever the cause: the reference's rules must hold on the machine's ray, and for both colours.
-    void climb() {
+    /// Checks each listed pixel, whatever its cause: the reference's rules must hold on the machine's ray and
+    /// for both colours.
+    void check_rules() {
         std::vector<CameraFinding> found(open_.size());
         tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) { found[i] = decide(open_[i]); });
         for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -234,7 +237,8 @@ private:
             report(open_[i], found[i].fault);
         }
     }
-    /// Both pictures are lit by shade(), so that a fault of it need not show as a difference.
+    /// Checks the light of every lit_stride-th pixel. shade() lights both pictures, so a fault in it may show
+    /// no difference.
     void check_light() {
         const std::size_t pixels = judgement_.pixels.size();
         std::vector<std::uint8_t> wrong((pixels + lit_stride - 1) / lit_stride);
@@ -252,7 +256,8 @@ private:
     CameraFinding decide(std::size_t pixel) const {
         const int px = x(pixel), py = y(pixel);
         const Vec3i d = exact_direction(inputs_.frame, inputs_.config, {}, px, py, 0);
-        CameraFinding found = rung_->judge(px, py, d, exact_->answer(exact_->pixel(inputs_.frame, px, py)));
+        CameraFinding found =
+            camera_stage_->judge(px, py, d, exact_->answer(exact_->pixel(inputs_.frame, px, py)));
         const Hit mine = as_flat(HitScale(inputs_.frame, inputs_.lattice, inputs_.config)(
             {std::uint32_t(px), std::uint32_t(py), answered_.answers[pixel]}));
         const bool is_lit_right =
@@ -261,9 +266,9 @@ private:
         if (!is_lit_right && found.fault.empty()) found.fault = wrong_light;
         return found;
     }
-    /// Floats hold it.
+    /// The tolerance is the precision of floats.
     bool is_local_light(const Hit& hit, const glm::vec3& colour, std::size_t pixel) const {
-        const std::optional<glm::dvec3> light = rung_->local_light(hit, x(pixel), y(pixel));
+        const std::optional<glm::dvec3> light = camera_stage_->local_light(hit, x(pixel), y(pixel));
         for (int k = 0; light && k < 3; ++k)
             if (std::abs(std::min(double(colour[k]), 1.0) - std::min((*light)[k], 1.0)) > 0x1p-22)
                 return false;
@@ -297,10 +302,10 @@ private:
     FrameSize size_;
     std::optional<PlacedWorld> world_;   // of two levels
     std::optional<SeamFinder> seams_;
-    Scene steps_;   // the scene as the machine has it
+    Scene steps_;   // the machine's scene in lattice steps
     std::optional<ExactAnswers> exact_;
     std::optional<Reference> snapped_;   // of steps_
-    std::optional<CameraRung> rung_;
+    std::optional<CameraStageCheck> camera_stage_;
     Picture expected_;
     std::vector<std::size_t> open_;
     Judgement judgement_;
@@ -309,7 +314,7 @@ private:
 }   // namespace
 
 const PixelCauseInfo& cause_info(PixelCause cause) {
-    // Colours of Okabe and Ito 2008, "Color universal design"; white for what must not be there.
+    // Colours of Okabe and Ito 2008, "Color universal design"; white for a bug.
     static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
                                                                          {"ray_quantisation", {86, 180, 233}},
                                                                          {"seam", {213, 94, 0}},

@@ -17,8 +17,8 @@
 // primitive test, stage 5 must equal stage 4 to the bit. If not, the pixel is a bug, visible or not.
 //
 // The stages share rules with the machine: the camera's registers, the lattice, the meaning of t, u and v,
-// and shade(). So the reference then checks each pixel that differs by its own rules (camera_rung.hpp). Any
-// fault that it finds is a bug.
+// and shade(). So the reference then checks each pixel that differs by its own rules
+// (camera_stage_check.hpp). Any fault that it finds is a bug.
 #include <array>
 #include <span>
 
@@ -86,9 +86,9 @@ struct FrameAnswers {
 Judgement judge(const FrameInputs& inputs, const MemoryImage& image, const FrameAnswers& answered,
                 int threads = 0, const Progress& progress = {});
 
-/// A pixel's hit and colour after one of the stages above, whose name is `step`.
+/// A pixel's hit and colour after the stage `name`, one of those above.
 struct PixelStage {
-    const char* step;
+    const char* name;
     Hit hit;
     glm::vec3 colour{0};
 };

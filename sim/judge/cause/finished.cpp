@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_shading_faults = 20;
 
-/// Several watches of one pixel.
+/// Passes the events of one pixel to several watches.
 class Watches final : public ShadeWatch {
 public:
     explicit Watches(std::vector<ShadeWatch*> all) : all_(std::move(all)) {}
@@ -35,7 +35,7 @@ private:
     std::vector<ShadeWatch*> all_;
 };
 
-/// What the rays of a pixel are found to be, in two levels.
+/// Collects the findings of a pixel's rays, with two levels.
 class SeamWatch final : public ShadeWatch {
 public:
     explicit SeamWatch(const SeamFinder& seams) : seams_(seams) {}
@@ -55,10 +55,10 @@ private:
     Ray ray_;
 };
 
-/// The rungs between the scene as given and the machine.
-class Ladder {
+/// The stages from the scene as given to the machine, for one frame.
+class CauseStages {
 public:
-    Ladder(const FrameInputs& inputs, const Whitted& settings, const PictureJudge& judge)
+    CauseStages(const FrameInputs& inputs, const Whitted& settings, const PictureJudge& judge)
         : inputs_(inputs),
           settings_(settings),
           judge_(judge),
@@ -77,21 +77,19 @@ public:
         std::uint32_t ties = 0;
         double seams_apart = 0;
     };
-    /// What follows a machine's pixels, one after the other.
+    /// The scratch data of one thread, which follows the machine's pixels one after the other.
     struct Bench {
         ShadedRecorder recorder;
         RecordScratch scratch;
         PathJudge judge;
         MachinePath path;
-        explicit Bench(const Ladder& ladder)
-            : recorder(ladder.judge_.recorder()),
-              scratch(ladder.inputs_.config),
-              judge(ladder.judge_.rules()) {}
+        explicit Bench(const CauseStages& owner)
+            : recorder(owner.judge_.recorder()), scratch(owner.inputs_.config), judge(owner.judge_.rules()) {}
     };
     /// `reference`: signature of the pixel's rays in the scene as given; `mine`: of the machine's.
     Found operator()(Bench& bench, std::uint32_t x, std::uint32_t y, std::uint64_t reference,
                      std::uint64_t mine, const glm::dvec3& colour) const {
-        const GuideFinding last = last_rung(x, y, bench, colour);
+        const GuideFinding last = last_stage(x, y, bench, colour);
         Found found;
         found.ties = last.ties;
         if (!last.fault.empty()) {
@@ -109,8 +107,8 @@ public:
     }
 
 private:
-    /// The reference on the machine's rays.
-    GuideFinding last_rung(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
+    /// Draws the pixel with the reference on the machine's rays, and checks its colour.
+    GuideFinding last_stage(std::uint32_t x, std::uint32_t y, Bench& bench, const glm::dvec3& colour) const {
         Watches both({&bench.judge, &bench.path});
         bench.judge.start(x, y);
         bench.path.start();
@@ -129,8 +127,8 @@ private:
         const WhittedPixel pixel = reference_.pixel(camera_, size_, settings_, x, y, &guide);
         guide.finish();
         GuideFinding found = guide.finding();
-        // What the bounds leave out: R0 of Schlick's term has unit_bits, which each bounce may add to a
-        // weight.
+        // The bounds do not include the rounding of R0 in Schlick's term. R0 has unit_bits, and each bounce
+        // may add its error to a weight.
         const double slack = unit_step * double(1 + bench.path.visits.size());
         for (std::size_t k = 0; k < 3 && found.fault.empty() && !found.has_horizon; ++k)
             if (bounds[k].wider(slack).holds(pixel.colour[int(k)]))
@@ -186,34 +184,34 @@ Judgement judge_finished(const FrameInputs& inputs, const MemoryImage& image, co
     j.widest = judged.widest;
     j.faults = judged.faults;
 
-    const bool can_climb = !judge.placed() || judge.placed()->faults().empty();
-    std::optional<Ladder> ladder;
-    if (can_climb) ladder.emplace(inputs, settings, judge);
-    std::vector<std::optional<Ladder::Found>> found(pixels);
+    const bool can_follow = !judge.placed() || judge.placed()->faults().empty();
+    std::optional<CauseStages> cause_stages;
+    if (can_follow) cause_stages.emplace(inputs, settings, judge);
+    std::vector<std::optional<CauseStages::Found>> found(pixels);
     const auto width = std::size_t(hits.size.width);
-    const auto climb_row = [&](const PixelTile& tile) {
+    const auto follow_row = [&](const PixelTile& tile) {
         const auto y = std::size_t(tile.rows().begin());
-        std::optional<Ladder::Bench> bench;
+        std::optional<CauseStages::Bench> bench;
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
             const bool is_other = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
             const glm::vec3& mine = answered.picture.pixels[i];
             const bool differs =
                 is_other || srgb_bytes(glm::vec3(answered.reference.pixels[i])) != srgb_bytes(mine);
-            if (!ladder || judged.pixels[i] || !differs) continue;
-            if (!bench) bench.emplace(*ladder);
-            found[i] = (*ladder)(*bench, std::uint32_t(i % width), std::uint32_t(y),
-                                 answered.reference.signatures[i], answered.given.signatures[i], mine);
+            if (!cause_stages || judged.pixels[i] || !differs) continue;
+            if (!bench) bench.emplace(*cause_stages);
+            found[i] = (*cause_stages)(*bench, std::uint32_t(i % width), std::uint32_t(y),
+                                       answered.reference.signatures[i], answered.given.signatures[i], mine);
         }
     };
-    for_each_tile(hits.size, threads, "finding causes", progress, climb_row, {hits.size.width, 1});
+    for_each_tile(hits.size, threads, "finding causes", progress, follow_row, {hits.size.width, 1});
 
     const auto report = [&](std::size_t pixel, const std::string& sentence) {
         ++j.wrong;
         if (j.faults.size() < most_shading_faults)
             j.faults.push_back({std::uint32_t(pixel % width), std::uint32_t(pixel / width), 0, sentence});
     };
-    if (ladder)
-        for (const std::string& sentence : ladder->faults()) report(0, sentence);
+    if (cause_stages)
+        for (const std::string& sentence : cause_stages->faults()) report(0, sentence);
     for (std::size_t i = 0; i < pixels; ++i) {
         j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
         if (judged.pixels[i]) {

@@ -2,19 +2,19 @@
 // Finds the cause of each pixel of a finished picture that differs from the reference's.
 //
 // Two readers check the machine's pixels. The judge (sim/judge) follows every ray of every pixel, in exact
-// arithmetic and by the machine's rules. The ladder follows the pixels that differ, with the reference tracer
-// and by the reference's rules. Its input changes step by step from the scene as given to the machine's:
+// arithmetic and by the machine's rules. The reference tracer draws the pixels that differ once more in each
+// of three stages, by its own rules. Its input changes from the scene as given to the machine's:
 //
-//   rung  the reference has                                                        cause
-//   0     the scene as given                                                       shading
-//   1     corners, spheres, planes, lights and eye on the lattice                  snapping
-//   2     each ray as the machine sent it, if it lies within its stated bound;     ray_quantisation, seam,
-//         colours and weights with the machine's bits                              horizon
+//   stage  the reference has                                                       cause
+//   0      the scene as given                                                      shading
+//   1      corners, spheres, planes, lights and eye on the lattice                 snapping
+//   2      each ray as the machine sent it, if it lies within its stated bound;    ray_quantisation, seam,
+//          colours and weights with the machine's bits                             horizon
 //
-// A pixel's cause is the lowest rung at which the reference's rays meet the same primitives as the machine's.
-// On the last rung they must do so, and the colour must lie within the judge's bounds. Otherwise, or if the
-// judge finds a fault, the pixel is a `bug`. guide.hpp lists the differences that the reference accepts on
-// that rung, and how they are counted: ties, seams of two levels, planes beyond the horizon.
+// A pixel's cause is the first stage in which the reference's rays meet the same primitives as the machine's.
+// In the last stage they must do so, and the colour must lie within the judge's bounds. Otherwise, or if the
+// judge finds a fault, the pixel is a `bug`. guide.hpp lists the differences that the reference accepts in
+// that stage, and how they are counted: ties, seams of two levels, planes beyond the horizon.
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/cause.hpp"
 

@@ -17,8 +17,9 @@ namespace rayclock {
 
 namespace {
 
-/// Steps by which a point may lie off its triangle where an instance turns rays: rho and 3/4 of the mesh's
-/// steps (docs/motion.md, Boxes). Each of these steps is at most most_stretch of the scene's.
+/// The largest distance of a point from its triangle in an instance that turns rays, in steps of the scene:
+/// rho plus 3/4 of a step of the mesh (docs/motion.md, Boxes). A step of the mesh is at most most_stretch
+/// steps of the scene.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
@@ -57,8 +58,8 @@ bool Guide::is_turned(const MachineVisit& at) const {
     return place != oracle::PlacedRay::nowhere && !rules_.placed->is_same(place);
 }
 
-/// How far the machine's unit normal may lie from the true one: unit_vector()'s bound, and where an instance
-/// turns it that bound as the map stretches it, and once more.
+/// Returns the error bound of the machine's unit normal. An instance's map multiplies unit_vector()'s bound
+/// by its condition number.
 double Guide::normal_error(const MachineVisit& at) const {
     if (!is_turned(at)) return vector_error;
     const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
@@ -83,8 +84,8 @@ void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
     path.direction = direction(at->ray.d);
 }
 
-/// The machine compares its own colours, which lie within sample_width_ of the reference's, and the
-/// register for the contrast is rounded up.
+/// The machine compares its own colours, which lie within sample_width_ of the reference's. The register of
+/// the contrast is rounded up.
 bool Guide::ends(std::uint32_t samples, double difference, bool own) {
     const bool machine = path_.samples.size() <= samples;
     if (machine == own) return machine;
@@ -121,11 +122,11 @@ std::optional<RefClosest> Guide::find_tie(const RefPath& path, const RefClosest&
     return std::nullopt;
 }
 
-/// The machine's point is rounded: it lies slightly off its sphere, or near a crease beyond the other
-/// surface. The path from where the reference has it, to the same end.
+/// Returns the path from the reference's own point to the same end. The machine's point is rounded, so it may
+/// lie off its sphere or beyond a crease.
 RefPath Guide::from_own(const RefPath& path, double distance) const {
-    const std::size_t depth = std::isfinite(distance) ? at_.size() : at_.size() - 1;   // a bounce left the
-                                                                                       // one before
+    // A bounce leaves the previous visit's point.
+    const std::size_t depth = std::isfinite(distance) ? at_.size() : at_.size() - 1;
     RefPath moved = path;
     if (depth == 0 || depth > moved_.size()) return moved;
     moved.from -= moved_[depth - 1];
@@ -134,8 +135,8 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
     return moved;
 }
 
-/// Where a ray meets a sphere the machine rounds a root and t (model/unit/isect/any.hpp): what is closer by
-/// less may win. The point at t is rounded as well.
+/// Returns the error of a hit on a sphere in lattice steps: rounding of the root, of t and of the point
+/// (model/unit/isect/any.hpp). Of two hits that are closer together than this, either may win.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
     const Config& config = rules_.inputs.config;
@@ -156,8 +157,8 @@ double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) cons
     return tick + std::max(point / length, radius * std::exp2(1 - root_bits)) + 3 * point + graze / step();
 }
 
-/// Returns how far the point where a ray meets a flat surface moves, in lattice steps, if the ray moves as
-/// the tracer moves it. A ray along the surface moves it far.
+/// Returns the error of a hit on a flat surface in lattice steps, because the tracer moves a ray off the
+/// surface that it leaves. The error is large for a ray that is nearly parallel to the surface.
 double Guide::flat_error(const MachineVisit& at, const glm::dvec3& normal) const {
     const double cosine = std::abs(glm::dot(normal, direction(at.ray.d))),
                  size = glm::length(
@@ -172,8 +173,8 @@ bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const Mac
     return most > 0 && other.primitive != no_primitive && other.depth - own.depth <= most;
 }
 
-/// From beyond the lattice the machine's ray begins where it comes into the lattice; what it passes before is
-/// not looked for.
+/// Returns true if the reference's hit lies outside the lattice. A machine's ray from beyond the lattice
+/// begins where it enters the lattice, so it misses all surfaces before that point.
 bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
     if (at.parent < 0) return false;
     const MachineVisit& from = path_.visits[std::size_t(at.parent)];
@@ -186,7 +187,6 @@ bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const 
     return own.depth <= entry + step();
 }
 
-/// The machine's hit, from which the path goes on.
 RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
     is_substituted_ = true;
     if (!at.hit.found) return {};
@@ -201,7 +201,8 @@ RefClosest Guide::as_machine(const RefPath& path, const MachineVisit& at) {
     return hit;
 }
 
-/// A ray that passes by the lattice as the machine sends it: its origin has lost its last far_drop bits.
+/// Returns the ray as the machine sends it if it does not meet the lattice: without the last far_drop bits of
+/// its origin.
 RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
     const int frac = rules_.inputs.config.origin_frac() - far_drop;
     RefPath moved = path;
@@ -217,7 +218,7 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
     const bool is_far = at && at->ray.partial;
     const RefPath path = is_far ? from_far(sent, *at) : sent;
     const RefClosest own = is_far ? rules_.reference.geometry().closest(path) : closest;
-    if (!at) {   // the machine sent no ray: it passes by the lattice, and takes the background
+    if (!at) {   // the machine sent no ray: the ray misses the lattice and gets the background
         const bool is_plane = own.primitive >= scene.triangles.size() + scene.spheres.size();
         if (own.primitive == no_primitive) return own;
         if (is_plane)
@@ -253,8 +254,8 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
 
 // ---- Surfaces.
 
-/// Corner normals have corner_bits bits, of the space in which memory has the triangle; the longest of the
-/// three fills them.
+/// Rounds corner normals to corner_bits bits, in the space in which memory holds the triangle. The longest of
+/// the three uses the whole range.
 void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const {
     glm::dmat3 map(1);   // x in the mesh = map x in the scene, in steps
     if (is_turned(at)) {
@@ -275,7 +276,7 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
         glm::dvec3& n = normals[corner];
         n *= most / longest;
         for (int k = 0; k < 3; ++k) {
-            // Half a unit is rounded either way: doubles do not tell which.
+            // Doubles cannot decide which way half a unit is rounded, so either way is accepted.
             const double memory = at.surface.normal[3 * stored + std::size_t(k)];
             n[k] = std::abs(n[k] - memory) <= 0.5 + tie_size * std::abs(n[k]) ? memory : std::round(n[k]);
         }
@@ -301,7 +302,8 @@ std::array<double, 2> Guide::weights(const MachineVisit& at) const {
     return w;
 }
 
-/// u and v are rounded down, then to origin_bits (and `fine`), and moved off the border by two units at most.
+/// The machine rounds u and v down, rounds them again to origin_bits (and `fine`), and moves them off the
+/// border by at most two units.
 void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
@@ -331,8 +333,9 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
         return glm::all(glm::lessThanEqual(glm::abs(seen - colour), glm::dvec3(unit)));
     };
     if (is(own)) return own;
-    // Squares: the machine counts sides, each half or twice a square's as often as it takes (plane.hpp), to
-    // bary_bits; where sides end, or squares are finer than that, it takes the average.
+    // The machine counts squares in sides of the plane, each halved or doubled to fit the lattice
+    // (plane.hpp), with bary_bits. Where sides end, or squares are finer than these bits, it uses the average
+    // colour.
     const Scene& scene = rules_.scene;
     const Plane& plane = scene.planes[hit.primitive - scene.triangles.size() - scene.spheres.size()];
     const auto of = [](const Vec3i& v) { return glm::dvec3(v[0], v[1], v[2]); };
@@ -382,7 +385,7 @@ void Guide::place(RefSurface& surface) {
     const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]),
                  tick = std::exp2(1 - config.dir_bits - config.t_frac_bits) * length;
     if (is_turned(*at)) {
-        // The point lies on the scene's ray, and the triangle where its instance's ray meets it.
+        // The point lies on the scene's ray. The triangle lies where the instance's ray meets it.
         const glm::dvec3 off = (machine - surface.position) / step(), way = direction(d);
         if (glm::length(off - glm::dot(off, way) * way) > 2 * grain + tick + double_slack / step() ||
             std::abs(glm::dot(off, surface.flat)) > most_turned)
@@ -435,7 +438,7 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
         fail("a light counts that lies behind the surface");
         return true;
     }
-    if (at->state.far) return true;   // the machine takes it for hidden: is_blocked() looks
+    if (at->state.far) return true;   // the machine treats it as hidden; is_blocked() checks this
     fail("a light that the surface faces does not count");
     return own;
 }
@@ -492,7 +495,7 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         return machine;
     }
     if (seen.was_sent && RayKind(seen.ray.kind) == RayKind::away) {
-        // Its direction is that of a unit vector, rounded; it begins at the light or at the surface.
+        // Its direction is a rounded unit vector. It begins at the light or at the surface.
         const bool from_light = rules_.inputs.frame.shade.near[light] != 0;
         const glm::dvec3 turned = (from_light ? -1.0 : 1.0) * direction(seen.ray.d);
         if (chord(turned, path.direction) > 2 * vector_error + std::exp2(3 - rules_.inputs.config.dir_bits)) {
@@ -542,8 +545,8 @@ bool Guide::is_total(const RefSurface&, double ratio, double cosine, bool own) {
     return machine;
 }
 
-/// R = 2 (N . V) N - V: the normal's error counts four times, the view's once. A refracted ray's comes from
-/// both cosines, which near the critical angle are wide open.
+/// Returns the error bound of a bounce's direction. R = 2 (N . V) N - V has four times the normal's error
+/// plus the view's. A refracted ray's error comes from both cosines, and is large near the critical angle.
 double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) const {
     const double n = normal_error(at), full = std::exp2(rules_.inputs.config.dir_bits - 2);
     const double grain = 1.7320509 * (1.5 * unit_step + 1 / full);
@@ -559,7 +562,8 @@ double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) c
         for (const double dc : {-error, error})
             wide =
                 std::max(wide, std::abs(bent(std::max(0.0, r + dr), std::clamp(c + dc, 0.0, 1.0)) - middle));
-    const double root = std::sqrt(4 * r * r * error + 4 * r * index);   // where the middle is far from flat
+    // Near the critical angle the root is steep, so the corners above do not bound it.
+    const double root = std::sqrt(4 * r * r * error + 4 * r * index);
     const double rest = 1 - r * r * (1 - c * c);
     if (rest < 16 * r * r * error) wide = std::max(wide, root);
     return 2 * (wide + (1 + std::abs(middle)) * n + r * vector_error + index + grain);
@@ -578,7 +582,7 @@ bool Guide::goes(RefBounce& bounce) {
         (4 * double(at_.size()) + 1) * unit_step;
     const bool is_side_close = std::abs(side) <= error;
     if (child == MachineVisit::none) {
-        if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // by the lattice: met() looks
+        if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // misses the lattice: see met()
             if (rules_.inputs.config.horizon && !at->state.lost)
                 fail("a bounce beyond the lattice is not sent");
             if (!own) tie();

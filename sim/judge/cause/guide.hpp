@@ -1,7 +1,7 @@
 #pragma once
 // Guides the reference tracer along a machine's path through one pixel, and reports where the two disagree.
 //
-// This is the last rung of the ladder (finished.hpp). The reference has the machine's scene: corners,
+// This is the last stage (finished.hpp). The reference has the machine's scene: corners,
 // spheres, planes and lights on the lattice, colours and weights with the machine's bits. It follows the
 // machine's rays, after checking that each lies within a bound of the ray that the reference would have sent.
 // The reference makes every decision by its own rules: which primitive a ray meets and on which side, which
@@ -78,10 +78,10 @@ private:
     void fail(std::string what);
     void tie() { ++finding_.ties; }
 
-    glm::dvec3 point(const Vec3l& p, int frac) const;   ///< converts from the scene's lattice to the tracer's
-                                                        ///< space
-    glm::dvec3 direction(const Vec3i& d) const;         ///< unit
-    double step() const;                                ///< lattice step in the tracer's space
+    /// Converts from the scene's lattice to the tracer's space.
+    glm::dvec3 point(const Vec3l& p, int frac) const;
+    glm::dvec3 direction(const Vec3i& d) const;   ///< unit
+    double step() const;                          ///< lattice step in the tracer's space
     bool is_turned(const MachineVisit& at) const;
     double normal_error(const MachineVisit& at) const;
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
@@ -108,7 +108,7 @@ private:
     std::size_t visited_ = 0;   ///< number of path_.visits that were followed
     GuideFinding finding_;
     std::vector<int> at_;
-    std::vector<glm::dvec3> moved_;   ///< for each of them: from the reference's point to the machine's
+    std::vector<glm::dvec3> moved_;   ///< for each of at_: from the reference's point to the machine's
     bool is_substituted_ = false;     ///< the last hit is the machine's, not the reference's
 };
 

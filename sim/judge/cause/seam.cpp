@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t nowhere = oracle::PlacedRay::nowhere;
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr double of_doubles = 1e-6;   // steps: what working in doubles may add to a distance
-constexpr double same_place = 1e-9;   // of t: what doubles cannot tell apart
+constexpr double of_doubles = 1e-6;   // error of a distance computed in doubles, in steps
+constexpr double same_place = 1e-9;   // relative difference of two t that doubles cannot distinguish
 
 glm::dvec3 origin_of(const oracle::SolidRay& ray) {
     return std::ldexp(1.0, -ray.frac) * glm::dvec3(ray.origin[0], ray.origin[1], ray.origin[2]);
@@ -24,14 +24,14 @@ glm::dvec3 direction_of(const oracle::SolidRay& ray) {
     return {ray.direction[0], ray.direction[1], ray.direction[2]};
 }
 
-/// t of what is closest.
+/// Returns t of the closest hit.
 double first_of(const oracle::Nearest& met) {
     const double flat =
         met.flat.primitive == no_primitive ? endless : double(met.flat.num) / double(met.flat.den);
     return met.sphere.primitive == no_primitive ? flat : std::min(flat, met.sphere.distance);
 }
 
-/// t of a sphere or plane that is met, spheres being numbered first.
+/// Returns t of the hit on a sphere or plane. Numbers of spheres come before numbers of planes.
 double round_distance(const Scene& round, std::size_t number, const glm::dvec3& o, const glm::dvec3& d) {
     if (number >= round.spheres.size()) {
         const Plane& plane = round.planes[number - round.spheres.size()];
@@ -76,7 +76,8 @@ SeamFinder::SeamFinder(const PlacedWorld& world, const Config& config)
     for (const SharedMesh& mesh : snapped_.meshes) {
         Scene scene;
         scene.vertices = mesh.vertices, scene.triangles = mesh.triangles;
-        meshes_.emplace_back(mesh.triangles.empty() ? round : scene);   // nothing else has no triangles
+        // Only the mesh of spheres and planes has no triangles.
+        meshes_.emplace_back(mesh.triangles.empty() ? round : scene);
     }
 }
 
@@ -87,7 +88,7 @@ SeamFinder::Line SeamFinder::line_of(std::uint32_t place, const oracle::PlacedRa
     return {place, map.back * (origin_of(seen) - map.b), map.back * direction_of(seen)};
 }
 
-/// Worked out again from the plane or sphere that was met: a Hit has a float for it.
+/// Computes t from the plane or sphere that the line meets, because a Hit holds only a float.
 SeamFinder::LineHit SeamFinder::met_by_line(const Line& line, std::uint32_t place, bool is_finite) const {
     const Map& map = maps_[place];
     const glm::dvec3 o = map.a * line.o + map.b, d = map.a * line.d;
@@ -102,7 +103,7 @@ SeamFinder::LineHit SeamFinder::met_by_line(const Line& line, std::uint32_t plac
     return {place, glm::dot(n, at[v[0]] - o) / glm::dot(n, d)};
 }
 
-/// Where the map is the identity, it is the scene's ray.
+/// Returns true if the instance sees this line. An instance whose map is the identity sees the scene's ray.
 bool SeamFinder::is_line_of(const Line& line, std::uint32_t place) const {
     return place == line.place ||
            (world_.is_same(place) && (line.place == nowhere || world_.is_same(line.place)));
@@ -115,15 +116,15 @@ SeamFinder::LineHit SeamFinder::met_exactly(std::uint32_t place, const Question&
     return t < endless ? LineHit{place, t} : LineHit{};
 }
 
-/// Returns the nearest hit; among equal places the answer's wins. Instances on this line, and the instance
-/// that the ray leaves, are decided exactly.
+/// Returns the nearest hit; of hits at the same t the answer's wins. Hits in the line's own instance, and in
+/// the instance that the ray leaves, are decided exactly.
 SeamFinder::LineHit SeamFinder::first_on(const Line& line, const Question& question) const {
     LineHit first{nowhere, question.end};
     for (std::uint32_t place = 0; place < maps_.size(); ++place) {
         LineHit met;
         const auto targets = question.ray.ray.targets;
         if (is_line_of(line, place) || place == question.left) {
-            if (question.ends_at_any) continue;   // nothing is in the way there: else there is no question
+            if (question.ends_at_any) continue;   // explain() has excluded a blocker there
             met = met_exactly(place, question);
         } else if (targets != oracle::SolidRay::Targets::planes) {
             met = met_by_line(line, place, targets == oracle::SolidRay::Targets::bounded);
@@ -137,8 +138,8 @@ SeamFinder::LineHit SeamFinder::first_on(const Line& line, const Question& quest
     return first;
 }
 
-/// Rounding moves a line by half a unit where it begins, and by half a step for each direction; where the ray
-/// leaves an instance, by what it is off there.
+/// Rounding moves the start of a line by half a unit, and its direction by half a step. In the instance that
+/// the ray leaves, the start moves by the distance between the two origins.
 bool SeamFinder::is_within_bound(const Line& line, const LineHit& met, const Question& question,
                                  double& apart) const {
     const auto rounded = [&](std::uint32_t place) {
@@ -166,10 +167,10 @@ bool SeamFinder::is_within_bound(const Line& line, const LineHit& met, const Que
 
 RayFinding SeamFinder::explain(const Ray& ray, const Closest& answer, double* apart) const {
     Question question{world_.ray(ray), ends_at_any(ray.kind)};
-    if (question.ends_at_any && answer.found) return RayFinding::one_line;   // that of what is in the way
+    if (question.ends_at_any && answer.found) return RayFinding::one_line;   // the blocker's line
     if (RayKind(ray.kind) == RayKind::shadow) question.end = std::ldexp(1.0, -config_.origin_frac());
     question.left = question.ray.home;
-    if (RayKind(ray.kind) != RayKind::camera && question.left == nowhere)   // it is the same there
+    if (RayKind(ray.kind) != RayKind::camera && question.left == nowhere)   // its map is the identity
         question.left = world_.place_of(ray.self);
     if (answer.found) {
         const oracle::PlacedHit hit = world_.solids().nearest(question.ray);
@@ -189,7 +190,7 @@ RayFinding SeamFinder::explain(const Ray& ray, const Closest& answer, double* ap
         const Line line = line_of(concerned[i], question.ray);
         const LineHit first = first_on(line, question);
         if (first.place == question.answer.place) return RayFinding::one_line;
-        if (first.place == nowhere) continue;   // it misses what was hit
+        if (first.place == nowhere) continue;   // the line misses every instance
         is_bounded = is_bounded && is_within_bound(line, first, question, most);
         add(first.place);
     }

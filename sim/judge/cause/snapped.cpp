@@ -30,7 +30,7 @@ double rounded(double value, int bits) { return std::ldexp(std::round(std::ldexp
 double share(double value) { return rounded(std::clamp(value, 0.0, 1.0), share_bits); }
 glm::dvec3 shares(const glm::dvec3& v) { return {share(v.x), share(v.y), share(v.z)}; }
 
-/// A weight of 0 stays 0, and no other becomes it; docs/shading.md, Weights and threshold.
+/// A weight of 0 stays 0, and no other weight becomes 0 (docs/shading.md, Weights and threshold).
 double weight(double value) {
     return value > 0 ? std::max(rounded(std::min(value, 1.0), unit_bits), std::ldexp(1.0, -unit_bits)) : 0;
 }
@@ -70,7 +70,7 @@ private:
             out_.faults.emplace_back(sentence);
     }
 
-    /// Those of instances are held against their bound mesh by mesh, in PlacedWorld.
+    /// PlacedWorld compares the corners of instances with their bound, mesh by mesh.
     void move_corners() {
         const Lattice& lattice = inputs_.lattice;
         if (placed_) {
@@ -94,7 +94,8 @@ private:
         }
     }
 
-    /// A sphere's centre is moved by half a step, the square of its radius by half a step's.
+    /// A sphere's centre may move by half a step on each axis, the square of its radius by half the square of
+    /// a step.
     void move_round() {
         const Lattice& lattice = inputs_.lattice;
         Scene& scene = out_.scene;
@@ -118,9 +119,9 @@ private:
         }
     }
 
-    /// Sides by half a step, and the lattice point on which they stand by half a step from a point that is
-    /// whole sides from the scene's: docs/verdict.md proves from this how far the plane may turn, how far any
-    /// of its points may lie from the given one, and where squares begin.
+    /// A plane's sides may change by half a step. Its lattice point may lie half a step from a point that is
+    /// whole sides away from the scene's. docs/verdict.md derives how far the plane may turn, how far its
+    /// points may lie from the given plane, and where squares begin.
     void demand_plane(const Plane& given, const Plane& machine) {
         const Lattice& lattice = inputs_.lattice;
         const PlaneOnLattice on = plane_on_lattice(given, lattice);
@@ -144,13 +145,14 @@ private:
             g += on.at[i] * part, corner -= on.at[i] * side[i];
             far = std::max(far, glm::length(g)) + std::abs(on.at[i]) * glm::length(part);
         }
-        const double rounding = slack + 0x1p-48 * far;   // of doubles, on the way to g
+        const double rounding = slack + 0x1p-48 * far;   // of doubles, in the computation of g
         demand(is_near(a, g, rounding), "a plane lies further from the scene's than it may");
         const glm::dvec3 begin = (machine.point - lattice.centre) / lattice.pitch;
         demand(glm::length(begin - corner) <= rounding, "a plane's squares begin elsewhere than the scene's");
     }
 
-    /// By half a step; of a light beyond the reach of the registers that much at their end.
+    /// A light may move by half a step. A light beyond the range of the registers is compared at the end of
+    /// the range.
     void move_lights() {
         const Lattice& lattice = inputs_.lattice;
         const double reach = std::exp2(inputs_.config.light_bits() - 1) - 1;

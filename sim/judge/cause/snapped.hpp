@@ -1,7 +1,7 @@
 #pragma once
 // The machine's scene in the units of the given scene, and whether it is close enough to the given scene.
 //
-// The reference traces it for the ladder (finished.hpp). Corners, spheres, planes and lights lie on the
+// The reference traces it in the later stages (finished.hpp). Corners, spheres, planes and lights lie on the
 // lattice, and colours and weights have the machine's bits. Corner normals do not change, because Guide
 // rounds them. Each change is compared with the bound that the documents state for it.
 #include <string>

@@ -83,8 +83,8 @@ private:
     std::vector<SolidPlace> places_;
     int frac_;
     std::int32_t least_;   ///< the least largest component of a direction for which the margins hold
-    std::vector<std::uint32_t> boxed_, always_, empty_;   ///< numbers of instances: in the tree, without a
-                                                          ///< box, and never met
+    /// Numbers of the instances in the tree, of those without a box, and of those that are never met.
+    std::vector<std::uint32_t> boxed_, always_, empty_;
     Tree tree_;
 };
 

@@ -149,8 +149,8 @@ SphereRoot meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) 
     SphereRoot found = SphereRoot::far;
     if (b.start > 0) found = ahead && b.disc() >= 0 ? SphereRoot::near : SphereRoot::none;
     if (b.start == 0) found = ahead ? SphereRoot::far : SphereRoot::none;
-    return is_self && found != SphereRoot::none ? SphereRoot::far : found;   // starts on the sphere, up to
-                                                                             // rounding
+    // The ray starts on the sphere, up to rounding.
+    return is_self && found != SphereRoot::none ? SphereRoot::far : found;
 }
 
 double sphere_distance(const SolidRay& ray, const Solid& sphere, SphereRoot which) {
@@ -188,8 +188,8 @@ std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t numbe
 
 Nearest Solids::nearest(const SolidRay& ray) const {
     Nearest found;
-    double limit = std::numeric_limits<double>::infinity();   // in directions, not less than that of the best
-                                                              // hit
+    // In directions; not less than the best hit's distance.
+    double limit = std::numeric_limits<double>::infinity();
     const auto flat = [&](std::uint32_t number) {
         const auto hit = cross_flat(ray, solids_[number], number);
         if (!hit || !before(*hit, found.flat)) return;

@@ -36,9 +36,9 @@ struct SolidRay {
     Vec3i origin{};
     int frac = 0;
     Vec3i direction{};
-    std::uint32_t self = no_primitive;   ///< the surface that it leaves, or at which a shadow ray ends; none:
-                                         ///< from the eye
-    bool inside = false;                 ///< of a sphere: the ray is on its inside
+    /// The surface that the ray leaves, or at which a shadow ray ends. None: the ray comes from the eye.
+    std::uint32_t self = no_primitive;
+    bool inside = false;   ///< of a sphere: the ray is on its inside
     enum class Targets {
         all,
         bounded,
@@ -114,8 +114,8 @@ public:
 
 private:
     std::vector<Solid> solids_;
-    std::vector<std::uint32_t> planes_, bounded_;   ///< primitive numbers; bounded_ has the order of the
-                                                    ///< tree's boxes
+    /// Primitive numbers. `bounded_` has the order of the tree's boxes.
+    std::vector<std::uint32_t> planes_, bounded_;
     Tree tree_;
 };
 

@@ -33,8 +33,8 @@ std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uin
                          [&](std::uint32_t i, std::uint32_t j) { return middle(i) < middle(j); });
         return n / 2;
     };
-    std::array<std::uint32_t, 5> cut{0, 0, count, count, count};   // bounds of the four parts, and some parts
-                                                                   // may be empty
+    // Bounds of the four parts. Some parts may be empty.
+    std::array<std::uint32_t, 5> cut{0, 0, count, count, count};
     if (count > 1) {
         cut[2] = halve(first, count);
         cut[1] = cut[2] > 1 ? halve(first, cut[2]) : 0;

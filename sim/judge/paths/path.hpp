@@ -50,9 +50,8 @@ public:
     bool is_wrong() const { return !fault_.what.empty(); }
     const PathFault& fault() const { return fault_; }
     const RayCounts& rays() const { return rays_; }   ///< judged rays of all pixels
-    double widest() const {
-        return widest_;
-    }   ///< half the widest range of a pixel's colour, in units of 2^-unit_bits
+    /// Returns half the widest range of a pixel's colour, in units of 2^-unit_bits.
+    double widest() const { return widest_; }
     /// Returns the range of each channel of the last pixel's colour.
     std::array<Range, 3> bounds() const {
         return {exact_pixel_[0].clamped(0, 1), exact_pixel_[1].clamped(0, 1), exact_pixel_[2].clamped(0, 1)};

@@ -57,8 +57,8 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
 Home PathJudge::home_of(const ShadeState& s, const Vec3i& d) const {
     Home home;
     if (visit_.place == oracle::PlacedRay::nowhere) return home;
-    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;   // 0: the ray is the same in the
-                                                                       // instance
+    // Line 0: the ray is the same in the instance.
+    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;
     home.o = by_axis([&](std::size_t k) { return std::int32_t(s.inner[k]); });
     home.d = oracle::placed_direction(rules_.placed->solids().places()[visit_.place], d, config_.map_frac());
     return home;

@@ -130,10 +130,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     const auto is_point = [&](Int128 u, Int128 v) {
         beyond = outside = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Int128 at =
-                (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) / (Int128(1) << fine);   // divides:
-                                                                                                // see
-                                                                                                // fineness()
+            // The division rounds; see fineness().
+            const Int128 at = (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) / (Int128(1) << fine);
             beyond = beyond || at > most || at < -most;
             outside = outside || at > end || at < -end;
             if (std::clamp(at, -most, most) != s.o[k]) return false;
@@ -174,7 +172,7 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
 }
 
 /// Returns the surface's colour. A checkered plane has the colour of the hit's square, which follows from the
-/// scene and not from the memory image. If u and v cannot tell squares apart (they are saturated, or coarser
+/// scene and not from the memory image. If u and v cannot distinguish squares (they are saturated, or coarser
 /// than the squares), it is the average of both colours. If one square is longer than the range of u and v,
 /// it is the square around the plane's point a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
@@ -321,8 +319,8 @@ std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) co
     std::array<Int128, 3> step{};
     for (std::size_t k = 0; k < 3; ++k) {
         step[k] = Int128(d[k]) << config_.approach_shift();
-        const Int128 before = step[k] < 0 ? s.o[k] - end : -end - s.o[k];   // the remaining distance on this
-                                                                            // axis
+        // The remaining distance on this axis.
+        const Int128 before = step[k] < 0 ? s.o[k] - end : -end - s.o[k];
         if (!place_.is_far || before <= 0) continue;
         if (step[k] == 0) return std::nullopt;
         steps = std::max(steps, ceil_of(before, step[k] < 0 ? -step[k] : step[k]));

@@ -58,10 +58,10 @@ inline glm::dvec3 unit_of(const glm::dvec3& v) {
     return length > 0 ? v / length : glm::dvec3{0};
 }
 
-constexpr double unit_step = 1.0 / (1 << unit_bits);   ///< step of colours, weights and components of unit
-                                                       ///< vectors
-constexpr double component_error = 3.2 * unit_step;    ///< error of unit_vector(), proven in
-                                                       ///< model/unit/shade/unit_vector.hpp
+/// Step of colours, weights and components of unit vectors.
+constexpr double unit_step = 1.0 / (1 << unit_bits);
+/// Error of unit_vector(), proven in model/unit/shade/unit_vector.hpp.
+constexpr double component_error = 3.2 * unit_step;
 constexpr double vector_error = 1.7320509 * component_error;
 /// Error of the clamped and rounded product of two unit vectors, each of which is off by vector_error.
 constexpr double cosine_error = 2 * vector_error + vector_error * vector_error + 0.5 * unit_step;

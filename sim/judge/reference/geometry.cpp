@@ -191,8 +191,8 @@ RefClosest RefGeometry::closest(const RefPath& path, const RefRay& ray) const {
 }
 
 bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
-    const RefClosest limit{.depth = distance, .primitive = 0};   // 0: a hit at exactly this distance does not
-                                                                 // count
+    // Primitive 0: a hit at exactly this distance does not count.
+    const RefClosest limit{.depth = distance, .primitive = 0};
     if (effort_) return watched(path, limit, distance).depth < distance;
     const RefRay ray(path.from, path.direction);
     return closest_of_all(path, ray, limit, distance, NotCounted{}).depth < distance;

@@ -16,8 +16,8 @@ namespace rayclock {
 
 /// The cost of searches, for measurements on one thread.
 struct RefEffort {
-    bool tests_all = false;    ///< test every primitive in order, without a hierarchy; a shadow ray stops at
-                               ///< its first blocker
+    /// Test every primitive in order, without a hierarchy. A shadow ray stops at its first blocker.
+    bool tests_all = false;
     std::uint64_t rays = 0;    ///< of all kinds
     std::uint64_t boxes = 0;   ///< tested boxes
     std::uint64_t tests = 0;   ///< tested primitives, including those that pad a leaf's last block

@@ -12,8 +12,8 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_area_depth = 64;   // deeper nodes use split_by_count(): at most 32 more levels for 2^32
-                                     // boxes
+// Deeper nodes use split_by_count(): at most 32 more levels for 2^32 boxes.
+constexpr int max_area_depth = 64;
 constexpr std::size_t parallel_from = 4096;   // boxes; smaller subtrees do not justify a task
 
 /// A binary node. The left child of node i is i + 1. The subtree over n boxes owns 2n - 1 entries. So the

@@ -33,8 +33,8 @@ struct alignas(64) RefNode {
 constexpr int ref_block_size = 2;   ///< primitives per block; two doubles fill one SSE register
 constexpr int ref_max_leaf = 8;     ///< most primitives per leaf
 constexpr int ref_max_depth = 96;   ///< most inner nodes on a path; the builder keeps this bound
-constexpr int ref_stack_size = 3 * ref_max_depth + 4;   ///< each node on the path leaves at most three
-                                                        ///< siblings
+/// Each node on the path leaves at most three siblings.
+constexpr int ref_stack_size = 3 * ref_max_depth + 4;
 
 /// A built hierarchy. Node 0 is the root. `order` holds ref_block_size primitives per block. A leaf's last
 /// block is padded by repeating its last primitive, which changes no answer.

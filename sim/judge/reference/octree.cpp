@@ -190,8 +190,8 @@ bool RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double
     if (nodes_[node].first > 0) return halve(way, nodes_[node].first, box, 0, begin, end);
     const std::uint32_t objects = nodes_[node].objects;
     const std::uint32_t* list = lists_.data() + nodes_[node].list;
-    std::uint32_t last = objects;   // index of the last tested object in the list; `objects` if none ends the
-                                    // ray
+    // Index of the last tested object in the list. It is `objects` if none ends the ray.
+    std::uint32_t last = objects;
     for (const std::uint32_t blocker : way.blockers) {
         const std::uint32_t* at = std::lower_bound(list, list + objects, blocker);
         if (at != list + objects && *at == blocker) last = std::min(last, std::uint32_t(at - list));

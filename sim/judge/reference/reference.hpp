@@ -33,9 +33,9 @@ class RefSteer;
 struct WatchedRay {
     glm::dvec3 from, direction;
     double reach = 0;
-    bool hits = false;                     ///< a shadow ray: it is blocked
-    std::vector<std::uint32_t> blockers;   ///< of a shadow ray: all primitives before the light, in arbitrary
-                                           ///< order
+    bool hits = false;   ///< a shadow ray: it is blocked
+    /// Of a shadow ray: all primitives before the light, in arbitrary order.
+    std::vector<std::uint32_t> blockers;
 };
 
 /// Observes every ray of a picture.

@@ -1,6 +1,6 @@
+#pragma once
 // Controllers of COLLADA: a mesh that blends several meshes (morph) or follows joints (skin). The file's
 // nodes and weights give one fixed pose; animations do not move it.
-#pragma once
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -18,8 +18,8 @@ namespace rayclock {
 struct DaePose {
     const XmlElement* geometry = nullptr;   ///< null if there is nothing to draw
     std::vector<glm::dvec3> positions;      ///< replace the geometry's positions; empty: keep those
-    std::vector<glm::dmat4> moves;   ///< of each vertex, into the scene's space; empty: the vertices move
-                                     ///< with their node
+    /// The transform of each vertex into the scene's space. Empty: the vertices move with their node.
+    std::vector<glm::dmat4> moves;
 };
 
 /// Counts of parts of controllers that are ignored or changed.

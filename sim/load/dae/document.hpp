@@ -1,5 +1,5 @@
-// A COLLADA document: its ids and numbers, and the unit and axes of each element.
 #pragma once
+// A COLLADA document: its ids and numbers, and the unit and axes of each element.
 #include <array>
 #include <cstdint>
 #include <map>
@@ -47,8 +47,8 @@ public:
 
     /// Returns the numbers of an element's text. Throws UserError if one is not finite.
     std::vector<float> finite(const XmlElement& in) const;
-    std::vector<float> finite(const XmlElement& in, std::size_t count) const;   ///< throws UserError if there
-                                                                                ///< are not `count` numbers
+    /// Throws UserError if there are not `count` numbers.
+    std::vector<float> finite(const XmlElement& in, std::size_t count) const;
     /// Returns the numbers of an array, which may include NaN. Reads each array once, however many sources
     /// share it.
     const std::vector<float>& array(const XmlElement& in);

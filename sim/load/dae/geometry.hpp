@@ -1,5 +1,5 @@
-// Converts geometries of COLLADA into parts of a scene.
 #pragma once
+// Converts geometries of COLLADA into parts of a scene.
 #include <cstdint>
 #include <map>
 #include <optional>

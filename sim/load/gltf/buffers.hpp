@@ -1,5 +1,5 @@
-// The raw data of a glTF file: the container, the buffers, and the accessors decoded to numbers.
 #pragma once
+// The raw data of a glTF file: the container, the buffers, and the accessors decoded to numbers.
 #include <filesystem>
 #include <map>
 #include <string>

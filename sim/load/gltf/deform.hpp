@@ -1,5 +1,5 @@
-// Meshes of a glTF document that deform: morph targets and skins.
 #pragma once
+// Meshes of a glTF document that deform: morph targets and skins.
 #include <functional>
 #include <optional>
 

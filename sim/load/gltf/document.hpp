@@ -1,5 +1,5 @@
-// A glTF document as a whole: whether it can be read, and the roots of its tree of nodes.
 #pragma once
+// A glTF document as a whole: whether it can be read, and the roots of its tree of nodes.
 #include <cstdint>
 #include <vector>
 

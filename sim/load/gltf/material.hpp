@@ -1,5 +1,5 @@
-// Materials, cameras and lights of a glTF document.
 #pragma once
+// Materials, cameras and lights of a glTF document.
 #include <glm/mat4x4.hpp>
 
 #include "model/scene/scene.hpp"

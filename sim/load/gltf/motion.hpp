@@ -1,5 +1,5 @@
-// Nodes of a glTF document that an animation moves.
 #pragma once
+// Nodes of a glTF document that an animation moves.
 #include <map>
 #include <vector>
 

@@ -1,5 +1,5 @@
-// Textures of a glTF document, each reduced to its average colour.
 #pragma once
+// Textures of a glTF document, each reduced to its average colour.
 #include <map>
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
+#pragma once
 // Files of other programs (FBX, X3D, LWO, Blender and about forty more formats), read by Assimp. The
 // converter of Debian's package assimp-utils turns them into glTF in a separate process. So its crashes, time
 // and memory cannot harm this program. Formats that this program reads itself do not go to Assimp:
 // docs/decisions/input-files.md has the figures.
-#pragma once
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
+#pragma once
 // Keyframes of a JSON scene, as scenes/README.md defines them. All functions throw UserError if the file is
 // wrong.
-#pragma once
 #include "model/scene/placed.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/load/loading.hpp"

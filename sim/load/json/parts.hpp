@@ -1,6 +1,6 @@
+#pragma once
 // The small parts of a JSON scene. Each needs only its own value. All readers throw UserError if the
 // value is wrong.
-#pragma once
 #include <glm/mat4x4.hpp>
 
 #include "model/scene/motion.hpp"

@@ -1,5 +1,5 @@
-// Rayclock's own scene format, a JSON file that scenes/README.md describes.
 #pragma once
+// Rayclock's own scene format, a JSON file that scenes/README.md describes.
 #include <filesystem>
 #include <string_view>
 

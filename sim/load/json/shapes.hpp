@@ -1,5 +1,5 @@
-// A mesh of a JSON scene that has several shapes, each at its own time; see scenes/README.md, Motion.
 #pragma once
+// A mesh of a JSON scene that has several shapes, each at its own time; see scenes/README.md, Motion.
 #include <filesystem>
 
 #include "model/scene/placed.hpp"

@@ -1,5 +1,5 @@
-// A mesh whose faces name their corners by number, as in PLY and OFF.
 #pragma once
+// A mesh whose faces name their corners by number, as in PLY and OFF.
 #include <cstdint>
 #include <vector>
 
@@ -18,12 +18,12 @@ struct IndexedMesh {
         std::uint32_t vertex;
         std::uint64_t line;   ///< 0: the file has no lines
     };
-    std::vector<glm::vec3> positions, normals;   ///< of vertices; `normals` is empty or has one entry per
-                                                 ///< vertex
-    std::vector<std::uint32_t> indices;          ///< the corners of all faces; each is a valid vertex number
-    std::vector<std::size_t> ends;    ///< end of each face in `indices`; a face has at least three corners
-    std::vector<glm::vec3> colours;   ///< of the first vertices; a colour that is not finite counts as
-                                      ///< missing
+    /// One position per vertex. `normals` is empty or has one entry per vertex.
+    std::vector<glm::vec3> positions, normals;
+    std::vector<std::uint32_t> indices;   ///< the corners of all faces; each is a valid vertex number
+    std::vector<std::size_t> ends;   ///< end of each face in `indices`; a face has at least three corners
+    /// Colours of the first vertices. A colour that is not finite counts as missing.
+    std::vector<glm::vec3> colours;
     std::vector<glm::vec3> face_colours;   ///< the same for faces
     std::vector<Fault> faults;             ///< sorted by vertex
     bool has_normals = false;

@@ -1,6 +1,6 @@
+#pragma once
 // Mesh files: .obj .ply .stl .off .3ds .dae .glb .gltf, and the formats that Assimp reads, each also with
 // .gz.
-#pragma once
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -38,9 +38,8 @@ Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& lo
 Scene read_off(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_3ds(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& loading);
-Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);   ///< with its
-                                                                                           ///< instances
-                                                                                           ///< expanded
+/// Reads a scene with its instances expanded.
+Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
 /// Reads a file by Assimp, which converts it to glTF. `unpacked` holds the content of a compressed file.
 PlacedScene read_foreign(const std::filesystem::path& path, std::optional<std::string> unpacked,
                          std::uint64_t file_bytes, Loading& loading);
@@ -113,8 +112,8 @@ private:
     std::vector<Part> parts_;
     Scene scene_;
     std::map<std::uint64_t, Material> made_;   ///< by the caller's number
-    std::map<std::pair<std::uint64_t, std::array<float, 3>>, std::uint32_t> materials_;   ///< by the caller's
-                                                                                          ///< number and tint
+    /// Keyed by the caller's number and tint.
+    std::map<std::pair<std::uint64_t, std::array<float, 3>>, std::uint32_t> materials_;
     std::uint64_t dropped_ = 0;
     std::vector<glm::dvec3> points_;
     std::vector<std::array<std::uint32_t, 3>> cut_;

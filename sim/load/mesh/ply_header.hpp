@@ -1,5 +1,5 @@
-// The header of a PLY file: its elements and their properties.
 #pragma once
+// The header of a PLY file: its elements and their properties.
 #include <cstdint>
 #include <optional>
 #include <string>

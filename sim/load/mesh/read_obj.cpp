@@ -169,9 +169,8 @@ private:
         bool is_smooth = false;
     };
     using Index = ObjShape::Corner;
-    static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();   ///< the face
-                                                                                            ///< names no
-                                                                                            ///< normal
+    /// The number of a corner for which the face names no normal.
+    static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();
 
     /// A vertex whose position cannot be read, and the words after its `v`.
     struct Fault {
@@ -353,9 +352,8 @@ private:
             }
             const MtlBlock& block = found->second;
             if (!block.fault.empty()) throw UserError(block.fault);
-            const auto note_if = [&, &of = name](bool is_so, const char* became) {   // Clang cannot capture a
-                                                                                     // structured binding
-                                                                                     // implicitly
+            // Clang cannot capture a structured binding implicitly.
+            const auto note_if = [&, &of = name](bool is_so, const char* became) {
                 if (is_so) warnings_.count("material", became, 0, of);
             };
             materials[number] = material_of(block.surface, name);
@@ -411,8 +409,8 @@ private:
     Warnings warnings_;
     Counted vertices_{"vertex"}, normals_{"normal"};
     std::vector<glm::vec3> positions_, directions_;
-    std::vector<std::optional<glm::vec3>> colours_;   ///< of the first vertices, up to the last one with a
-                                                      ///< colour
+    /// Colours of the first vertices, up to the last one with a colour.
+    std::vector<std::optional<glm::vec3>> colours_;
     std::vector<Fault> faults_;
     std::vector<Index> corners_;
     std::vector<std::size_t> ends_;   ///< end of each face in `corners_`

@@ -62,8 +62,8 @@ private:
         std::string_view counts = words;
         const std::string_view next = take_word(counts);
         if (lower(next) == "binary") at_.refuse("binary OFF cannot be read, only text");
-        counts = next.empty() ? line("the counts") : words;   // many programs write them on the line of the
-                                                              // keyword
+        // Many programs write the counts on the line of the keyword.
+        counts = next.empty() ? line("the counts") : words;
         vertices_ = count(counts, "vertices");
         faces_ = count(counts, "faces");
         if (const std::string_view edges = take_word(counts); !edges.empty()) whole_number(edges, at_);

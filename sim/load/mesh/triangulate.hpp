@@ -1,9 +1,9 @@
+#pragma once
 // Cuts a polygon into triangles by ear clipping, in the plane of the polygon's own area vector. So it cuts
 // concave polygons correctly.
 //
 // It always yields n - 2 triangles with the polygon's winding. Where no ear exists (crossing edges, no area),
 // it cuts off a corner nevertheless. Other importers stop there and lose the rest of the face.
-#pragma once
 #include <array>
 #include <cstdint>
 #include <span>

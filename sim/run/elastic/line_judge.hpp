@@ -44,10 +44,10 @@ private:
     const RtlMachine& rtl_;
     Findings& findings_;
     const MemoryImage* image_ = nullptr;
-    Link passed_on_;                       // the arbiter's output
-    std::vector<Pair> pairs_;              // from memory outwards to the caches
-    std::multiset<std::uint32_t> asked_;   // lines that caches of pipelines requested, and no arbiter passed
-                                           // on
+    Link passed_on_;            // the arbiter's output
+    std::vector<Pair> pairs_;   // from memory outwards to the caches
+    // Lines that caches of pipelines requested, and no arbiter passed on.
+    std::multiset<std::uint32_t> asked_;
 };
 
 }   // namespace rayclock

@@ -43,8 +43,9 @@ private:
         std::span<const std::uint8_t> links;
         std::size_t next = 0;   ///< position in `links` of the next transfer
         std::uint64_t since = 0;
-        bool done = false, pixel = false;   ///< the end of the last ray has passed the engine's port `done`,
-                                            ///< and the port `pixel` of list or shade
+        /// `done`: the end of the last ray has passed the engine's port `done`. `pixel`: it has passed the
+        /// port `pixel` of list or shade.
+        bool done = false, pixel = false;
     };
     /// A transfer of a pixel, as it should be.
     struct ExpectedTransfer {

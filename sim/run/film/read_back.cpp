@@ -44,8 +44,8 @@ struct Step {
 };
 
 struct Steps {
-    std::string header, shared;   ///< IHDR's data, and the chunks that hold for all steps: palette and
-                                  ///< transparent colour
+    /// IHDR's data, and the chunks that hold for all steps: palette and transparent colour.
+    std::string header, shared;
     std::vector<Step> steps;
 };
 
@@ -61,7 +61,7 @@ Step step_of(std::string_view d) {
             {}};
 }
 
-/// Reads the steps. A picture without steps is one that stands still for all of `whole` thousandths.
+/// Reads the steps. A picture without steps has one step of `whole` thousandths.
 Steps steps_of(std::string_view film, long whole) {
     if (!film.starts_with(signature)) throw std::runtime_error("it is not a PNG");
     Steps all;

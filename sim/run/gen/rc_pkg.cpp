@@ -283,8 +283,8 @@ void derived(Package& p, const Config& c) {
     p.constant("UnitBits", unit_bits);
     p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
     p.bits("ValueOne", unit_bits + 1, 1ull << unit_bits);
-    p.bits("ProductHalf", 2 * unit_bits + 2, 1ull << (unit_bits - 1));   // half a value's last bit, in a
-                                                                         // product of two values
+    // Half of a value's last bit, in a product of two values.
+    p.bits("ProductHalf", 2 * unit_bits + 2, 1ull << (unit_bits - 1));
     p.constant("AxisBits", unit_bits + 2);   // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("ColourBits", share_bits + 1);             // 0 to 1: a channel of a surface's colour
@@ -315,8 +315,8 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    p.constant("NodeBits", node_bits(c, c.engine()));   // of the scene's tree; the next one is that of the
-                                                        // meshes' trees
+    // The scene's tree has NodeBits. The next constant is for the meshes' trees.
+    p.constant("NodeBits", node_bits(c, c.engine()));
     p.constant("MeshNodeBits", node_bits(c, c.lower_engine()));
     p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line in the node cache
     p.constant("NodeReqBits", bits_on(node_unit(c.engine()).req, c));

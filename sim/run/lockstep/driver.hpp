@@ -10,8 +10,8 @@
 
 namespace rayclock {
 
-/// A ray's end goes from the engine (rc_pipeline's `done`) through list to sched (`pixel`) in one cycle. This
-/// tells whether the RTL has the right value at both ports.
+/// A ray's end goes from the engine (rc_pipeline's `done`) through list to sched (`pixel`) in one cycle.
+/// These flags are true if the RTL has the right value at the port.
 struct RayEnd {
     bool done_is_right = true, pixel_is_right = true;
 };

@@ -393,8 +393,8 @@ private:
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;
-    std::optional<std::uint64_t> stopped_;   // the first cycle in which the RTL's `running` differs from the
-                                             // model's
+    // The first cycle in which the RTL's `running` differs from the model's.
+    std::optional<std::uint64_t> stopped_;
     struct Unmatched {
         int pipeline;
         Link link;

@@ -12,11 +12,12 @@ namespace rayclock {
 /// The first cycle in which model and RTL differ.
 struct Divergence {
     std::uint64_t cycle = 0;
-    std::string unit;   ///< the driver of the differing value (driver.hpp); the receiver of the link if only
-                        ///< its acceptance differs; "host" for the frame's beginning and end; "rtl" for a
-                        ///< failed assertion
-    std::string link;   ///< without a link: "running" or "done" (signals), "cycles" (a register),
-                        ///< "counters", or "none" (an assertion)
+    /// The driver of the differing value (driver.hpp). If only the acceptance differs, the link's receiver;
+    /// "host" for the frame's beginning and end; "rtl" for a failed assertion.
+    std::string unit;
+    /// The link's name. Without a link: "running" or "done" (signals), "cycles" (a register), "counters", or
+    /// "none" (an assertion).
+    std::string link;
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
     std::string expected;   ///< the model's value: differing fields, or whether it moved anything
@@ -24,9 +25,9 @@ struct Divergence {
     std::string later;   ///< if only one of them made a transfer: when the other one made it; empty otherwise
     int pipeline = 0;
     std::optional<Link> on{};   ///< the link, if there is one
-    std::string field{};        ///< of the link's payload: the field that identifies the unit; empty if the
-                                ///< payload is equal
-    std::size_t frame = 0;      ///< number of the frame
+    /// The field of the link's payload that identifies the unit. Empty if the payload is equal.
+    std::string field{};
+    std::size_t frame = 0;            ///< number of the frame
     std::uint64_t frame_begins = 0;   ///< machine cycle
     std::string wave{};               ///< file of the waveform, or empty
 };
@@ -40,14 +41,14 @@ struct CounterDifference {
 
 /// The result of a comparison.
 struct LockstepResult {
-    std::vector<FrameResult> runs;        ///< the model's for all frames, without hits and answers
-    FrameResult model, rtl;               ///< `seconds` is the wall time of both machines together
-    std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) that both sides made
-    std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the
-                                          ///< end
+    std::vector<FrameResult> runs;       ///< the model's for all frames, without hits and answers
+    FrameResult model, rtl;              ///< `seconds` is the wall time of both machines together
+    std::uint64_t events_compared = 0;   ///< transfers (cycle, link, payload) that both sides made
+    /// Transfers whose payload differs, and pixels that differ in the end.
+    std::uint64_t value_mismatches = 0;
     std::uint64_t account_mismatches = 0;   ///< frames whose counters differ
-    std::uint64_t cycle_gap = 0;   ///< difference of the frame's cycles, or of the first cycle with other
-                                   ///< moves
+    /// Difference of the frame's cycles, or of the first cycle with other moves.
+    std::uint64_t cycle_gap = 0;
     std::optional<CounterDifference> counter;   ///< the first one, of the first frame whose counters differ
     bool counters_compared = false;             ///< for every frame; false if the machines diverged in time
     std::optional<Divergence> first;

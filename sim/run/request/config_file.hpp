@@ -10,8 +10,8 @@ namespace rayclock {
 
 /// The user's choice of a configuration.
 struct ConfigChoice {
-    std::string name = "default";   ///< or a file: JSON with every parameter, or "like": NAME and some of
-                                    ///< them
+    /// A name, or a file: JSON with every parameter, or "like": NAME and some of them.
+    std::string name = "default";
     std::vector<std::string> set;   ///< key=value; later ones override earlier ones
 };
 /// Loads a configuration. Throws UserError if it does not exist or is not legal.

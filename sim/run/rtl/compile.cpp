@@ -24,10 +24,8 @@ namespace rayclock {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;   // the texts of
-                                                                               // sim/run/rtl/abi.hpp,
-                                                                               // wave_abi.hpp and
-                                                                               // sim/view/wave/fst_io.h
+// The texts of sim/run/rtl/abi.hpp, wave_abi.hpp and sim/view/wave/fst_io.h.
+extern const char *const abi_text, *const wave_abi_text, *const fst_io_text;
 
 namespace {
 
@@ -128,8 +126,8 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
     std::vector<std::uintmax_t> sizes(sources.size());
     for (const auto& [size, file] : made) {
         const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-        const bool once = !small && file.find("__Slow") != std::string::npos;   // Verilator's name for start
-                                                                                // code
+        // Verilator's name for code that runs once at the start.
+        const bool once = !small && file.find("__Slow") != std::string::npos;
         (once ? start : sources[part]).text += fmt::format("#include \"{}\"\n", file);
         if (!once) sizes[part] += size;
     }

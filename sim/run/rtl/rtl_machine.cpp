@@ -87,7 +87,7 @@ bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value)
     return good;
 }
 
-/// Ends a cycle in which memory's time stands still.
+/// Ends a cycle in which memory's time does not advance.
 void RtlMachine::clock_bus() {
     if (see_) {
         sample_links();

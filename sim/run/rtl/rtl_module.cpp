@@ -32,8 +32,8 @@ RtlModule::RtlModule(const Config& config, const std::string& module, int seed, 
     : reset_cycles_(config.clear_cycles()) {
     RtlBuild build = build_rtl(config, module, waves);
     Opened opened(build);
-    if (!opened.module && build.was_cached) {   // undamaged, but from another machine or from a faulty
-                                                // program
+    // The module is undamaged, but comes from another machine or from a faulty program.
+    if (!opened.module && build.was_cached) {
         forget_rtl(build);
         build = build_rtl(config, module, waves);
         opened = Opened(build);

@@ -26,8 +26,8 @@ namespace {
 
 /// Throws UserError with the tool's message, or with the cause if it is known.
 [[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
-    constexpr std::uintmax_t full = 64 << 10;   // below this free space, a tool may be unable to log its
-                                                // error
+    // Below this free space, a tool may be unable to log its error.
+    constexpr std::uintmax_t full = 64 << 10;
     std::error_code error_of_space;
     const fs::space_info space = fs::space(folder, error_of_space);
     if (log.find("No space left on device") != std::string::npos ||

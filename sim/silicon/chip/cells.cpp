@@ -155,9 +155,8 @@ std::string Units::of(std::string_view cell) const {
 Use use_of(const std::string& type) {
     if (type == "TRELLIS_COMB" || type == "LUT4") return {1, 0, 0, 0};
     if (type == "TRELLIS_RAMW" || type == "CCU2C") return {2, 0, 0, 0};
-    if (type == "TRELLIS_DPR16X4")
-        return {6, 0, 0, 0};   // four to read and a RAMW, which counts as two, to
-                               // write
+    // Four cells to read, and a RAMW, which counts as two, to write.
+    if (type == "TRELLIS_DPR16X4") return {6, 0, 0, 0};
     if (type == "TRELLIS_FF") return {0, 1, 0, 0};
     if (type == "MULT18X18D") return {0, 0, 1, 0};
     if (type == "DP16KD" || type == "PDPW16KD") return {0, 0, 0, 1};

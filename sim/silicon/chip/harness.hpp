@@ -18,8 +18,8 @@ struct Port {
 /// The interface and the modules of a top module, from Yosys's elaboration.
 struct Face {
     std::vector<Port> ports;
-    std::vector<std::string> modules;   ///< the top and all modules below it, without rc_, in alphabetical
-                                        ///< order
+    /// The top and all modules below it, without rc_, in alphabetical order.
+    std::vector<std::string> modules;
 };
 /// Reads the output of Yosys's write_json for blackboxes. Throws UserError if the text has another format.
 Face face_of(const std::string& netlist, const std::string& top);

@@ -27,9 +27,9 @@ struct Result {
     Request request;
     std::map<std::string, Use> units;   ///< after synthesis, before placement
     std::string misfit;                 ///< a sentence if the design does not fit
-    std::vector<Route> routes;          ///< one for each seed, in the requested order; none if the design
-                                        ///< does not fit
-    bool was_kept = false;              ///< all results came from the cache
+    /// One route for each seed, in the requested order. Empty if the design does not fit.
+    std::vector<Route> routes;
+    bool was_kept = false;   ///< all results came from the cache
 
     bool fits() const { return misfit.empty(); }
     const Route& best() const;   ///< the fastest route

@@ -19,10 +19,10 @@ struct Pin {
     int cell = 0;
     bool is_clock = false, goes_on = false, has_setup = false;
     double setup = 0;
-    int waits = 0;         ///< incoming delays that have not been followed yet
-    double arrival = -1;   ///< latest arrival from a register, in nanoseconds; below 0: no register leads
-                           ///< here
-    int edge = -1;         ///< the incoming delay of the latest arrival
+    int waits = 0;   ///< incoming delays that have not been followed yet
+    /// The latest arrival from a register, in nanoseconds. Negative if no register leads here.
+    double arrival = -1;
+    int edge = -1;   ///< the incoming delay of the latest arrival
 };
 struct Edge {
     int from = 0, to = 0;

@@ -8,8 +8,8 @@ namespace rayclock::synth {
 
 namespace {
 
-constexpr std::uint64_t most_cells = 1 << 30;   // limit for cells and for bits of one register; exceeds every
-                                                // device
+// A limit for cells and for the bits of one register. It exceeds every device.
+constexpr std::uint64_t most_cells = 1 << 30;
 
 /// Returns the bits of a register type: 18 for $sdffe_18, 0 for other cells.
 std::uint64_t bits_of(const std::string& type, const JsonValue& count) {

@@ -65,8 +65,8 @@ const std::string& rtl_digest() {
     return digest;
 }
 
-YosysFolder::YosysFolder(const fs::path& beside)
-    : folder_("yosys", ::access(beside.c_str(), W_OK) == 0 ? beside : fs::temp_directory_path()) {}
+YosysFolder::YosysFolder(const fs::path& parent)
+    : folder_("yosys", ::access(parent.c_str(), W_OK) == 0 ? parent : fs::temp_directory_path()) {}
 
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     write("rc_pkg.sv", rc_package(config));

@@ -18,11 +18,11 @@ std::string synthesised_text(const std::string& text);
 /// Returns the hash of synthesised_text() of all Verilog sources except the package. Reads them once.
 const std::string& rtl_digest();
 
-/// A temporary folder for one run, removed at the end. It lies in `beside`, or among the temporary files if
-/// `beside` is not writable.
+/// A temporary folder for one run, removed at the end. It lies in `parent`, or among the temporary files if
+/// `parent` is not writable.
 class YosysFolder {
 public:
-    explicit YosysFolder(const std::filesystem::path& beside);
+    explicit YosysFolder(const std::filesystem::path& parent);
 
     /// Reads the package of a configuration and all sources, with `read_flags` for read_verilog, then runs
     /// the script in this folder. Returns false if interrupted(). Throws UserError with the tool's message if

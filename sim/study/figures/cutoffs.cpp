@@ -34,8 +34,8 @@ struct CutoffPoint {
 
 struct Curves {
     Engine engine;
-    std::vector<CutoffPoint> depths, thresholds;   ///< the last depth and the first threshold are the whole
-                                                   ///< tree
+    /// The last depth and the first threshold are the whole tree.
+    std::vector<CutoffPoint> depths, thresholds;
 };
 
 CutoffPoint point_of(const Shot& shot, const Whitted& settings, const Picture& whole) {

@@ -22,9 +22,9 @@ enum class Verdict : std::uint8_t { none, better, worse };
 /// A figure that differs. Its name is the path of its keys. A clock is named by its MHz: "clocks.66.cycles".
 struct Difference {
     std::string figure;
-    std::vector<std::optional<double>> values;   ///< one for each report; empty where a report lacks the
-                                                 ///< figure
-    double change = 0;                           ///< from the first report to the last, relative to the first
+    /// One value for each report. Empty where a report lacks the figure.
+    std::vector<std::optional<double>> values;
+    double change = 0;     ///< from the first report to the last, relative to the first
     bool is_new = false;   ///< the first is 0 or missing, so a relative change is undefined
     Verdict verdict = Verdict::none;
 };
@@ -40,8 +40,8 @@ struct Comparison {
 /// The change in cycles of each pixel, from the first report to the last.
 struct PixelChange {
     std::uint64_t faster = 0, slower = 0, equal = 0;   ///< numbers of pixels
-    std::uint64_t gained = 0, lost = 0;                ///< cycles saved by faster pixels and lost by slower
-                                                       ///< ones
+    /// Cycles saved by faster pixels and lost by slower ones.
+    std::uint64_t gained = 0, lost = 0;
 };
 /// Compares two pages pixel by pixel. Returns nothing unless both reports are pages of frames of one size.
 /// Throws UserError if a page is broken.

@@ -51,7 +51,7 @@ public:
                 bring(rtl_, f, std::span(frames));
                 if (!run_frame(frames[f], progress)) break;
             }
-        } catch (const RtlAssertion&) {   // the run before this one has told it
+        } catch (const RtlAssertion&) {   // the previous run has reported it
         }
         if (std::exchange(writes_, false))
             if (const int error = rtl_.module().end_wave())

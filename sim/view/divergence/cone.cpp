@@ -71,8 +71,8 @@ public:
         return since > 0 ? std::make_optional(since - 1) : std::nullopt;
     }
 
-    /// The instance's generate blocks, as they stand in the names of the signals: "gen_exact.u_edges." of
-    /// "u_edges".
+    /// Returns the instance's name with its generate blocks, as signals' names have it: "gen_exact.u_edges."
+    /// for "u_edges".
     std::optional<std::string> instance(const std::string& parent, const std::string& name) const {
         for (auto it = numbers_.lower_bound(parent); it != numbers_.end() && it->first.starts_with(parent);
              ++it) {

@@ -13,11 +13,12 @@
 namespace rayclock {
 
 struct ConeStep {
-    SourceLine source;                ///< the statement that drives the signal
-    std::vector<SourceLine> others;   ///< the same in other branches of `if`, one of which may be the one
-                                      ///< that was built
-    std::string signal;               ///< path from the unit's instance: "u_hitdiv.u_o"
-    std::uint64_t cycle = 0;          ///< machine cycle in which it holds the value
+    SourceLine source;   ///< the statement that drives the signal
+    /// Lines that drive the same signal in other branches of `if`. One of them may be the branch that was
+    /// built.
+    std::vector<SourceLine> others;
+    std::string signal;        ///< path from the unit's instance: "u_hitdiv.u_o"
+    std::uint64_t cycle = 0;   ///< machine cycle in which it holds the value
     bool is_register = false;
 };
 

@@ -34,15 +34,15 @@ std::vector<std::string> names_in(const std::string& text) {
         const std::string word = it->str();
         const bool is_field = at > 0 && (text[at - 1] == '.' || text[at - 1] == ':');
         const bool is_scope = text.compare(at + word.size(), 2, "::") == 0;
-        const bool is_signal = word[0] == '_' || (word[0] >= 'a' && word[0] <= 'z');   // constants begin with
-                                                                                       // capitals
+        // Constants begin with capital letters.
+        const bool is_signal = word[0] == '_' || (word[0] >= 'a' && word[0] <= 'z');
         if (is_field || is_scope || !is_signal) continue;
         if (std::find(found.begin(), found.end(), word) == found.end()) found.push_back(word);
     }
     return found;
 }
 
-/// Names that are driven: without what stands in brackets.
+/// Returns the names of the driven signals, without the text in brackets.
 std::vector<std::string> targets_in(const std::string& text) {
     std::string outside;
     int depth = 0;

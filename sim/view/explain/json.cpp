@@ -133,7 +133,7 @@ ordered_json colour_json(const std::optional<ColourFinding>& c) {
     ordered_json stages = ordered_json::array();
     for (const PixelStage& stage : c->stages)
         stages.push_back(
-            {{"after", stage.step},
+            {{"after", stage.name},
              {"primitive", stage.hit.primitive == no_primitive ? ordered_json(nullptr)
                                                                : ordered_json(stage.hit.primitive)},
              {"u", stage.hit.u},

@@ -99,7 +99,7 @@ std::string colour_lines(const ColourFinding& c) {
     if (c.stages.empty() || !c.cause || *c.cause == PixelCause::none) return text;
     Table table({"after", "primitive", "u", "v", "colour"});
     for (const PixelStage& stage : c.stages)
-        table.add({stage.step, named(stage.hit), fmt::format("{:.6f}", stage.hit.u),
+        table.add({stage.name, named(stage.hit), fmt::format("{:.6f}", stage.hit.u),
                    fmt::format("{:.6f}", stage.hit.v),
                    fmt::format("{:.5f} {:.5f} {:.5f}", stage.colour.r, stage.colour.g, stage.colour.b)});
     return text + table.text();
@@ -118,15 +118,13 @@ std::string cause_sentence(const ColourFinding& c) {
                    "(ray_quantisation)";
         case PixelCause::seam:
             return "two instances meet here, and each rounds the ray for itself: no single line gives what "
-                   "was "
-                   "hit (seam)";
+                   "was hit (seam)";
         case PixelCause::t_rounding: return "t, u and v are rounded to the machine's formats (t_rounding)";
         case PixelCause::primitive_test:
             return "the cheaper primitive test gave another answer than the exact one (primitive_test)";
         case PixelCause::shading:
             return "all rays met what they must; the chip's colour arithmetic rounds, within its proven "
-                   "bounds "
-                   "(shading)";
+                   "bounds (shading)";
         case PixelCause::horizon:
             return "a ray from a point of a plane beyond the lattice meets another plane there, and the chip "
                    "does not look for it (horizon)";

@@ -20,8 +20,8 @@ struct PageInput {
     const Picture& picture;
     const Picture* reference = nullptr;     ///< null without a reference
     const Judgement* judgement = nullptr;   ///< null without a judgement
-    std::string explain;                    ///< the command that explains a pixel, without the pixel's
-                                            ///< coordinates
+    /// The command that explains a pixel, without the pixel's coordinates.
+    std::string explain;
     /// Output of `explain` for each of the slowest pixels.
     std::vector<std::pair<std::uint32_t, std::string>> explanations;
     std::vector<std::pair<std::string, std::string>> origin;   ///< command line, versions, digest

@@ -47,10 +47,10 @@ std::string accounts_table(const PageInput& input) {
     for (const UnitAccount& a : unit_accounts(input.config, input.run)) {
         const std::uint64_t all = a.busy + a.starved + a.stalled;
         std::string causes;
+        // Causes below 0.05 % are hidden. The JSON report has all of them.
         for (const auto* parts : {&a.busy_by, &a.starved_by, &a.stalled_by})
             for (const UnitAccount::Part& part : *parts)
-                if (2000 * part.cycles >= all && part.cycles > 0)   // hides causes below 0.05 %; JSON has all
-                                                                    // of them
+                if (2000 * part.cycles >= all && part.cycles > 0)
                     causes += fmt::format("{}{}{} {}", causes.empty() ? "" : ", ",
                                           parts == &a.busy_by      ? ""
                                           : parts == &a.starved_by ? "starved by "

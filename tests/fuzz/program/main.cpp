@@ -1,7 +1,7 @@
 // rc_fuzz: libFuzzer around the target that RC_FUZZ_TARGET names.
 //
 // RC_FUZZ_LARGE=BYTES enlarges every input: it repeats a part until the input has this size. So a small input
-// stands for a large file, and reveals algorithms with quadratic time.
+// represents a large file, and reveals algorithms with quadratic time.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Requirements on a scene that a reader accepts.
 #pragma once
+// Requirements on a scene that a reader accepts.
 #include <functional>
 #include <string_view>
 

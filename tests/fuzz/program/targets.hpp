@@ -1,8 +1,8 @@
+#pragma once
 // The fuzz targets: parsers by name, each with the requirements on everything that it accepts.
 //
 // A parser may throw UserError and nothing else. Any other exception, a sanitizer's finding, a failed
 // requirement, or excessive time or memory is a finding of libFuzzer, which keeps the input.
-#pragma once
 #include <exception>
 #include <filesystem>
 #include <string>

@@ -6,7 +6,7 @@
 
 namespace rayclock::campaign {
 
-/// What is asked for: `count` faults drawn from `seed`, and the rows that CMake has written into the folder
+/// A request for `count` faults drawn from `seed`, and for the rows that CMake has written into the folder
 /// `rows`, unless it is empty.
 struct Order {
     std::filesystem::path folder;
@@ -15,8 +15,8 @@ struct Order {
     std::filesystem::path rows;
 };
 
-/// Draws faults of rtl/, takes out what Verilator refuses, and draws others instead. Leaves FOLDER/rtl, whose
-/// modules are built as they are asked for, and FOLDER's lists.
+/// Draws faults of rtl/, and replaces those that Verilator refuses by others. Leaves FOLDER/rtl, whose
+/// modules are built on demand, and FOLDER's lists.
 void make_rtl_copy(const std::filesystem::path& source, const Order& order);
 
 /// From now on this process, and those that it starts, use FOLDER/rtl.
@@ -33,7 +33,7 @@ void make_model_copy(const std::filesystem::path& source, const Order& order);
 void link_with_faults(const std::filesystem::path& folder, const std::filesystem::path& build,
                       const std::string& program);
 
-/// The command's status, as the shell knows it.
+/// Runs the command in a shell, and returns its exit status.
 int shell(const std::string& command);
 
 }   // namespace rayclock::campaign

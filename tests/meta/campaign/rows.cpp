@@ -86,7 +86,7 @@ std::optional<std::pair<Region, std::string>> one_expression(const Row& row) {
     return std::pair{best, blanked(changed, row.language)};
 }
 
-/// What tells an expression from its neighbours: what is assigned, or the word before its bracket.
+/// Returns the text that identifies an expression: the assigned name, or the word before its bracket.
 std::string key(const std::string& plain, const Region& region) {
     if (!region.target.empty()) return region.target;
     std::size_t from = region.begin - 1;

@@ -44,8 +44,8 @@ void write_schema(const std::filesystem::path& source, const std::string& folder
                   const std::filesystem::path& to, const std::vector<Mutant>& mutants, Language language,
                   const Caller& caller);
 
-/// Numbers of the mutants that a compiler's message is about: each stands in the copy as a file of its own
-/// (`line).
+/// Returns the numbers of the mutants that a compiler's message names. In the copy each mutant has a file
+/// name of its own (`line).
 std::set<int> named_in(const std::string& said);
 
 }   // namespace rayclock::campaign

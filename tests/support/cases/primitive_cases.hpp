@@ -19,8 +19,8 @@ inline Config with_test(const std::string& test, int coord_bits = 18) {
     return config;
 }
 
-inline TriRsp ask(const Config& config, const Vec3i& o, const Vec3i& d, const PrimData& triangle,
-                  const Best& best = {}) {
+inline TriRsp run_test(const Config& config, const Vec3i& o, const Vec3i& d, const PrimData& triangle,
+                       const Best& best = {}) {
     TriRsp rsp;
     tri_test_of(config)(o, d, triangle, best, config, rsp);
     return rsp;
@@ -72,7 +72,7 @@ inline std::array<double, 3> inside(const PrimData& t, double b, double c) {
 /// them lie ahead.
 inline int crossings(const Config& config, const std::vector<PrimData>& all, const Vec3i& o, const Vec3i& d) {
     return int(std::count_if(all.begin(), all.end(),
-                             [&](const PrimData& t) { return ask(config, o, d, t).closer != 0; }));
+                             [&](const PrimData& t) { return run_test(config, o, d, t).closer != 0; }));
 }
 
 }   // namespace rayclock::test

@@ -74,18 +74,18 @@ template <class K> struct CacheLinks {
     Wire<typename K::Rsp> rsp;
     Wire<typename K::Miss> miss;
     std::optional<typename K::Fill> fill;
-    CacheOutcome outcome = CacheOutcome::starved;   ///< known after commit() in the model, after eval() in
-                                                    ///< the RTL
+    /// Known after commit() in the model, after eval() in the RTL.
+    CacheOutcome outcome = CacheOutcome::starved;
 };
 
 template <class K> class CacheModel : public CacheLinks<K> {
 public:
     explicit CacheModel(const Config& config, int = 1)
-        : config_(config), cache_(K::shape(config)), asked_(std::size_t(K::shape(config).ids)) {}
+        : config_(config), cache_(K::shape(config)), requested_(std::size_t(K::shape(config).ids)) {}
     void eval() {
         this->req.ready = cache_.ready();
         this->rsp.offer.reset();
-        if (cache_.valid()) this->rsp.offer = K::answer(asked_[cache_.answer()], config_);
+        if (cache_.valid()) this->rsp.offer = K::answer(requested_[cache_.answer()], config_);
         this->miss.offer.reset();
         if (cache_.miss_valid()) this->miss.offer = typename K::Miss{cache_.miss().id, cache_.miss().addr};
     }
@@ -93,7 +93,7 @@ public:
         Cache::Request request;
         if (this->req.fires()) {
             request = {K::id(*this->req.offer), this->req.offer->addr / K::parts};
-            asked_[request.id] = *this->req.offer;
+            requested_[request.id] = *this->req.offer;
         }
         this->outcome = cache_.clock(this->req.fires(), request, this->rsp.fires(),
                                      this->fill ? &this->fill->id : nullptr, this->miss.fires());
@@ -102,7 +102,7 @@ public:
 private:
     Config config_;
     Cache cache_;
-    std::vector<typename K::Req> asked_;   // by id: the last request
+    std::vector<typename K::Req> requested_;   // by id: the last request
 };
 
 template <class K> class CacheRtl : public CacheLinks<K> {

@@ -135,9 +135,9 @@ public:
         if (pipe_.valid(now_)) out.offer = pipe_.front();
     }
     void commit() {
-        const bool asked = in.fires();
-        if (asked) opens_ = now_ + std::uint64_t(interval_of<U>(config_));
-        pipe_.clock(now_++, out.fires(), asked, asked ? U::answer(*in.offer, frame_, config_) : Rsp{});
+        const bool accepted = in.fires();
+        if (accepted) opens_ = now_ + std::uint64_t(interval_of<U>(config_));
+        pipe_.clock(now_++, out.fires(), accepted, accepted ? U::answer(*in.offer, frame_, config_) : Rsp{});
     }
 
 private:

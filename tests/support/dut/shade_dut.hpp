@@ -148,9 +148,9 @@ public:
             in.closest.offer = random_closest(draw_, config_, surfaces_[ray]);
             in.closest.offer->ray = ray;
         }
-        if (!surface_ && !asked_.empty() && !draw_.percent(idle_)) {
-            surface_ = SurfRsp{asked_.front(), surfaces_[asked_.front()]};
-            asked_.pop_front();
+        if (!surface_ && !requested_.empty() && !draw_.percent(idle_)) {
+            surface_ = SurfRsp{requested_.front(), surfaces_[requested_.front()]};
+            requested_.pop_front();
         }
         in.surf_rsp.offer = surface_;
         in.surf_waits = draw_.coin();
@@ -160,7 +160,7 @@ public:
     /// Processes the outputs of the cycle.
     void take_over(const ShadeLinks& out) {
         if (out.surf_rsp.fires()) surface_.reset();
-        if (out.surf_req.fires()) asked_.push_back(out.surf_req.offer->ray);
+        if (out.surf_req.fires()) requested_.push_back(out.surf_req.offer->ray);
         if (out.pixel.fires()) free_.push_back(out.pixel.offer->first.ray), ++pixels;
         closed += out.cause == 3;
         if (!out.spawn.fires()) return;
@@ -193,12 +193,12 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;                // the surface that the context's ray hit
-    std::optional<std::uint32_t> sent_, before_;   // rays sent in this cycle and in the last: no ray is
-                                                   // answered at once
+    std::vector<Surface> surfaces_;   // the surface that the context's ray hit
+    // Rays sent in this cycle and in the previous one. No ray is answered in the cycle in which it is sent.
+    std::optional<std::uint32_t> sent_, before_;
     std::vector<std::uint32_t> flying_;
     std::vector<Ray> made_;
-    std::deque<std::uint32_t> asked_;
+    std::deque<std::uint32_t> requested_;
     std::optional<SurfRsp> surface_;
 };
 

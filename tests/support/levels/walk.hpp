@@ -6,8 +6,8 @@ namespace rayclock {
 
 /// The work of rays.
 struct LevelCounts {
-    std::uint64_t visits = 0, changes = 0, tests = 0;   ///< nodes of both levels; entered instances; tested
-                                                        ///< primitives
+    /// Nodes of both levels, entered instances, and tested primitives.
+    std::uint64_t visits = 0, changes = 0, tests = 0;
     LevelCounts& operator+=(const LevelCounts& other) {
         visits += other.visits, changes += other.changes, tests += other.tests;
         return *this;

@@ -25,7 +25,7 @@ template <class Dut> constexpr bool is_model = std::is_same_v<Dut, CacheModel<ty
 template <class Dut>
 std::vector<std::uint32_t> send_for(CacheBench<Dut>& bench, std::uint32_t id, std::uint32_t addr) {
     std::vector<std::uint32_t> words;
-    CacheLinks<typename Dut::CacheKind> seen = bench.ask(id, addr);
+    CacheLinks<typename Dut::CacheKind> seen = bench.look_up(id, addr);
     REQUIRE(seen.req.fires());
     for (int n = 0; int(words.size()) < bench.shape.words; ++n) {
         REQUIRE(n < bench.shape.words + 2);
@@ -41,7 +41,7 @@ template <class Dut> void check_hit_latency(const Config& config) {
         bench.get(bench.addr(line));
         for (std::uint32_t part = 0; part < bench.parts(); ++part) {
             bench.dut.rsp.ready = part % 2 == 0;   // with and without a ready receiver
-            REQUIRE(bench.ask(0, bench.addr(line, part)).req.fires());
+            REQUIRE(bench.look_up(0, bench.addr(line, part)).req.fires());
             const auto looked_up = bench.cycle();
             REQUIRE(looked_up.outcome == CacheOutcome::hit);
             REQUIRE_FALSE(looked_up.rsp.offer);
@@ -60,13 +60,13 @@ template <class Dut> void check_miss_latency(const Config& config) {
     for (std::uint32_t round = 0; round < 40; ++round) {
         const std::uint32_t line = (round * 977 + 3) % ((1u << max_addr_bits) / words),
                             addr = bench.addr(line, round % bench.parts());
-        REQUIRE(bench.ask(0, addr).req.fires());
+        REQUIRE(bench.look_up(0, addr).req.fires());
         const auto looked_up = bench.cycle();
         REQUIRE(looked_up.outcome == CacheOutcome::miss);
         REQUIRE_FALSE(looked_up.miss.offer);
         std::vector<std::uint32_t> ids;
-        for (std::uint32_t word = 0; word < words; ++word) {   // requests start after 2 cycles, one in each
-                                                               // cycle
+        // Requests start after 2 cycles, one in each cycle.
+        for (std::uint32_t word = 0; word < words; ++word) {
             for (int refused = draw.below(3); refused > 0; --refused) {
                 bench.dut.miss.ready = false;
                 REQUIRE(bench.cycle().miss.offer->addr == line * words + word);
@@ -125,7 +125,7 @@ template <class Dut> void check_hit_under_miss(const Config& config) {
     const auto words = send_for(bench, ids - 1, bench.addr(9));
     int received = 0;
     for (std::uint32_t n = 0; n < 100; ++n) {
-        const auto seen = bench.ask(n % 4, bench.addr(8));
+        const auto seen = bench.look_up(n % 4, bench.addr(8));
         REQUIRE(seen.req.fires());
         if (n >= 3) REQUIRE(bench.right(seen.rsp.offer, (n - 3) % 4, bench.addr(8)));
         received += seen.rsp.fires();
@@ -147,7 +147,7 @@ template <class Dut> void check_merge(const Config& config, std::uint32_t more, 
     const auto addr = [&](std::uint32_t i) { return bench.addr(3, i * 5 % bench.parts()); };
     const auto id = [&](std::uint32_t i) { return (i * 11 + 1) % ids; };   // ids is a power of two
     auto words = send_for(bench, id(0), addr(0));
-    for (std::uint32_t i = 1; i < more; ++i) REQUIRE(bench.ask(id(i), addr(i)).req.fires());
+    for (std::uint32_t i = 1; i < more; ++i) REQUIRE(bench.look_up(id(i), addr(i)).req.fires());
     std::uint32_t answered = 0;
     std::vector<int> answers;   // cycles after the last word
     while (words.size() > 1) {
@@ -244,7 +244,7 @@ template <class Dut> void check_stall(const Config& config, const std::vector<st
         (i == 0 ? words : others).insert((i == 0 ? words : others).end(), mine.begin(), mine.end());
     }
     const auto id = std::uint32_t(lines.size());
-    REQUIRE(bench.ask(id, bench.addr(blocked)).req.fires());
+    REQUIRE(bench.look_up(id, bench.addr(blocked)).req.fires());
     for (int n = 0; n < 20; ++n) {
         const auto seen = bench.cycle();
         REQUIRE(seen.outcome == outcome);
@@ -286,7 +286,7 @@ template <class Dut> void check_answers_not_taken(const Config& config) {
     int accepted = 0;
     Steady<typename Dut::CacheKind::Rsp> steady{config};
     for (int n = 0; n < 2 * room; ++n) {
-        const auto seen = bench.ask(std::uint32_t(accepted % room), addr(accepted));
+        const auto seen = bench.look_up(std::uint32_t(accepted % room), addr(accepted));
         accepted += seen.req.fires();
         steady.check(seen.rsp);
         if (n > room) REQUIRE(seen.outcome == CacheOutcome::answers);

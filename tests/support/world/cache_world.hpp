@@ -77,7 +77,7 @@ public:
           flow_(flow),
           draw_(seed),
           left_(requests),
-          asked_(std::size_t(K::ids(config))),
+          requested_(std::size_t(K::ids(config))),
           lines_(std::size_t(shape_.mshrs)),
           rsp_(config),
           miss_(config),
@@ -110,7 +110,7 @@ public:
         if (dut.rsp.fires()) answered(*dut.rsp.offer);
         if (dut.fill) filled(dut.fill->id);
         if (dut.req.fires()) {
-            asked_[K::id(*pending_)] = pending_;
+            requested_[K::id(*pending_)] = pending_;
             pending_.reset();
             ++under_way_;
         }
@@ -124,7 +124,7 @@ private:
         int due;
     };
     struct OnItsWay {
-        std::uint32_t line = 0, asked = 0, came = 0;   // `asked` and `came`: a bit for each word
+        std::uint32_t line = 0, requested = 0, came = 0;   // `requested` and `came`: a bit for each word
     };
     std::uint32_t words() const { return std::uint32_t(shape_.words); }
     std::uint32_t line_of(const Req& req) const { return req.addr / K::parts / words(); }
@@ -132,8 +132,8 @@ private:
 
     void make_request() {
         std::vector<std::uint32_t> free;
-        for (std::uint32_t id = 0; id < asked_.size(); ++id)
-            if (!asked_[id]) free.push_back(id);
+        for (std::uint32_t id = 0; id < requested_.size(); ++id)
+            if (!requested_[id]) free.push_back(id);
         if (free.empty()) return;
         const int room = shape_.sets * shape_.ways, kind = draw_.below(100);
         const std::uint32_t lines = (1u << max_addr_bits) / words();
@@ -157,33 +157,33 @@ private:
     }
 
     void answered(const typename K::Rsp& rsp) {
-        auto& asked = asked_.at(K::id(rsp));
+        auto& requested = requested_.at(K::id(rsp));
         INFO("id " << K::id(rsp));
-        REQUIRE(asked);
-        REQUIRE(same(rsp, K::answer(*asked, config_), config_));
-        REQUIRE(came_.count(line_of(*asked)) == 1);
-        asked.reset();
+        REQUIRE(requested);
+        REQUIRE(same(rsp, K::answer(*requested, config_), config_));
+        REQUIRE(came_.count(line_of(*requested)) == 1);
+        requested.reset();
         --under_way_;
         ++answers_;
     }
 
     void missed(std::uint32_t id, std::uint32_t addr) {
         const std::uint32_t word = id % words(), line = addr / words();
-        INFO("word " << word << " of line " << line << " asked with id " << id);
+        INFO("word " << word << " of line " << line << " requested with id " << id);
         REQUIRE(addr % words() == word);
         OnItsWay& mine = lines_.at(id / words());
-        if (mine.asked == all()) REQUIRE(mine.came == all());
+        if (mine.requested == all()) REQUIRE(mine.came == all());
         if (mine.came == all()) mine = {};
-        if (mine.asked == 0) {
+        if (mine.requested == 0) {
             for (const OnItsWay& other : lines_)
-                REQUIRE_FALSE((other.line == line && other.asked != 0 && other.came != all()));
+                REQUIRE_FALSE((other.line == line && other.requested != 0 && other.came != all()));
             mine.line = line;
-            REQUIRE(std::any_of(asked_.begin(), asked_.end(),
+            REQUIRE(std::any_of(requested_.begin(), requested_.end(),
                                 [&](const auto& req) { return req && line_of(*req) == line; }));
         }
         REQUIRE(mine.line == line);
-        REQUIRE((mine.asked >> word & 1) == 0);
-        mine.asked |= 1u << word;
+        REQUIRE((mine.requested >> word & 1) == 0);
+        mine.requested |= 1u << word;
         words_.push_back({id, addr, now_ + 1 + draw_.below(slowest_)});
     }
 
@@ -198,8 +198,8 @@ private:
     Flow flow_;
     Draw draw_;
     int left_, under_way_ = 0, answers_ = 0, now_ = 0;
-    std::vector<std::optional<Req>> asked_;   // by id
-    std::vector<OnItsWay> lines_;             // by MSHR
+    std::vector<std::optional<Req>> requested_;   // by id
+    std::vector<OnItsWay> lines_;                 // by MSHR
     std::vector<Word> words_;
     std::set<std::uint32_t> came_;   // lines that have ever arrived
     Steady<typename K::Rsp> rsp_;
@@ -235,7 +235,7 @@ public:
         }
         return seen;
     }
-    CacheLinks<K> ask(std::uint32_t id, std::uint32_t address) { return cycle(request(id, address)); }
+    CacheLinks<K> look_up(std::uint32_t id, std::uint32_t address) { return cycle(request(id, address)); }
     static typename K::Req request(std::uint32_t id, std::uint32_t address) {
         typename K::Req req;
         if constexpr (requires { req.ray; })
@@ -252,7 +252,7 @@ public:
     bool get(std::uint32_t address) {
         const int before = misses;
         std::deque<std::uint32_t> words;
-        CacheLinks<K> seen = ask(0, address);
+        CacheLinks<K> seen = look_up(0, address);
         REQUIRE(seen.req.fires());
         for (int n = 0; n < 100; ++n) {
             if (seen.miss.fires()) words.push_back(seen.miss.offer->id);

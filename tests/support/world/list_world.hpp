@@ -16,8 +16,8 @@ struct LeafWalk {
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
 
-    bool asks_for_light() const { return ray.kind == 2 || ray.kind == 3; }
-    bool blocked() const { return asks_for_light() && found.closer; }
+    bool is_shadow_ray() const { return ray.kind == 2 || ray.kind == 3; }
+    bool blocked() const { return is_shadow_ray() && found.closer; }
     std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
     bool more() const {
         return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[leaf] <= t_best());
@@ -59,9 +59,9 @@ public:
     }
 
     void watch(const ListLinks& dut) {
-        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());   // one cycle later, like rc_list's
-                                                                         // requests
-        asked_.clear();
+        // One cycle later, like rc_list's requests.
+        fetched_.insert(fetched_.end(), requested_.begin(), requested_.end());
+        requested_.clear();
         if (dut.prim_req.fires()) see_fetch(*dut.prim_req.offer);
         if (dut.tri_req.offer) check_test(*dut.tri_req.offer);
         if (dut.tri_req.fires()) {
@@ -171,7 +171,7 @@ private:
         TriRsp rsp;
         if (draw_.below(3) == 0) {
             const std::uint32_t best = std::min(contexts_[ray].walk.t_best(), 150u);
-            if (!contexts_[ray].walk.asks_for_light()) {
+            if (!contexts_[ray].walk.is_shadow_ray()) {
                 rsp = random_payload<TriRsp>(draw_, config_);
                 rsp.t = std::uint32_t(draw_.below(int(best) + 1));
             }
@@ -189,7 +189,7 @@ private:
         REQUIRE(walk.more());
         REQUIRE(req.addr == walk.address());
         c.out = true;
-        asked_.push_back(req.ray);
+        requested_.push_back(req.ray);
         ++triangles_;
     }
 
@@ -229,7 +229,7 @@ private:
     Draw draw_;
     int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
     std::vector<Context> contexts_;
-    std::vector<std::uint32_t> waiting_for_leaves_, asked_, fetched_, tested_, ending_;
+    std::vector<std::uint32_t> waiting_for_leaves_, requested_, fetched_, tested_, ending_;
     std::optional<PrimRsp> prim_;
     std::optional<TriRsp> tri_;
     std::optional<Done> done_;

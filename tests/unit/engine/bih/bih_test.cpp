@@ -65,7 +65,7 @@ void judge(const BihCase& c, const BoxRsp& rsp, const Config& config) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("bih loses no exit that the ray meets and takes few others", "[bih]", Model<BihUnit>,
+TEMPLATE_TEST_CASE("bih loses no exit that the ray meets and keeps few others", "[bih]", Model<BihUnit>,
                    Rtl<BihUnit>) {
     check_judged<TestType>(bih_format(GENERATE("default", "shading:narrow")), random_case);
 }
@@ -113,7 +113,7 @@ TEST_CASE("model and rtl of bih make the same moves at both ends of every width"
                                  case_at_ends);
 }
 
-TEMPLATE_TEST_CASE("bih answers after exactly its latency, and takes one in every cycle", "[bih]",
+TEMPLATE_TEST_CASE("bih answers after exactly its latency, and accepts a request in every cycle", "[bih]",
                    Model<BihUnit>, Rtl<BihUnit>) {
     check_pace<TestType>(bih_format(GENERATE("default", "fast:default")), random_case);
 }

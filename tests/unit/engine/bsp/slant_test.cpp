@@ -29,7 +29,7 @@ SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d,
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and takes few others", "[slant]", Model<SlantUnit>,
+TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and keeps few others", "[slant]", Model<SlantUnit>,
                    Rtl<SlantUnit>) {
     check_judged<TestType>(bsp_format(GENERATE("default", "shading:narrow")), random_slant_case);
 }
@@ -90,7 +90,7 @@ TEST_CASE("model and rtl of slant make the same moves at both ends of every widt
                                    slant_case_at_ends);
 }
 
-TEMPLATE_TEST_CASE("slant answers after exactly its latency, and takes one in every cycle", "[slant]",
+TEMPLATE_TEST_CASE("slant answers after exactly its latency, and accepts a request in every cycle", "[slant]",
                    Model<SlantUnit>, Rtl<SlantUnit>) {
     check_pace<TestType>(bsp_format(GENERATE("default", "fast:default")), random_slant_case);
 }

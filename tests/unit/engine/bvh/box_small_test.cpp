@@ -86,8 +86,8 @@ std::uint64_t hits_lost(const Config& config, std::uint64_t first, std::uint64_t
         ++hits;
         LatticeBox bounds;
         for (const Vec3i& point : {req.triangle.a, req.triangle.b, req.triangle.c}) bounds.add(point);
-        LatticeBox beside{{-1, -1, -1}, {0, 0, 0}};   // so that the node's corner is not the box's
-        const NodeChild children[] = {{bounds, 1}, {beside, 1}};
+        LatticeBox neighbour{{-1, -1, -1}, {0, 0, 0}};   // so that the node's corner is not the box's
+        const NodeChild children[] = {{bounds, 1}, {neighbour, 1}};
         if (ray.d != req.d || i == first) set_direction(ray, req.d, config);
         ray.req.o = req.o;
         static_cast<Node&>(ray.req.node) = encode_node(children, 0, config);

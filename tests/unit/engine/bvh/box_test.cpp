@@ -45,7 +45,7 @@ void same_moves(const Config& config) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("box loses no child that the ray meets and takes few others", "[box]", Model<BoxUnit>,
+TEMPLATE_TEST_CASE("box loses no child that the ray meets and keeps few others", "[box]", Model<BoxUnit>,
                    Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
@@ -58,7 +58,7 @@ TEMPLATE_TEST_CASE("box loses no child that the ray meets, many draws", "[box][s
         against_oracle<TestType>(name, seed, flows[seed % 4], 2000);
 }
 
-TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and takes few others",
+TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and keeps few others",
                    "[box][shading]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("shading:default", "shading:narrow");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
@@ -84,7 +84,7 @@ TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
             set_direction(c, d, config);
             c.req.node.org[axis] = -8;
             c.req.node.exp[axis] = e;
-            const auto ask = [&](std::uint32_t children) {
+            const auto judge_children = [&](std::uint32_t children) {
                 for (std::size_t i = 0; i < max_width; ++i) c.req.node.kind[i] = i < children;
                 CAPTURE(e, c.req.o[axis]);
                 judge(c, box(c.req, config), config);
@@ -95,10 +95,10 @@ TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
                     c.req.node.lo[3 * child + axis] = lo;
                     c.req.node.hi[3 * child + axis] = hi;
                     if (++child < 8) continue;
-                    ask(child);
+                    judge_children(child);
                     child = 0;
                 }
-            if (child > 0) ask(child);
+            if (child > 0) judge_children(child);
         }
 }
 
@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE("box answers after exactly its latency", "[box]", Model<BoxUn
     check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("box takes a node in every cycle, or every few", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box accepts a node in every cycle, or every few", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const Config config = format(GENERATE("default", "wide", "fast:default", "lanes4:default",
                                           "lanes1:default", "lanes2:fast:default", "lanes1:fast:default"));
     TestType dut{config};

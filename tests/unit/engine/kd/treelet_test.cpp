@@ -15,7 +15,7 @@ Config kd_format(const std::string& name) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("treelet loses no exit that the ray meets and takes few others", "[treelet]",
+TEMPLATE_TEST_CASE("treelet loses no exit that the ray meets and keeps few others", "[treelet]",
                    Model<TreeletUnit>, Rtl<TreeletUnit>) {
     check_judged<TestType>(kd_format(GENERATE("default", "shading:narrow")), random_treelet_case);
 }
@@ -65,7 +65,7 @@ TEST_CASE("model and rtl of treelet make the same moves at both ends of every wi
                                      treelet_case_at_ends);
 }
 
-TEMPLATE_TEST_CASE("treelet answers after exactly its latency, and takes one in every cycle", "[treelet]",
-                   Model<TreeletUnit>, Rtl<TreeletUnit>) {
+TEMPLATE_TEST_CASE("treelet answers after exactly its latency, and accepts a request in every cycle",
+                   "[treelet]", Model<TreeletUnit>, Rtl<TreeletUnit>) {
     check_pace<TestType>(kd_format(GENERATE("default", "fast:default")), random_treelet_case);
 }

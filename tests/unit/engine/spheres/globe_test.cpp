@@ -25,7 +25,7 @@ TEST_CASE("the RTL of globe builds", "[.build]") {
                                {"rc_globe", "fast:default", globe_format("fast:default")}}));
 }
 
-TEMPLATE_TEST_CASE("globe loses no child that the ray meets and takes few others", "[globe]",
+TEMPLATE_TEST_CASE("globe loses no child that the ray meets and keeps few others", "[globe]",
                    Model<GlobeUnit>, Rtl<GlobeUnit>) {
     check_judged<TestType>(globe_format(GENERATE("default", "shading:narrow")), random_globe_case);
 }
@@ -122,7 +122,7 @@ TEST_CASE("model and rtl of globe make the same moves at both ends of every widt
                                    globe_case_at_ends);
 }
 
-TEMPLATE_TEST_CASE("globe answers after exactly its latency, and takes one in every cycle", "[globe]",
+TEMPLATE_TEST_CASE("globe answers after exactly its latency, and accepts a request in every cycle", "[globe]",
                    Model<GlobeUnit>, Rtl<GlobeUnit>) {
     check_pace<TestType>(globe_format(GENERATE("default", "fast:default")), random_globe_case);
 }

@@ -82,17 +82,17 @@ void check_scenes(const std::vector<std::uint64_t>& seeds) {
 
 }   // namespace
 
-TEST_CASE("the reference's rules hold in 201 random scenes as the machine draws them", "[ladder]") {
+TEST_CASE("the reference's rules hold in 201 random scenes as the machine draws them", "[stages]") {
     std::vector<std::uint64_t> all = seeds(0, 200);
     all.push_back(615);   // which has seams: one scene of some hundreds does
     check_scenes(all);
 }
 
-TEST_CASE("the reference's rules hold in 10,000 random scenes as the machine draws them", "[ladder][slow]") {
+TEST_CASE("the reference's rules hold in 10,000 random scenes as the machine draws them", "[stages][slow]") {
     check_scenes(seeds(200, 10'000));
 }
 
-TEST_CASE("a corner normal of half a unit may be rounded either way", "[ladder]") {
+TEST_CASE("a corner normal of half a unit may be rounded either way", "[stages]") {
     // Memory has 11 bits for each component. In rings:4 a component is -1/2 less two units in the last place
     // of a double, which lies between two values; a reflection at pixel (179, 138) depends on it.
     Scene scene = make_builtin("rings:4", Primitives::native);
@@ -103,7 +103,7 @@ TEST_CASE("a corner normal of half a unit may be rounded either way", "[ladder]"
     CHECK(j.wrong == 0);
 }
 
-TEST_CASE("of two spheres at one place the second is left out, whatever they are made of", "[ladder]") {
+TEST_CASE("of two equal spheres the second is left out, whatever their materials", "[stages]") {
     Scene scene = tiles({1, 0, 0}, {0, 0, 1});
     Material opaque, mirror, glass, tinted;
     opaque.colour = {0.2, 0.4, 0.9};
@@ -132,7 +132,7 @@ TEST_CASE("of two spheres at one place the second is left out, whatever they are
     CHECK(both.machine == alone.machine);
 }
 
-TEST_CASE("the rules hold where every sphere of a random scene is there twice", "[ladder]") {
+TEST_CASE("the rules hold where every sphere of a random scene is there twice", "[stages]") {
     std::uint64_t coincident = 0, snapped = 0;
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         INFO("seed " << seed);
@@ -160,7 +160,7 @@ TEST_CASE("the rules hold where every sphere of a random scene is there twice", 
     CHECK(snapped > 50);
 }
 
-TEST_CASE("the more a plane's sides lean towards each other, the more it may turn", "[ladder]") {
+TEST_CASE("the more a plane's sides lean towards each other, the more it may turn", "[stages]") {
     const double degrees = GENERATE(90, 30, 5, 1);
     const double angle = degrees * 0.017453292519943295;
     const Judgement j = judged(tiles({0.7, 0.1, 0}, {0.7 * std::cos(angle), 0.1, 0.7 * std::sin(angle)}),
@@ -170,7 +170,7 @@ TEST_CASE("the more a plane's sides lean towards each other, the more it may tur
     CHECK(j.wrong == 0);
 }
 
-TEST_CASE("a light far off beside a plane is judged by how far the plane may turn", "[ladder]") {
+TEST_CASE("a distant light close to a plane is judged by how far the plane may turn", "[stages]") {
     // The sides lean by 1 degree: rounding to the lattice turns the plane by more than those of a square
     // could.
     const double lean = 0.017453292519943295;
@@ -196,7 +196,7 @@ TEST_CASE("a light far off beside a plane is judged by how far the plane may tur
 }
 
 TEST_CASE("where the rounded direction of a ray to a far light decides, the report counts a tie",
-          "[ladder]") {
+          "[stages]") {
     // The scene has two other ties.
     const RandomScene drawn = random_scene(347);
     const Judgement j = judged(flattened(drawn.placed), drawn.settings, drawn.config, {20, 15});

@@ -1,5 +1,5 @@
 // Checks the machine's camera ray, its hit and its colour with the reference tracer.
-#include "sim/judge/cause/camera_rung.hpp"
+#include "sim/judge/cause/camera_stage_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double float_step = 0x1p-23;   // of a hit's u, v and depth, above their rounding
 
-/// Hands the tracer a hit, and leaves out shadows and bounces.
+/// Gives the tracer a hit, and omits shadows and bounces.
 class LocalLight final : public RefSteer {
 public:
     LocalLight(const RefPath& path, const RefClosest& hit) : path_(path), hit_(hit) {}
@@ -46,7 +46,7 @@ std::string name_of(bool found, std::uint32_t primitive) {
     return found ? "primitive " + std::to_string(primitive) : "nothing";
 }
 
-/// As large as the lattice, which holds the scene and the eye.
+/// Returns a scene as large as the lattice, which contains the scene and the eye.
 Scene corners_of(const Lattice& lattice) {
     const glm::dvec3 reach = std::exp2(lattice.coord_bits - 1) * lattice.pitch;
     Scene scene;
@@ -61,8 +61,8 @@ std::optional<Unfolder> unfolder_of(const Scene& scene) {
 
 }   // namespace
 
-CameraRung::CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
-                       const PlacedWorld* placed, const SeamFinder* seams)
+CameraStageCheck::CameraStageCheck(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+                                   const PlacedWorld* placed, const SeamFinder* seams)
     : inputs_(inputs),
       steps_(steps),
       tracer_(tracer),
@@ -75,8 +75,8 @@ CameraRung::CameraRung(const FrameInputs& inputs, const Scene& steps, const Refe
       given_unfolder_(unfolder_of(inputs.scene)),
       steps_unfolder_(unfolder_of(steps)) {}
 
-PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
-                                    std::uint32_t i) const {
+PlacedTriangle CameraStageCheck::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
+                                          std::uint32_t i) const {
     if (unfolder) return (*unfolder)(i);
     PlacedTriangle out;
     out.is_smooth = !scene.normals.empty();
@@ -89,7 +89,7 @@ PlacedTriangle CameraRung::triangle(const Scene& scene, const std::optional<Unfo
     return out;
 }
 
-CameraFinding CameraRung::judge(int x, int y, const Vec3i& d, const Closest& answer) const {
+CameraFinding CameraStageCheck::judge(int x, int y, const Vec3i& d, const Closest& answer) const {
     if (!bound_.goes_through(rays_.direction(x, y), d))
         return {"the camera ray does not go through its pixel"};
     const glm::dvec3 from = vector_of(inputs_.frame.eye);
@@ -112,10 +112,10 @@ CameraFinding CameraRung::judge(int x, int y, const Vec3i& d, const Closest& ans
     return finding;
 }
 
-bool CameraRung::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer,
-                        const Hit& own) const {
+bool CameraStageCheck::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer,
+                              const Hit& own) const {
     const std::uint32_t met = answer.found ? answer.prim : no_primitive;
-    if (is_folded(steps_)) {   // whose tracer tells floats of a hit, and nothing of one primitive alone
+    if (is_folded(steps_)) {   // its tracer returns hits as floats, and cannot trace one primitive alone
         RefPath path;
         path.from = from, path.direction = glm::normalize(d);
         if (any_moved(path, [&](const RefPath& moved) {
@@ -143,9 +143,9 @@ bool CameraRung::is_tie(const glm::dvec3& from, const glm::dvec3& d, const Close
     return as_deep(path) || any_moved(path, as_deep);
 }
 
-/// Steps of the scene by which an instance's ray may lie off the scene's at t: rho of docs/motion.md, Boxes,
-/// on each axis of the mesh, and back.
-double CameraRung::instance_error(std::uint32_t place, double t) const {
+/// Returns the largest distance at t between an instance's ray and the scene's ray, in steps of the scene:
+/// rho (docs/motion.md, Boxes) on each axis of the mesh, mapped back to the scene.
+double CameraStageCheck::instance_error(std::uint32_t place, double t) const {
     if (!placed_ || placed_->is_same(place)) return 0;
     glm::dmat3 map(1);
     for (int i = 0; i < 3; ++i)
@@ -158,13 +158,14 @@ double CameraRung::instance_error(std::uint32_t place, double t) const {
     return std::sqrt(3 * square) * (0.5 + 0.5 * t);
 }
 
-/// u and v are rounded down by less than a unit, t up by less than a tick; a hit then holds floats.
-bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer) const {
+/// The machine rounds u and v down by less than a unit, and t up by less than a tick. A Hit then rounds them
+/// to floats.
+bool CameraStageCheck::holds_point(int x, int y, const Vec3i& d, const Closest& answer) const {
     const std::uint32_t place = placed_ ? placed_->place_of(answer.prim) : oracle::PlacedRay::nowhere;
     const PlacedTriangle t = triangle(steps_, steps_unfolder_, answer.prim);
     Hit hit = scale_({std::uint32_t(x), std::uint32_t(y), answer});
     if (placed_ && placed_->is_mirrored(place))
-        std::swap(hit.u, hit.v);   // as the flat scene has its corners
+        std::swap(hit.u, hit.v);   // the flat scene's order of corners
     const glm::dvec3 e1 = t.vertices[1] - t.vertices[0], e2 = t.vertices[2] - t.vertices[0],
                      direction = vector_of(d), way = glm::normalize(direction),
                      at = t.vertices[0] + double(hit.u) * e1 + double(hit.v) * e2 -
@@ -175,14 +176,14 @@ bool CameraRung::holds_point(int x, int y, const Vec3i& d, const Closest& answer
                  off = unit * (glm::length(e1) + glm::length(e2)) +
                        instance_error(place, along / glm::length(direction)) + Range::slack * glm::length(at);
     if (glm::length(at - along * way) > off) return false;
-    if (answer.t == (std::uint64_t(1) << inputs_.config.t_bits()) - 1) return true;   // as far as t can say
+    if (answer.t == (std::uint64_t(1) << inputs_.config.t_bits()) - 1) return true;   // the largest t
     const double scale = glm::length(way * inputs_.lattice.pitch);   // of lengths along the ray
     return std::abs(double(hit.depth) - along * scale) <=
            (tick * glm::length(direction) + off) * scale + float_step * double(hit.depth);
 }
 
-/// In a scene of that one triangle: the tracer is handed the hit, and looks for nothing.
-std::optional<glm::dvec3> CameraRung::local_light(const Hit& hit, int x, int y) const {
+/// Uses a scene of that one triangle. LocalLight gives the hit to the tracer, which does not search for one.
+std::optional<glm::dvec3> CameraStageCheck::local_light(const Hit& hit, int x, int y) const {
     if (hit.primitive == no_primitive) return inputs_.scene.background;
     const PlacedTriangle t = triangle(inputs_.scene, given_unfolder_, hit.primitive);
     Scene scene;

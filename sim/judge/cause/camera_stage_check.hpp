@@ -1,12 +1,10 @@
 #pragma once
-// The last rung of the ladder for a picture of camera rays alone: the reference follows the machine's rays by
+// The check of the last stage for a picture of camera rays alone: the reference follows the machine's rays by
 // its own rules.
 //
 // It checks three facts about a pixel, and uses no rule of the machine:
 // - The machine's ray goes through the pixel, within the bound of camera_ray.hpp.
-// - On the scene as it lies on the lattice, the reference meets the same primitive, at the place that t, u
-// and
-//   v give.
+// - In the scene on the lattice, the reference meets the same primitive, at the place that t, u and v give.
 // - The colour of that hit is the reference's local light, without shadows.
 //
 // Doubles leave ties: a slightly moved ray (tie.hpp) meets the machine's primitive, or two primitives lie at
@@ -30,12 +28,12 @@ struct CameraFinding {
     bool is_tie = false;
 };
 
-class CameraRung {
+class CameraStageCheck {
 public:
     /// `steps`: the machine's scene in lattice steps; `tracer` traces it. `placed` and `seams` are null
     /// unless there are two levels.
-    CameraRung(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
-               const PlacedWorld* placed, const SeamFinder* seams);
+    CameraStageCheck(const FrameInputs& inputs, const Scene& steps, const Reference& tracer,
+                     const PlacedWorld* placed, const SeamFinder* seams);
 
     /// Checks a pixel, given its ray's direction d and the exact answer after rounding.
     CameraFinding judge(int x, int y, const Vec3i& d, const Closest& answer) const;

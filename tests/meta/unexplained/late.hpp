@@ -1,0 +1,4 @@
+// The control of openings.cmake: #pragma once is not the first line.
+#pragma once
+
+struct Late {};
