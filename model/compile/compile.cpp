@@ -1,4 +1,6 @@
 // compile_scene: lattice, tree, image, in that order.
+#include "model/compile/compile.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,7 +14,9 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/compile/plane.hpp"
 #include "model/engine/bvh/splits.hpp"
+#include "model/engine/bvh/build.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/unit/isect/vectors.hpp"

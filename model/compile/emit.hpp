@@ -3,6 +3,7 @@
 //
 // Blocks lie depth-first. A block is everything that a node's base points at: one line per inner child, then
 // the leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.
+#include <functional>
 #include <vector>
 
 #include "model/engine/bvh/collapse.hpp"
@@ -25,16 +26,6 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
                 MemoryImage& image, const std::function<void()>& report);
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
-
-/// Returns the boxes of primitives, in their order, as a tree of boxes holds them.
-std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& prims, const Config& config);
-
-/// Throws UserError if the lattice keeps nothing of the scene in `kept`, or if there are too many primitives.
-void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
-                const std::string& name);
-
-/// Throws UserError if the configuration's stack cannot hold `need` groups of siblings.
-void check_stack(int need, const Config& config, const std::string& name);
 
 /// Throws UserError if `lines` memory lines cannot be addressed.
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name);

@@ -1,10 +1,11 @@
 #pragma once
-// The surfaces of all primitives, which a chip that shades reads in addition to the tree.
+// The surfaces of all primitives, which a chip that shades reads in addition to the tree, and its registers.
 #include <optional>
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
-#include "model/layout/tree.hpp"
+#include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -22,9 +23,6 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
 /// (docs/verdict.md, Two spheres at one place).
 std::size_t drop_coincident_spheres(std::vector<PrimData>& prims);
 
-/// Returns the box of a sphere or plane within the lattice. A plane fills the lattice.
-LatticeBox box_of(const PrimData& prim, int coord_bits);
-
 /// Returns the surface of primitive number i: the primitive itself, corner normals if the scene has some,
 /// turned to the triangle's side, and the material.
 Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t i);
@@ -34,5 +32,13 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
 
 /// Appends the surfaces, a line each, to the image. Throws UserError beyond the address range.
 void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
+
+/// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or
+/// bounces, or only one sample.
+ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
+                            const Config& config);
+
+/// Returns the configuration with exactly the optional units that the scene and the picture need.
+Config fitted_config(const Scene& scene, const Whitted& settings, Config config);
 
 }   // namespace rayclock

@@ -1,5 +1,6 @@
 #pragma once
 // A scene's primitives on the lattice of a machine, in the order of a list.
+#include "model/compile/compile.hpp"
 #include "model/engine/bvh/decode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"

@@ -1,6 +1,7 @@
 # cmake -DSOURCE=folder [-DPARTIAL=ON: not all rooms need be there] -P includes.cmake
 # Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower ones only, and
-# model includes nothing of sim. No folder has more than ten folders, and no room is missing here.
+# model includes nothing of sim. In model the first include of a .cpp lies in its own folder, so that a declaration lies
+# where its definition does. No folder has more than ten folders, and no room is missing here.
 set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile model/trace model/machine
   sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study sim/app)
 set(faults "")
@@ -22,6 +23,13 @@ foreach(file IN LISTS files)
   if(floor EQUAL -1)
     string(APPEND faults "${file}: its room ${room} has no floor in tests/meta/includes.cmake\n")
     continue()
+  endif()
+  if(file MATCHES "^model/.*\\.cpp$")
+    cmake_path(GET file PARENT_PATH folder)
+    file(STRINGS ${SOURCE}/${file} first REGEX "^ *#include " LIMIT_COUNT 1)
+    if(NOT first MATCHES "\"${folder}/[^/]+\"")
+      string(APPEND faults "${file}: its first include does not lie in its own folder\n")
+    endif()
   endif()
   file(STRINGS ${SOURCE}/${file} lines REGEX "^ *#include \"(model|sim|tests|bench)/")
   foreach(line IN LISTS lines)

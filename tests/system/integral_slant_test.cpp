@@ -8,6 +8,7 @@
 // surfaces.
 #include <bit>
 
+#include "model/compile/compile.hpp"
 #include "model/trace/decoder.hpp"
 #include "tests/system/convex.hpp"
 #include "tests/system/lines.hpp"

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "model/layout/words.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"

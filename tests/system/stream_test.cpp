@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/engine/check.hpp"
 #include "sim/load/load.hpp"

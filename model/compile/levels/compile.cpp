@@ -1,4 +1,6 @@
 // compile_levels: lattices and maps, a lower structure for each class, and the scene's tree above them.
+#include "model/compile/levels/levels.hpp"
+
 #include <bit>
 #include <map>
 
@@ -8,9 +10,9 @@
 #include "model/compile/emit.hpp"
 #include "model/engine/check.hpp"
 #include "model/layout/words.hpp"
-#include "model/compile/levels/levels.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 

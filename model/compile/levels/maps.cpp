@@ -7,6 +7,8 @@
 
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 
 #include <glm/common.hpp>

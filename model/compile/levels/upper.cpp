@@ -6,6 +6,7 @@
 #include "model/engine/bvh/encode.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/bvh/collapse.hpp"
+#include "model/engine/bvh/build.hpp"
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"
 #include "model/compile/levels/upper_lines.hpp"

@@ -1,6 +1,7 @@
 // The scene's tree as cells of space.
-#include "model/engine/engines.hpp"
 #include "model/compile/levels/upper_lines.hpp"
+
+#include "model/engine/engines.hpp"
 
 namespace rayclock {
 namespace {

@@ -10,6 +10,8 @@
 #include "model/layout/words.hpp"
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/stopwatch.hpp"
 
 namespace rayclock {

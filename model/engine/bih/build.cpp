@@ -1,6 +1,7 @@
 // Builds bounding interval hierarchies from trees of boxes.
 #include "model/engine/bih/build.hpp"
 
+#include "model/engine/bvh/build.hpp"
 #include "model/engine/kd/treelets.hpp"
 #include "model/layout/tree.hpp"
 

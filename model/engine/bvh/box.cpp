@@ -1,7 +1,6 @@
 // The unit box: unpacks nodes, tests their children and sorts the answer.
 #include "model/engine/bvh/box.hpp"
 
-#include "model/unit/trav/children.hpp"
 #include "model/engine/bvh/slab.hpp"
 
 namespace rayclock {
@@ -149,22 +148,6 @@ WideNode NodeReader::operator()(const std::uint32_t* line) const {
     }
     set_masks(wide, inner);
     return wide;
-}
-
-Children children_of(const BoxRsp& boxes) {
-    Children children{boxes.base, boxes.inner, boxes.t_near, {}};
-    for (std::size_t i = 0; i < max_width; ++i) children.slot[i] = boxes.offset[i] >> 1;
-    return children;
-}
-
-Leaves leaves_of(const BoxRsp& boxes) {
-    Leaves leaves{boxes.ray, boxes.base, boxes.leaves, {}, {}, {}};
-    for (std::size_t i = 0; i < boxes.leaves; ++i) {
-        leaves.t_near[i] = boxes.t_near[boxes.inner + i];
-        leaves.offset[i] = boxes.offset[boxes.inner + i];
-        leaves.count[i] = boxes.count[boxes.inner + i];
-    }
-    return leaves;
 }
 
 BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test) {

@@ -1,5 +1,6 @@
 // Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
+#include "model/compile/stream.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"
 

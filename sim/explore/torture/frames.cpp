@@ -8,6 +8,7 @@
 
 #include "model/base/axes.hpp"
 #include "model/base/largest.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock::torture {
 

@@ -5,6 +5,7 @@
 
 #include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
 #include "model/layout/words.hpp"
 #include "model/core/payloads.hpp"

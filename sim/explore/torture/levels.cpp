@@ -7,6 +7,7 @@
 #include "model/compile/emit.hpp"
 #include "model/layout/words.hpp"
 #include "model/compile/levels/upper.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
 
 namespace rayclock::torture {

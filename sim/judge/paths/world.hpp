@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/whitted.hpp"
 #include "model/layout/memory_image.hpp"
 #include "sim/judge/oracle/solids.hpp"
 

@@ -9,6 +9,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/hits.hpp"

@@ -15,6 +15,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
 #include "model/machine/machine.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
