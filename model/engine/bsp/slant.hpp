@@ -1,7 +1,7 @@
 #pragma once
 // The unit slant: nodes with planes in any direction.
 #include "model/engine/bsp/node.hpp"
-#include "model/engine/kd/treelet.hpp"
+#include "model/engine/cells/decide.hpp"
 
 namespace rayclock {
 
@@ -33,8 +33,8 @@ Vec3i aligned(const Ray& ray, const Config& config);
 PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std::int32_t at,
                     const Config& config);
 
-/// Returns the exits of a slant that a ray meets, as treelet_exits() does for a treelet. Mirror of
-/// rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
+/// Returns the exits of a slant that a ray meets, as treelet_exits() (kd/treelet.hpp) does for a treelet.
+/// Mirror of rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
 /// Returns the unit's answer.

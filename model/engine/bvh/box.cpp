@@ -77,22 +77,6 @@ std::uint32_t box_children(const BoxRay& ray, const WideNode& node, const Config
 }
 #endif
 
-BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node) {
-    BoxRsp out;
-    std::array<std::uint64_t, 2 * max_width> sorted;
-    out.ray = ray;
-    out.base = node.base;
-    out.inner = sort_children(hits & node.inner_mask, t_near, sorted.data());
-    out.leaves = sort_children(hits & ~std::uint32_t(node.inner_mask), t_near, &sorted[out.inner]);
-    for (std::size_t i = 0; i < out.inner + out.leaves; ++i) {
-        const std::uint32_t child = ByDistance::child(sorted[i]);
-        out.t_near[i] = ByDistance::near(sorted[i]);
-        out.offset[i] = node.offset[child];
-        out.count[i] = node.count[child];
-    }
-    return out;
-}
-
 WideNode widen(const Node& node, int node_width) {
     WideNode wide;
     wide.base = node.base;
