@@ -175,7 +175,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     }
     const Lattice lattice =
         fit_lattice(given, eye, config.coord_bits, config.shading, room_around_planes(given, config));
-    const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
+    const std::optional<Scene> moved = config.shading ? align_large_triangles(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
     const std::size_t coincident = drop_coincident_spheres(triangles);

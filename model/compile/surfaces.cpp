@@ -165,7 +165,7 @@ PlanesBetween between(const Scene& scene, const Config& config, const Lattice& l
 
 }   // namespace
 
-std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
+std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;

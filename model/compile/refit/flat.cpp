@@ -50,7 +50,8 @@ std::vector<PrimData> RefittedScene::snapped(const Scene& scene) const {
 
 Upload RefittedScene::next(const Scene& given) {
     const Stopwatch watch;
-    const std::optional<Scene> moved = config_.shading ? aligned(given, image_.lattice) : std::nullopt;
+    const std::optional<Scene> moved =
+        config_.shading ? align_large_triangles(given, image_.lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> prims = snapped(scene);
     const std::size_t coincident = drop_coincident_spheres(prims);   // the same in each frame: no sphere

@@ -30,7 +30,7 @@ struct Bsp : OfCells<Slant, WideSlant> {
         return stages.cut + stages.crossing + stages.exits + stages.rank;
     }
     static RayForm form(const Ray& ray, const BoxRay& box, const Config& config) {
-        return {box, aligned(ray, config)};
+        return {box, slant_direction(ray, config)};
     }
     static Request request(std::uint32_t ray, const RayForm& form, const Node& node) {
         return {ray, form.box.o, form.box.recip, form.box.len, form.along, node};

@@ -16,11 +16,11 @@ WideSlant widen(const Slant& slant, int node_width);
 /// A ray in the form of slants.
 struct SlantRay {
     BoxRay box;
-    Vec3i along{};   ///< aligned()
+    Vec3i along{};   ///< slant_direction()
 };
 /// Returns a ray's direction in the form that slants use. It is shifted up by ray_dir_bits - dir_bits, so
 /// that its scale does not depend on the ray's kind. A shadow ray's direction already has ray_dir_bits.
-Vec3i aligned(const Ray& ray, const Config& config);
+Vec3i slant_direction(const Ray& ray, const Config& config);
 
 /// Returns the position of a ray relative to the plane n . x = at, conservatively (docs/bsp.md).
 ///
