@@ -98,7 +98,7 @@ void emit_list(const std::vector<PrimData>& prims, const Config& config, const s
     Words scratch;
     for (std::size_t i = 0; i < prims.size(); ++i)
         write_payload(prims[i], config, &image.words[i * words_per_half], scratch);
-    image.listed = std::uint32_t(prims.size());
+    image.listed_primitives = std::uint32_t(prims.size());
     image.report.references = prims.size();
     image.report.bytes = image.words.size() * sizeof(std::uint32_t);
 }

@@ -87,7 +87,7 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
 
 Frame make_frame(const Camera& camera, FrameSize size, const MemoryImage& image, const Config& config) {
     Frame frame = make_frame(camera, size, image.lattice, config);
-    frame.listed = image.listed;
+    frame.listed_primitives = image.listed_primitives;
     return frame;
 }
 

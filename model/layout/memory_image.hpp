@@ -42,12 +42,12 @@ struct MemoryImage {
     std::vector<std::uint32_t> words;   ///< 16 words per line, little-endian
     Lattice lattice;
     /// With two levels: first line of the lower structures. The scene's tree and its instances lie before it.
-    std::uint32_t meshes = 0;
-    std::uint32_t surfaces = 0;             ///< line of primitive 0's surface, if the chip shades
-    std::uint32_t rays = 0;                 ///< with a stream: line of its first two rays
-    std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from line `rays` on
+    std::uint32_t first_mesh_line = 0;
+    std::uint32_t first_surface_line = 0;   ///< line of primitive 0's surface, if the chip shades
+    std::uint32_t first_ray_line = 0;       ///< with a stream: line of its first two rays
+    std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from that line on
     std::uint32_t primitives = 0;           ///< all primitive numbers lie below
-    std::uint32_t listed = 0;               ///< primitives of a list; 0 if there is a tree
+    std::uint32_t listed_primitives = 0;    ///< primitives of a list; 0 if there is a tree
     /// With two levels: the first primitives of the instances whose mesh was moved to its place beforehand,
     /// rising.
     std::vector<std::uint32_t> written_out{};
@@ -59,20 +59,22 @@ struct MemoryImage {
     const std::uint32_t* line(std::uint32_t addr) const {
         static constexpr std::array<std::uint32_t, 16> nothing{};
         if (addr < lines()) return &words[std::size_t(addr) * 16];
-        return addr >= rays && addr < end() ? &records[std::size_t(addr - rays) * 16] : nothing.data();
+        return addr >= first_ray_line && addr < end() ? &records[std::size_t(addr - first_ray_line) * 16]
+                                                      : nothing.data();
     }
     /// True if some line of an aligned burst of `burst` lines around this one belongs to the scene or to the
     /// rays.
     bool holds(std::uint32_t addr, std::uint32_t burst) const {
         const std::uint32_t first = addr / burst * burst;
-        return first < lines() || (!records.empty() && first + (burst - 1) >= rays && first < end());
+        return first < lines() ||
+               (!records.empty() && first + (burst - 1) >= first_ray_line && first < end());
     }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
     const std::uint32_t* record(std::uint32_t ray) const { return &records[std::size_t(ray) * 8]; }
     std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }   ///< lines of the scene
     /// Returns the line after the last one. A stream's rays count.
     std::uint32_t end() const {
-        return records.empty() ? lines() : rays + std::uint32_t(records.size() / 16);
+        return records.empty() ? lines() : first_ray_line + std::uint32_t(records.size() / 16);
     }
 };
 

@@ -34,8 +34,8 @@ public:
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
         trace_ = &trace;
-        records_ = frame.rays;
-        meshes_ = trace.meshes;
+        records_ = frame.first_ray_line;
+        meshes_ = trace.first_mesh_line;
         rays_.assign(rays_.size(), {});   // the last frame's trace is not read again
     }
 

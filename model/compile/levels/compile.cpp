@@ -40,9 +40,9 @@ public:
         std::vector<PlacedEntry> placed;
         const UpperReport report =
             write_upper(out_.entries, 0, true, config_.upper(), name_, image_.words, placed);
-        image_.meshes = image_.lines();
+        image_.first_mesh_line = image_.lines();
         append_lowers();
-        image_.surfaces = image_.lines();
+        image_.first_surface_line = image_.lines();
         for (std::size_t e = 0; e < out_.entries.size(); ++e) complete(out_.entries[e], out_.of_entry[e]);
         write_entries(out_.entries, placed, config_, image_.words);
         image_.report.nodes += report.nodes;
@@ -124,7 +124,7 @@ private:
     void complete(UpperEntry& entry, std::uint32_t instance) {
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
-        entry.surfaces = surfaces_of(instance) - entry.first;
+        entry.first_surface_line = surfaces_of(instance) - entry.first;
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 

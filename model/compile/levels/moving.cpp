@@ -201,7 +201,7 @@ void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::v
         entry.root = root;
         entry.stack_need = follower.tree.report().stack_need;
         entry.depth = follower.tree.report().depth;
-        if (config_.shading) entry.surfaces = surfaces - entry.first;
+        if (config_.shading) entry.first_surface_line = surfaces - entry.first;
     }
 }
 
