@@ -8,9 +8,9 @@ namespace rayclock {
 /// few stages. A fast chip has a register wherever a path would be longer than one addition and a choice
 /// (`rtl/cells/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
-    int cut = 0;   ///< stages of rc_path_register
-    int far = 0;   ///< stages of additional registers between units of a chip that shades, which fills the
-                   ///< device
+    int cut = 0;             ///< stages of rc_path_register
+    int shading_cut = 0;     ///< stages of additional registers between units of a chip that shades, which
+                             ///< fills the device
     int multiply = 0;        ///< stages of rc_mul
     int quotient_bits = 0;   ///< quotient bits per stage of rc_divide
     int hit_bits = 0;        ///< the same for rc_hitdiv, whose operands are the widest
@@ -64,11 +64,12 @@ struct Stages {
                           ///< read
     int pass_read = 0;    ///< cycles until a context's state has been read
     // Units that keep state per ray.
-    int arrive = 0;    ///< additional stages of trav, from box's answer to its leaves
-    int tried = 0;     ///< additional stages of list, after tri's answer
-    int stack = 0;     ///< additional stages of trav, from a step to its stack's decision
-    int closest = 0;   ///< additional stages of shade, from a ray's answer to its request
-    int cache = 0;     ///< additional stages of a cache, before a look-up, and again after the data are read
+    int node_answer_delay = 0;   ///< additional stages of trav, from box's answer to its leaves
+    int tri_answer_delay = 0;    ///< additional stages of list, after tri's answer
+    int stack_delay = 0;         ///< additional stages of trav, from a step to its stack's decision
+    int closest_delay = 0;       ///< additional stages of shade, from a ray's answer to its request
+    int cache_delay = 0;   ///< additional stages of a cache, before a look-up, and again after the data are
+                           ///< read
 
     explicit Stages(const Config& config);
     int divide(int bits) const;   ///< stages that make this many quotient bits

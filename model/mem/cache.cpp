@@ -9,7 +9,8 @@ namespace rayclock {
 
 namespace {
 CacheShape shape(const Config& config, int sets, int ways, int line, int mshrs, int id_bits) {
-    return {sets, ways, line / line_bytes, mshrs, config.cache_queue, 1 << id_bits, Stages(config).cache};
+    const int delay = Stages(config).cache_delay;
+    return {sets, ways, line / line_bytes, mshrs, config.cache_queue, 1 << id_bits, delay};
 }
 int log2_of(int n) { return std::countr_zero(unsigned(n)); }
 }   // namespace
