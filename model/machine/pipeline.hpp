@@ -177,7 +177,8 @@ private:
         const LinkInside& req = m[Link::box_req];
         const bool own = m.lower_request == low;
         if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
-        return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
+        return test_codes[std::size_t((own & req.valid) + (own & req.fires) +
+                                      3 * node_cache_.has_misses_in_flight())];
     }
     template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
     template <RayFeed feed, bool levels>

@@ -32,7 +32,9 @@ template <Pipeline::RayFeed feed, bool levels>
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
         m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0
+                       : node_cache_.has_misses_in_flight()                ? 1
+                                                                           : 2;
     }
     const LinkRay from_box = box_.answer(now), from_tri = tri_.answer(now);
     m.lower_answer = levels && is_low(from_box.ray);
@@ -56,7 +58,8 @@ template <Pipeline::RayFeed feed, bool levels>
         m.placing = levels && (*rays_[came].at & Trace::place_flag);
         m.offer(Link::surf_rsp, surf_or_stream_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
-        m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing, surf_or_stream_cache_.waits());
+        m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
+                                   surf_or_stream_cache_.has_misses_in_flight());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
@@ -69,14 +72,14 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
-    const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-                        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-                        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
-                        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
-                        tri =
-                            tri_hold_left_ > 0
-                                ? 0u
-                                : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
+    const std::uint32_t
+        sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
+        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
+        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
+        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
+        tri = tri_hold_left_ > 0
+                  ? 0u
+                  : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
 }
