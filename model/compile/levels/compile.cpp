@@ -30,7 +30,7 @@ public:
     void run(int buffers, const UpperRoom& room) {
         buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
-        out_.rooms.assign(lowers_.size(), 0), out_.surfaces.assign(lowers_.size(), 0);
+        out_.rooms.assign(lowers_.size(), 0), out_.first_surface_lines.assign(lowers_.size(), 0);
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // each buffer has room for any tree of the film
@@ -150,7 +150,7 @@ private:
     void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
         if (parts_.is_round(made.mesh)) return write_round(made.lattice);
-        out_.surfaces[number] = image_.lines();
+        out_.first_surface_lines[number] = image_.lines();
         const Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
         for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
     }
