@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "sim/judge/oracle/extra_visits.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/view/report/text.hpp"
 

@@ -11,6 +11,8 @@
 
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"

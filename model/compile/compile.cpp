@@ -1,4 +1,6 @@
 // compile_scene: lattice, tree, image, in that order.
+#include "model/compile/compile.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,7 +14,9 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/compile/plane.hpp"
 #include "model/engine/bvh/splits.hpp"
+#include "model/engine/bvh/build.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/unit/isect/vectors.hpp"
@@ -171,7 +175,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     }
     const Lattice lattice =
         fit_lattice(given, eye, config.coord_bits, config.shading, room_around_planes(given, config));
-    const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
+    const std::optional<Scene> moved = config.shading ? align_large_triangles(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
     const std::size_t coincident = drop_coincident_spheres(triangles);

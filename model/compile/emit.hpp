@@ -3,6 +3,7 @@
 //
 // Blocks lie depth-first. A block is everything that a node's base points at: one line per inner child, then
 // the leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.
+#include <functional>
 #include <vector>
 
 #include "model/engine/bvh/collapse.hpp"
@@ -19,22 +20,12 @@ void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, 
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image);
 
-/// Do the same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a plain list of all
+/// Do the same for space cut by planes (cells/build.hpp, octree/build.hpp), and for a plain list of all
 /// primitives, from line 0 on.
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image, const std::function<void()>& report);
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
-
-/// Returns the boxes of primitives, in their order, as a tree of boxes holds them.
-std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& prims, const Config& config);
-
-/// Throws UserError if the lattice keeps nothing of the scene in `kept`, or if there are too many primitives.
-void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
-                const std::string& name);
-
-/// Throws UserError if the configuration's stack cannot hold `need` groups of siblings.
-void check_stack(int need, const Config& config, const std::string& name);
 
 /// Throws UserError if `lines` memory lines cannot be addressed.
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name);

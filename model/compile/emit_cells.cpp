@@ -8,14 +8,14 @@ namespace rayclock {
 
 namespace {
 
-using kd::CellPart;
+using cells::CellPart;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
 /// Writes a tree of cells. `Line` is the type of a node.
 template <class Line> class CellEmitter {
 public:
-    CellEmitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
+    CellEmitter(const cells::Cell& root, const std::vector<PrimData>& prims, const Config& config,
                 const std::string& name, MemoryImage& image)
         : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
 
@@ -65,12 +65,12 @@ private:
             if (node.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
     }
 
-    const kd::Cell& root_;
+    const cells::Cell& root_;
     const std::vector<PrimData>& prims_;
     const Config& config_;
     const std::string& name_;
     MemoryImage& image_;
-    kd::Exits<Line> exits_{leaf_most};
+    cells::Exits<Line> exits_{leaf_most};
     std::vector<Pending> pending_;
     NodeStatistics nodes_written_;
     Words scratch_;
@@ -82,9 +82,9 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
                 MemoryImage& image, const std::function<void()>& report) {
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
-            kd::Pieces pieces(prims, config);
+            cells::Pieces pieces(prims, config);
             pieces.report_to(report);
-            const kd::CellPtr root = E::build(pieces, prims, config);
+            const cells::CellPtr root = E::build(pieces, prims, config);
             CellEmitter<typename E::Node>{*root, prims, config, name, image}.run();
         }
     });
@@ -98,7 +98,7 @@ void emit_list(const std::vector<PrimData>& prims, const Config& config, const s
     Words scratch;
     for (std::size_t i = 0; i < prims.size(); ++i)
         write_payload(prims[i], config, &image.words[i * words_per_half], scratch);
-    image.listed = std::uint32_t(prims.size());
+    image.listed_primitives = std::uint32_t(prims.size());
     image.report.references = prims.size();
     image.report.bytes = image.words.size() * sizeof(std::uint32_t);
 }

@@ -19,6 +19,8 @@
 // With supersampling x and y are those of a sample, from -1/2 to w - 1/2 and h - 1/2. The sum is 256 V, with
 // whole numbers 256 x and 256 y. So m is that of the picture's corners, and V is off by at most (1 + w - 1/2
 // + h - 1/2) / 2 = (w + h) / 2. The rest holds unchanged, with fractions 2^8 times as fine.
+#include "model/compile/frame.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -26,7 +28,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/layout/memory_image.hpp"
 #include "model/base/error.hpp"
 #include "model/base/largest.hpp"
 #include "model/scene/view.hpp"
@@ -86,7 +87,7 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
 
 Frame make_frame(const Camera& camera, FrameSize size, const MemoryImage& image, const Config& config) {
     Frame frame = make_frame(camera, size, image.lattice, config);
-    frame.listed = image.listed;
+    frame.listed_primitives = image.listed_primitives;
     return frame;
 }
 

@@ -1,4 +1,4 @@
-// The lattice of a scene: bounds, pitches, nearest point.
+// Fits the lattice to a scene: bounds and pitches.
 //
 // The eye is a lattice point, because an error of the eye would move the whole picture. So the lattice is
 // shifted by up to half a pitch. A vertex at the end of the bounds then lies at up to L + 1/2, L = 2^(N-1) -
@@ -10,6 +10,8 @@
 // M from the other axes, and of the range of t.
 //
 // Plain double arithmetic in a fixed order (-ffp-contract=off) gives the same points on every machine.
+#include "model/compile/lattice.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,8 +26,6 @@ namespace rayclock {
 namespace {
 
 constexpr double most_ratio = 2;
-
-double largest_coordinate(int coord_bits) { return double((1 << (coord_bits - 1)) - 1); }
 
 /// Returns a pitch, at least as large, that divides the first plane's sides on the lattice.
 double with_planes(const Scene& scene, Lattice lattice, double pitch) {
@@ -73,17 +73,6 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, b
         lattice.centre[k] = eye[k] - lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k]);
     }
     return lattice;
-}
-
-double Lattice::coarsest() const { return std::max({pitch.x, pitch.y, pitch.z}); }
-
-Vec3i Lattice::snap(const glm::dvec3& point) const {
-    const double largest = largest_coordinate(coord_bits);
-    Vec3i snapped{};
-    for (int k = 0; k < 3; ++k)
-        snapped[std::size_t(k)] =
-            std::int32_t(std::clamp(std::round((point[k] - centre[k]) / pitch[k]), -largest, largest));
-    return snapped;
 }
 
 }   // namespace rayclock

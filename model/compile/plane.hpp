@@ -1,5 +1,6 @@
 #pragma once
 // An infinite plane on the lattice.
+#include "model/scene/scene.hpp"
 #include "model/layout/memory_image.hpp"
 
 namespace rayclock {

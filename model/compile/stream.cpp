@@ -141,7 +141,7 @@ void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Confi
         throw UserError(std::to_string(rays.size()) + " rays and the scene need " +
                         std::to_string(first + lines) + " lines of memory, and addr_bits=" +
                         std::to_string(config.addr_bits) + " allows " + std::to_string(most));
-    image.rays = std::uint32_t(first);
+    image.first_ray_line = std::uint32_t(first);
     image.records.assign(std::size_t(lines) * words_per_line, 0);
     image.report.bytes = (std::uint64_t(first) + lines) * line_bytes;
     Words scratch;
@@ -154,8 +154,8 @@ Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config
     frame.width = 1u << config.pixel_bits;
     frame.height = std::uint32_t((rays + frame.width - 1) / frame.width);
     frame.ray_count = std::uint32_t(rays);
-    frame.rays = image.rays;
-    frame.listed = image.listed;
+    frame.first_ray_line = image.first_ray_line;
+    frame.listed_primitives = image.listed_primitives;
     return frame;
 }
 

@@ -2,7 +2,9 @@
 // Converts rays from any program to records in the chip's memory: docs/streams.md.
 #include <limits>
 #include <optional>
+#include <span>
 
+#include "model/core/frame.hpp"
 #include "model/layout/memory_image.hpp"
 
 namespace rayclock {
@@ -36,5 +38,12 @@ struct LatticeRay {
 std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattice, const Config& config);
 /// Returns the record of a ray that meets nothing. It replaces a ray that misses the lattice.
 RayRecord ray_to_nowhere(const Config& config);
+
+/// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few
+/// lines, or the chip cannot number the rays.
+void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config);
+
+/// Returns the registers of a frame that traces the image's stream of rays.
+Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config& config);
 
 }   // namespace rayclock

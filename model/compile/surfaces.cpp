@@ -165,7 +165,7 @@ PlanesBetween between(const Scene& scene, const Config& config, const Lattice& l
 
 }   // namespace
 
-std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
+std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;
@@ -257,7 +257,7 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
 void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image) {
     const std::size_t first = image.lines(), count = primitive_count(scene);
     check_lines(first + count, config, name);
-    image.surfaces = std::uint32_t(first);
+    image.first_surface_line = std::uint32_t(first);
     image.words.resize((first + count) * words_per_line, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;
@@ -307,7 +307,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
         refuse(std::to_string(samples) + " samples per pixel were requested", 1, "supersampling", 1);
     const double one = 1 << unit_bits;
     ShadeFrame frame;
-    frame.surfaces = image.surfaces;
+    frame.first_surface_line = image.first_surface_line;
     frame.depth = std::uint32_t(settings.depth);
     frame.threshold = std::uint32_t(std::floor(std::clamp(settings.threshold, 0.0, 1.0) * 2 * one));
     frame.side = std::uint32_t(settings.aa);

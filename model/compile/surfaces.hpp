@@ -1,10 +1,11 @@
 #pragma once
-// The surfaces of all primitives, which a chip that shades reads in addition to the tree.
+// The surfaces of all primitives, which a chip that shades reads in addition to the tree, and its registers.
 #include <optional>
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
-#include "model/layout/tree.hpp"
+#include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -12,7 +13,7 @@ namespace rayclock {
 /// whose coordinates differ by multiples of up to 2^most_fine. On each axis a corner moves by at most 2^-14
 /// of the shortest edge of its triangles, and by at most 2^-13 at the end of the lattice. Secondary rays from
 /// such triangles then begin closer to the hit point. The result is empty if there are no large triangles.
-std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice);
+std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& lattice);
 
 /// Returns primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
@@ -21,9 +22,6 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
 /// machine excludes the sphere that a ray leaves by its number, so the ray would meet the other one there
 /// (docs/verdict.md, Two spheres at one place).
 std::size_t drop_coincident_spheres(std::vector<PrimData>& prims);
-
-/// Returns the box of a sphere or plane within the lattice. A plane fills the lattice.
-LatticeBox box_of(const PrimData& prim, int coord_bits);
 
 /// Returns the surface of primitive number i: the primitive itself, corner normals if the scene has some,
 /// turned to the triangle's side, and the material.
@@ -34,5 +32,13 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
 
 /// Appends the surfaces, a line each, to the image. Throws UserError beyond the address range.
 void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
+
+/// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or
+/// bounces, or only one sample.
+ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
+                            const Config& config);
+
+/// Returns the configuration with exactly the optional units that the scene and the picture need.
+Config fitted_config(const Scene& scene, const Whitted& settings, Config config);
 
 }   // namespace rayclock

@@ -34,10 +34,10 @@ struct Upload {
 inline MemoryImage without_words(const MemoryImage& image) {
     MemoryImage shape;
     shape.lattice = image.lattice;
-    shape.meshes = image.meshes;
-    shape.surfaces = image.surfaces;
+    shape.first_mesh_line = image.first_mesh_line;
+    shape.first_surface_line = image.first_surface_line;
     shape.primitives = image.primitives;
-    shape.listed = image.listed;
+    shape.listed_primitives = image.listed_primitives;
     shape.levels = image.levels;
     shape.report = image.report;
     return shape;

@@ -1,9 +1,10 @@
 // Checks configurations, and limits parameters to what the others allow.
+#include "model/core/parameters.hpp"
+
 #include <algorithm>
 #include <utility>
 
 #include "model/base/error.hpp"
-#include "model/core/parameters.hpp"
 #include "model/core/settled.hpp"
 
 namespace rayclock {

@@ -28,8 +28,8 @@ constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
 
 /// Registers of a frame for a chip that shades.
 struct ShadeFrame {
-    std::uint32_t surfaces = 0;   ///< line of primitive 0's surface
-    std::uint32_t depth = 0;      ///< most bounces
+    std::uint32_t first_surface_line = 0;   ///< line of primitive 0's surface
+    std::uint32_t depth = 0;                ///< most bounces
     /// Least weight of a ray, rounded down to unit_bits + 1 fraction bits; see weighs_enough().
     std::uint32_t threshold = 0;
     std::uint32_t side = 1;     ///< a pixel has side * side samples
@@ -49,7 +49,7 @@ struct ShadeFrame {
     std::array<std::int32_t, 3 * max_lights> place{};     ///< [3 * light + axis], lattice points
     std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits fraction bits
     template <class V> void fields(V& v, const Config& c) {
-        v("surfaces", surfaces, c.addr_bits);
+        v("surfaces", first_surface_line, c.addr_bits);
         v("depth", depth, depth_bits);
         v("threshold", threshold, unit_bits + 2);
         v("side", side, 4);
@@ -88,23 +88,23 @@ struct Frame {
     /// With a stream, the width is 2^pixel_bits, and the height is the number of rows that `ray_count` rays
     /// take.
     std::uint32_t width = 0, height = 0;
-    std::uint32_t ray_count = 0;       ///< with a stream: the number of its rays
-    std::uint32_t rays = 0;            ///< with a stream: line of the first two rays
-    std::uint32_t root = 0;            ///< line of the root node, or the first line of the list of primitives
-    std::uint32_t listed = 0;          ///< number of primitives in the list, without a tree
-    Vec3i eye{};                       ///< lattice point
-    Vec3l corner{}, right{}, down{};   ///< M + guard_bits bits, signed
+    std::uint32_t ray_count = 0;        ///< with a stream: the number of its rays
+    std::uint32_t first_ray_line = 0;   ///< with a stream: line of the first two rays
+    std::uint32_t root = 0;   ///< line of the root node, or the first line of the list of primitives
+    std::uint32_t listed_primitives = 0;   ///< number of primitives in the list, without a tree
+    Vec3i eye{};                           ///< lattice point
+    Vec3l corner{}, right{}, down{};       ///< M + guard_bits bits, signed
     ShadeFrame shade;
     template <class V> void fields(V& v, const Config& c) {
         if (c.is_stream()) {
             v("ray_count", ray_count, 2 * c.pixel_bits);
-            v("rays", rays, c.addr_bits);
+            v("rays", first_ray_line, c.addr_bits);
         } else {
             v("width", width, c.pixel_bits + 1);
             v("height", height, c.pixel_bits + 1);
         }
         v("root", root, c.addr_bits);
-        if (c.is_list()) v("listed", listed, c.addr_bits + 1);
+        if (c.is_list()) v("listed", listed_primitives, c.addr_bits + 1);
         if (c.is_stream()) return;
         v("eye", eye, c.coord_bits, 3);
         v("corner", corner, c.guard_dir_bits(), 3);

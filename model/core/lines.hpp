@@ -19,10 +19,10 @@ using Line = std::array<std::uint32_t, 16>;
 /// An instance in a memory line of 64 bytes (right-aligned). x' = A x + b maps a point of the scene's lattice
 /// to the mesh's. The absolute values in a row of A sum to at most 1, so no operand grows.
 struct Placement {
-    std::uint32_t first = 0;      ///< number of its first primitive
-    std::uint32_t root = 0;       ///< line of the root of its lower structure
-    std::uint32_t here = 0;       ///< its own line, which identifies it if the chip shades
-    std::uint32_t surfaces = 0;   ///< line that the surface of primitive 0 would have; it may wrap
+    std::uint32_t first = 0;                ///< number of its first primitive
+    std::uint32_t root = 0;                 ///< line of the root of its lower structure
+    std::uint32_t here = 0;                 ///< its own line, which identifies it if the chip shades
+    std::uint32_t first_surface_line = 0;   ///< line that the surface of primitive 0 would have; it may wrap
     std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
     std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
@@ -31,7 +31,7 @@ struct Placement {
         v("first", first, c.prim_bits);
         v("root", root, c.addr_bits);
         if (c.shading) v("here", here, c.addr_bits);
-        if (c.shading) v("surfaces", surfaces, c.addr_bits);
+        if (c.shading) v("surfaces", first_surface_line, c.addr_bits);
         if (c.shading) v("material", material, c.addr_bits);
         if (c.shading) v("is_same", same, 1);
         v("a", a, c.map_bits(), 9);
@@ -92,7 +92,8 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
     return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;
 }
 
-/// The shading data of a primitive: a line of memory (right-aligned), number Frame::surfaces + primitive.
+/// The shading data of a primitive: a line of memory (right-aligned), number ShadeFrame::first_surface_line +
+/// primitive.
 struct Surface {
     std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
     /// For a triangle: all components of its edges are multiples of 2^fine. So points of B fraction bits lie

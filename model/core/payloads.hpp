@@ -274,10 +274,10 @@ struct Closest {
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
     std::uint32_t back = 0;                        ///< if the chip shades; as in TriRsp
-    std::uint32_t place = 0;   ///< if the chip also has instances: line of the instance hit; 0 in a pixel
+    std::uint32_t instance_line = 0;   ///< if the chip also has instances: of the instance hit; 0 in a pixel
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
-        if (c.has_homes()) v_("place", place, c.addr_bits);
+        if (c.has_homes()) v_("place", instance_line, c.addr_bits);
         v_("found", found, 1);
         if (c.shading) v_("back", back, 1);
         v_("prim", prim, c.prim_bits);
@@ -286,7 +286,7 @@ struct Closest {
         v_("v", v, c.uv_bits());
     }
 };
-/// True if the answers are equal except for context and place, which are not part of a pixel.
+/// True if the answers are equal except for context and instance, which are not part of a pixel.
 inline bool same_answer(const Closest& a, const Closest& b) {
     return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
            a.back == b.back;

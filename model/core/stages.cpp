@@ -27,7 +27,7 @@ int stages_of_quotient(int bits, int in_each) { return (bits + in_each - 1) / in
 Stages::Stages(const Config& config) {
     const bool fast = config.timing == Timing::fast;
     cut = fast ? 1 : 0;
-    far = config.shading ? cut : 0;
+    shading_cut = config.shading ? cut : 0;
     multiply = fast ? 3 : 0;
     // A chip that shades fills the device; two bits per stage halve the registers.
     quotient_bits = fast && !config.shading ? 1 : 2;
@@ -35,15 +35,15 @@ Stages::Stages(const Config& config) {
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut + config.box_interval() - 1;
     rank = 2 + exchange_levels(config.node_width) * cut;
-    arrive = 2 * cut;
-    tried = 3 * cut;
-    stack = config.is_list() ? 0 : 3 * cut;
+    node_answer_delay = 2 * cut;
+    tri_answer_delay = 3 * cut;
+    stack_delay = config.is_list() ? 0 : 3 * cut;
     plane = 3 + multiply + 3 * cut;
     exits = 2 + 2 * cut;
     globe = 7 + 3 * multiply + 10 * cut;
     crossing = 4 + multiply + 7 * cut + divide(crossing_bits);
-    closest = cut + far;
-    cache = cut;
+    closest_delay = cut + shading_cut;
+    cache_delay = cut;
 
     cross_share = std::min(config.tri_interval, 3);
     dot_share = config.tri_interval;
@@ -87,7 +87,7 @@ int Config::tri_latency() const {
     const Stages stages(*this);
     const int test = is_sheared() ? stages.shear : stages.edges;
     const int triangle = test + stages.compare + stages.hit_divide;
-    return stages.cut + stages.far + (spheres ? std::max(triangle, stages.sphere) : triangle);
+    return stages.cut + stages.shading_cut + (spheres ? std::max(triangle, stages.sphere) : triangle);
 }
 int Config::xform_latency() const {
     const Stages stages(*this);

@@ -10,7 +10,7 @@ namespace rayclock {
 struct Stages {
     int cut = 0;   ///< stages of rc_path_register
     /// Stages of additional registers between units of a chip that shades, which fills the device.
-    int far = 0;
+    int shading_cut = 0;
     int multiply = 0;        ///< stages of rc_mul
     int quotient_bits = 0;   ///< quotient bits per stage of rc_divide
     int hit_bits = 0;        ///< the same for rc_hitdiv, whose operands are the widest
@@ -66,11 +66,12 @@ struct Stages {
     int pass_parts = 1;
     int pass_read = 0;   ///< cycles until a context's state has been read
     // Units that keep state per ray.
-    int arrive = 0;    ///< additional stages of trav, from box's answer to its leaves
-    int tried = 0;     ///< additional stages of list, after tri's answer
-    int stack = 0;     ///< additional stages of trav, from a step to its stack's decision
-    int closest = 0;   ///< additional stages of shade, from a ray's answer to its request
-    int cache = 0;     ///< additional stages of a cache, before a look-up, and again after the data are read
+    int node_answer_delay = 0;   ///< additional stages of trav, from box's answer to its leaves
+    int tri_answer_delay = 0;    ///< additional stages of list, after tri's answer
+    int stack_delay = 0;         ///< additional stages of trav, from a step to its stack's decision
+    int closest_delay = 0;       ///< additional stages of shade, from a ray's answer to its request
+    int cache_delay = 0;   ///< additional stages of a cache, before a look-up, and again after the data are
+                           ///< read
 
     explicit Stages(const Config& config);
     int divide(int bits) const;   ///< stages that make this many quotient bits

@@ -2,7 +2,8 @@
 // Parts that descriptors share (engines.hpp explains the members).
 #include "model/core/layout.hpp"
 #include "model/core/stages.hpp"
-#include "model/engine/bvh/box.hpp"
+#include "model/engine/box_ray.hpp"
+#include "model/engine/node_answer.hpp"
 
 namespace rayclock::engine {
 

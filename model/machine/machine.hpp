@@ -159,7 +159,8 @@ template <class Observer> void Machine::show(Observer& observe) const {
                 case Link::prim_fill: move.id = fill_id_; break;
                 case Link::surf_miss:
                 case Link::stream_miss:
-                    move.id = pipeline.third_miss().id, move.addr = pipeline.third_miss().addr;
+                    move.id = pipeline.surf_or_stream_miss().id,
+                    move.addr = pipeline.surf_or_stream_miss().addr;
                     break;
                 default: {
                     move.id = pipeline.ray_on(c);

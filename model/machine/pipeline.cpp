@@ -6,9 +6,9 @@
 namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
-    : source_(rays_in(config)),
-      levels_(config.has_instances()),
-      lists_(config.is_list()),
+    : feed_(feed_of(config)),
+      has_instances_(config.has_instances()),
+      is_list_(config.is_list()),
       upper_(node_unit(config.engine())),
       lower_(node_unit(config.lower_engine())),
       pixel_bits_(config.pixel_bits),
@@ -19,59 +19,59 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       trav_(config),
       node_cache_(node_cache_shape(config)),
       box_(node_latency(config), config.box_queue),
-      boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      node_answer_delay_(std::max(0, Stages(config).node_answer_delay - 1), config.contexts),
       box_hold_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
       xform_hold_(std::uint32_t(config.xform_interval - 1)),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
-      tried_(std::max(0, Stages(config).tried - 1), config.contexts),
+      tri_answer_delay_(std::max(0, Stages(config).tri_answer_delay - 1), config.contexts),
       tri_hold_(std::uint32_t(config.tri_interval - 1)),
-      late_(Stages(config).arrive > 0),
-      third_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
+      delays_answers_(Stages(config).node_answer_delay > 0),
+      surf_or_stream_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
       shade_(config),
       sink_(traffic, number),
       rays_(std::size_t(config.contexts)) {}
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
-    with_shape([&]<Rays rays, bool levels>() { settle<rays, levels>(moves_, now); });
+    with_shape([&]<RayFeed feed, bool levels>() { settle<feed, levels>(moves_, now); });
 }
 void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
-    with_shape([&]<Rays rays, bool levels>() { clock<rays, levels>(moves_, now, shared); });
+    with_shape([&]<RayFeed feed, bool levels>() { clock<feed, levels>(moves_, now, shared); });
 }
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
-    with_shape([&]<Rays rays, bool levels>() { account_units<rays>(moves_); });
+    with_shape([&]<RayFeed feed, bool levels>() { account_units<feed>(moves_); });
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
-                with_shape([&]<Rays rays, bool levels>() { clock_sched<rays>(moves_, shared.tile); });
+                with_shape([&]<RayFeed feed, bool levels>() { clock_sched<feed>(moves_, shared.tile); });
                 break;
             case Unit::raygen:
-                with_shape([&]<Rays rays, bool levels>() { clock_raygen<rays>(moves_, now); });
+                with_shape([&]<RayFeed feed, bool levels>() { clock_raygen<feed>(moves_, now); });
                 break;
             case Unit::trav:
-                with_shape([&]<Rays rays, bool levels>() { clock_trav<rays, levels>(moves_); });
+                with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels>(moves_); });
                 break;
             case Unit::node_cache: clock_node_cache(moves_, shared); break;
             case Unit::box: clock_box(moves_, now); break;
             case Unit::xform:
-                if (levels_) clock_xform(moves_, now);
+                if (has_instances_) clock_xform(moves_, now);
                 break;
             case Unit::list: clock_list(moves_); break;
             case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
             case Unit::tri: clock_tri(moves_, now); break;
             case Unit::surf_cache:
-                if (source_ == Rays::shade) clock_surf_cache(moves_, shared);
+                if (feed_ == RayFeed::shade) clock_surf_cache(moves_, shared);
                 break;
             case Unit::stream:
-                if (source_ == Rays::stream) clock_stream(moves_, shared);
+                if (feed_ == RayFeed::stream) clock_stream(moves_, shared);
                 break;
             case Unit::shade:
-                if (source_ == Rays::shade)
-                    levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
+                if (feed_ == RayFeed::shade)
+                    has_instances_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
             default: break;   // box represents all units that decide nodes
         }
@@ -80,18 +80,20 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
 
 void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::surf_req];
-    third_outcome_ = third_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
-                                        shared.third_fill, shared.third_miss);
-    last_third_ = std::uint32_t(third_outcome_) | m.shade_code << 3;
-    ++thirds_[last_third_];
+    surf_or_stream_outcome_ =
+        surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
+                                    shared.surf_or_stream_fill, shared.surf_or_stream_miss);
+    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << 3;
+    ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
 
 void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
     const LinkInside& slot = m[Link::slot];
-    third_outcome_ = third_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
-                                        shared.third_fill, shared.third_miss);
-    last_third_ = std::uint32_t(third_outcome_);
-    ++thirds_[last_third_];
+    surf_or_stream_outcome_ =
+        surf_or_stream_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
+                                    shared.surf_or_stream_fill, shared.surf_or_stream_miss);
+    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_);
+    ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
 
 /// Returns the outcome of a ray's passes, as the trace holds it after the ray.
@@ -137,8 +139,8 @@ LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
-                    at(third_miss_valid(), third(Link::surf_miss, Link::stream_miss)) |
-                    at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
+                    at(surf_or_stream_miss_valid(), surf_or_stream(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
@@ -147,37 +149,40 @@ LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
     LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
                     at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
-                    at(shared.third_miss, third(Link::surf_miss, Link::stream_miss)) |
-                    at(shared.third_fill, third(Link::surf_fill, Link::stream_fill));
+                    at(shared.surf_or_stream_miss, surf_or_stream(Link::surf_miss, Link::stream_miss)) |
+                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill));
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
 
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
-    if (node_cache_.answers() || prim_cache_.answers() || (source_ != Rays::camera && third_cache_.answers()))
+    if (node_cache_.answers() || prim_cache_.answers() ||
+        (feed_ != RayFeed::camera && surf_or_stream_cache_.answers()))
         return now;
     std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
-    if (levels_) wakes = std::min(wakes, xform_.due(now));
-    if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});
-    return source_ == Rays::shade ? std::min(wakes, shade_.due()) : wakes;
+    if (has_instances_) wakes = std::min(wakes, xform_.due(now));
+    if (delays_answers_) wakes = std::min({wakes, node_answer_delay_.due(now), tri_answer_delay_.due(now)});
+    return feed_ == RayFeed::shade ? std::min(wakes, shade_.due()) : wakes;
 }
 
 std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (!sched_.in_use(ray)) return {};
     if (const char* place = trav_.where(ray)) return place;
     if (const char* place = list_.where(ray)) return place;
-    if (const char* place = source_ == Rays::shade ? shade_.where(ray) : nullptr) return place;
-    if (std::string place = source_ != Rays::camera ? third_cache_.where(ray) : ""; !place.empty())
-        return (source_ == Rays::stream ? "stream: " : "surf_cache: ") + place;
+    if (const char* place = feed_ == RayFeed::shade ? shade_.where(ray) : nullptr) return place;
+    if (std::string place = feed_ != RayFeed::camera ? surf_or_stream_cache_.where(ray) : ""; !place.empty())
+        return (feed_ == RayFeed::stream ? "stream: " : "surf_cache: ") + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
     return raygen_.contains(RayNumber(ray))     ? "raygen"
            : box_.contains(RayNumber(ray), now) ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
-           : xform_.contains(RayNumber(ray), now)          ? "xform"
-           : tri_.contains(RayNumber(ray), now)            ? "tri"
-           : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
-           : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
-                                                           : "nowhere";
+           : xform_.contains(RayNumber(ray), now) ? "xform"
+           : tri_.contains(RayNumber(ray), now)   ? "tri"
+           : delays_answers_ && node_answer_delay_.contains(RayNumber(ray), now)
+               ? "trav: looks at a node's answer"
+           : delays_answers_ && tri_answer_delay_.contains(RayNumber(ray), now)
+               ? "list: looks at tri's answer"
+               : "nowhere";
 }
 
 Accounts Pipeline::accounts() const {
@@ -185,7 +190,7 @@ Accounts Pipeline::accounts() const {
     const auto add = [&](Unit unit, std::uint32_t code, std::uint64_t cycles) {
         sums.units[index(unit)][code] += cycles;
     };
-    const bool streams = source_ == Rays::stream;
+    const bool streams = feed_ == RayFeed::stream;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
         // With a stream, the unit stream lies between sched and raygen, so two causes differ.
@@ -193,20 +198,20 @@ Accounts Pipeline::accounts() const {
         add(Unit::sched, streams && sched == 3 ? 4 : sched, units_[i]);
         add(Unit::raygen, streams && raygen == 1 ? 3 : raygen, units_[i]);
         add(Unit::trav, i >> 4 & 3, units_[i]);
-        if (!lists_) add(upper_.unit, i >> 6 & 3, units_[i]);
+        if (!is_list_) add(upper_.unit, i >> 6 & 3, units_[i]);
         add(Unit::list, i >> 8 & 1, units_[i]);
         add(Unit::tri, i >> 9 & 3, units_[i]);
     }
     for (std::uint32_t i = 0; i < caches_.size(); ++i) {
-        if (!lists_) add(Unit::node_cache, i & 7, caches_[i]);
+        if (!is_list_) add(Unit::node_cache, i & 7, caches_[i]);
         add(Unit::prim_cache, i >> 3, caches_[i]);
     }
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
         add(lower_.unit, i, lowers_[i]);
-    for (std::uint32_t i = 0; i < thirds_.size(); ++i) {
-        add(streams ? Unit::stream : Unit::surf_cache, i & 7, thirds_[i]);
-        if (!streams) add(Unit::shade, i >> 3, thirds_[i]);
+    for (std::uint32_t i = 0; i < surf_or_stream_cycles_.size(); ++i) {
+        add(streams ? Unit::stream : Unit::surf_cache, i & 7, surf_or_stream_cycles_[i]);
+        if (!streams) add(Unit::shade, i >> 3, surf_or_stream_cycles_[i]);
     }
     return sums;
 }

@@ -17,11 +17,11 @@ namespace rayclock {
 /// caches (null if none), and flags that its caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
-    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *third_fill = nullptr;
-    bool node_miss = false, prim_miss = false, third_miss = false;   ///< third: surf_cache or stream
+    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_or_stream_fill = nullptr;
+    bool node_miss = false, prim_miss = false, surf_or_stream_miss = false;
     bool any() const {
-        return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) | (third_fill != nullptr) |
-               node_miss | prim_miss | third_miss;
+        return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) |
+               (surf_or_stream_fill != nullptr) | node_miss | prim_miss | surf_or_stream_miss;
     }
 };
 
@@ -34,8 +34,8 @@ public:
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
         trace_ = &trace;
-        records_ = frame.rays;
-        meshes_ = trace.meshes;
+        first_ray_line_ = frame.first_ray_line;
+        first_mesh_line_ = trace.first_mesh_line;
         rays_.assign(rays_.size(), {});   // the last frame's trace is not read again
     }
 
@@ -58,13 +58,15 @@ public:
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
-    bool third_miss_valid() const { return (source_ != Rays::camera) & third_cache_.miss_valid(); }
-    Cache::Miss third_miss() const { return third_cache_.miss(); }
+    bool surf_or_stream_miss_valid() const {
+        return (feed_ != RayFeed::camera) & surf_or_stream_cache_.miss_valid();
+    }
+    Cache::Miss surf_or_stream_miss() const { return surf_or_stream_cache_.miss(); }
     /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
     bool asks(bool more) const {
-        return node_cache_.miss_valid() | prim_cache_.miss_valid() | third_miss_valid() |
+        return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_or_stream_miss_valid() |
                (tile_ready() & more);
     }
     Slot slot() const { return sched_.slot(); }
@@ -74,7 +76,7 @@ public:
     std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
     /// Returns the line of the record of a ray that a context is about to get.
     std::uint32_t record_addr(const Slot& slot) const {
-        return records_ + ((slot.y << pixel_bits_ | slot.x) >> 1);
+        return first_ray_line_ + ((slot.y << pixel_bits_ | slot.x) >> 1);
     }
 
     // ---- For observers.
@@ -83,7 +85,7 @@ public:
     CacheOutcome outcome(Unit cache) const {
         return cache == Unit::node_cache   ? node_outcome_
                : cache == Unit::prim_cache ? prim_outcome_
-                                           : third_outcome_;
+                                           : surf_or_stream_outcome_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
     RayPurpose purpose(std::uint32_t ray) const {
@@ -102,8 +104,8 @@ public:
     void skip(std::uint64_t cycles) {
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
-        if (source_ != Rays::camera) thirds_[last_third_] += cycles;
-        if (levels_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
+        if (feed_ != RayFeed::camera) surf_or_stream_cycles_[last_surf_or_stream_] += cycles;
+        if (has_instances_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
     }
 
     Accounts accounts() const;
@@ -112,18 +114,19 @@ public:
 
 private:
     /// The source of raygen's rays: the camera alone, the camera and shade, or records in memory.
-    enum class Rays : std::uint8_t { camera, shade, stream };
-    static Rays rays_in(const Config& config) {
-        return config.is_stream() ? Rays::stream : config.shading ? Rays::shade : Rays::camera;
+    enum class RayFeed : std::uint8_t { camera, shade, stream };
+    static RayFeed feed_of(const Config& config) {
+        return config.is_stream() ? RayFeed::stream : config.shading ? RayFeed::shade : RayFeed::camera;
     }
-    /// Calls `f<rays, levels>()` for this pipeline's shape.
+    /// Calls `f<feed, levels>()` for this pipeline's shape.
     template <class F> decltype(auto) with_shape(F&& f) const {
-        const auto levels = [&]<Rays rays>() -> decltype(auto) {
-            return levels_ ? f.template operator()<rays, true>() : f.template operator()<rays, false>();
+        const auto levels = [&]<RayFeed feed>() -> decltype(auto) {
+            return has_instances_ ? f.template operator()<feed, true>()
+                                  : f.template operator()<feed, false>();
         };
-        return source_ == Rays::shade    ? levels.template operator()<Rays::shade>()
-               : source_ == Rays::stream ? levels.template operator()<Rays::stream>()
-                                         : levels.template operator()<Rays::camera>();
+        return feed_ == RayFeed::shade    ? levels.template operator()<RayFeed::shade>()
+               : feed_ == RayFeed::stream ? levels.template operator()<RayFeed::stream>()
+                                          : levels.template operator()<RayFeed::camera>();
     }
     /// The position of a context's ray in the trace.
     struct TraceCursor {
@@ -142,10 +145,10 @@ private:
     /// All inner links in a cycle. SharedMoves has the links to the shared units.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        LinkRay boxed, tried;   // box's and tri's answers on arrival at trav and list
-        bool step = false;      // trav accepts a step of a ray that was tested or has no leaves
-        bool read = false;      // node_cache's answer is accepted
-        bool placing = false;   // surf_cache's answer is an instance
+        LinkRay node_answer, tri_answer;   // box's and tri's answers on arrival at trav and list
+        bool step = false;                 // trav accepts a step of a ray that was tested or has no leaves
+        bool read = false;                 // node_cache's answer is accepted
+        bool placing = false;              // surf_cache's answer is an instance
         bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
         std::uint32_t record = 0;                           // line of the record of sched's next ray
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
@@ -168,35 +171,36 @@ private:
                                        : link;
     }
     /// True if the lower engine walks the ray's node; false with one engine.
-    bool is_low(std::uint32_t ray) const { return node_addr(ray) >= meshes_; }
+    bool is_low(std::uint32_t ray) const { return node_addr(ray) >= first_mesh_line_; }
     /// Returns the cause of the deciding unit: of the only one, or of the upper or lower one.
     std::uint32_t decide_code(const Moves& m, bool low) const {
         const LinkInside& req = m[Link::box_req];
         const bool own = m.lower_request == low;
         if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
-        return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
+        return test_codes[std::size_t((own & req.valid) + (own & req.fires) +
+                                      3 * node_cache_.has_misses_in_flight())];
     }
-    template <Rays rays, bool levels> void settle(Moves& m, std::uint64_t now) const;
-    template <Rays rays, bool levels>
+    template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
+    template <RayFeed feed, bool levels>
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
-    template <Rays rays, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
-    /// Returns the name of a link of the third cache.
-    Link third(Link of_surf_cache, Link of_stream) const {
-        return source_ == Rays::stream ? of_stream : of_surf_cache;
+    template <RayFeed feed, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
+    /// Returns the name of a link of surf_cache or of stream.
+    Link surf_or_stream(Link of_surf_cache, Link of_stream) const {
+        return feed_ == RayFeed::stream ? of_stream : of_surf_cache;
     }
     Decision::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     Shade::Leave turn_of(std::uint32_t ray);
-    template <Rays rays> void account_units(const Moves& m);
+    template <RayFeed feed> void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << 3;
         ++caches_[last_caches_];
     }
-    template <Rays rays> void clock_sched(const Moves& m, const Tile* tile);
-    template <Rays rays> void clock_raygen(const Moves& m, std::uint64_t now);
-    template <Rays rays, bool levels> void clock_trav(const Moves& m);
+    template <RayFeed feed> void clock_sched(const Moves& m, const Tile* tile);
+    template <RayFeed feed> void clock_raygen(const Moves& m, std::uint64_t now);
+    template <RayFeed feed, bool levels> void clock_trav(const Moves& m);
     void clock_node_cache(const Moves& m, const SharedMoves& shared);
     void clock_box(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
@@ -207,13 +211,14 @@ private:
     void clock_stream(const Moves& m, const SharedMoves& shared);
     template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
-    Rays source_;
-    bool levels_, lists_;         // levels_: there are instances; lists_: there are no nodes
-    NodeUnit upper_, lower_;      // units that decide nodes of the scene's tree, and of meshes
-    std::uint32_t records_ = 0;   // line of the stream's first record
+    RayFeed feed_;
+    bool has_instances_;
+    bool is_list_;                       // no nodes
+    NodeUnit upper_, lower_;             // units that decide nodes of the scene's tree, and of meshes
+    std::uint32_t first_ray_line_ = 0;   // line of the stream's first record
     int pixel_bits_;
-    std::uint32_t meshes_ = ~0u;   // first line whose nodes lower_ decides
-    bool box_is_low_;              // if two units exist: lower_ is box, which accepts a node every few cycles
+    std::uint32_t first_mesh_line_ = ~0u;   // first line whose nodes lower_ decides
+    bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -221,23 +226,25 @@ private:
     std::uint32_t raygen_hold_, raygen_hold_left_ = 0;
     Trav trav_;
     Cache node_cache_;
-    Delay box_, boxed_;   // boxed_, tried_: delay the answers to trav and list in a fast chip
+    Delay box_;
+    Delay node_answer_delay_;                      // delays the answers to trav in a fast chip
     std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of box, after a node
     Delay xform_;
     std::uint32_t xform_hold_, xform_hold_left_ = 0;   // the same of xform, after a ray
     List list_;
     Cache prim_cache_;
-    Delay tri_, tried_;
+    Delay tri_;
+    Delay tri_answer_delay_;                       // delays the answers to list in a fast chip
     std::uint32_t tri_hold_, tri_hold_left_ = 0;   // the same of tri, after a primitive
-    bool late_;                                    // boxed_ and tried_ are in use
-    Cache third_cache_;                            // surf_cache or stream
+    bool delays_answers_;                          // node_answer_delay_ and tri_answer_delay_ are in use
+    Cache surf_or_stream_cache_;
     Shade shade_;
     Merge raygen_link_;
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
     Moves moves_{};   // of the settled cycle
-    CacheOutcome node_outcome_{}, prim_outcome_{}, third_outcome_{CacheOutcome::starved};
+    CacheOutcome node_outcome_{}, prim_outcome_{}, surf_or_stream_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
     // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
@@ -249,10 +256,10 @@ private:
     static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
 
     // Cycles by the units' codes, several units per index; see account_units().
-    std::uint32_t last_units_ = 0, last_caches_ = 0, last_third_ = 0;
+    std::uint32_t last_units_ = 0, last_caches_ = 0, last_surf_or_stream_ = 0;
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};
-    std::array<std::uint64_t, 1 << 5> thirds_{};   // surf_cache and shade, or stream
+    std::array<std::uint64_t, 1 << 5> surf_or_stream_cycles_{};   // surf_cache and shade, or stream
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
     std::uint32_t last_lower_ = 0;
@@ -263,14 +270,14 @@ template <class LookUp> void Pipeline::replay_reads(const std::uint32_t* at, Loo
     for (;;) {
         for (std::uint32_t head = 0; !(head & Trace::end_flag);) {
             head = *at++;
-            if (!lists_) look_up(node_cache_, head & Trace::node_mask);
+            if (!is_list_) look_up(node_cache_, head & Trace::node_mask);
             if (!(head & Trace::tests_flag)) continue;
             do look_up(prim_cache_, (*at & Trace::prim_mask) >> 1);
             while (!(*at++ & Trace::last_flag));
         }
-        if (source_ != Rays::shade) return;
-        while (*at & Trace::place_flag) look_up(third_cache_, *at++ & Trace::node_mask);
-        if (*at & Trace::surface_flag) look_up(third_cache_, *at & Trace::node_mask);
+        if (feed_ != RayFeed::shade) return;
+        while (*at & Trace::place_flag) look_up(surf_or_stream_cache_, *at++ & Trace::node_mask);
+        if (*at & Trace::surface_flag) look_up(surf_or_stream_cache_, *at & Trace::node_mask);
         if (*at & Trace::pixel_flag) return;
         at += 2;
     }

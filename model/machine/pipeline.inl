@@ -5,20 +5,20 @@
 namespace rayclock {
 
 // Nearly without branches: see ring.hpp. When a link is idle, its ray number is that of an arbitrary context.
-template <Pipeline::Rays rays, bool levels>
+template <Pipeline::RayFeed feed, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
-    constexpr bool shades = rays == Rays::shade, streams = rays == Rays::stream;
+    constexpr bool shades = feed == RayFeed::shade, streams = feed == RayFeed::stream;
     // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     const bool begins = raygen_.ready() & (raygen_hold_left_ == 0);
-    m.offer(Link::slot, sched_.slot_valid(), streams ? third_cache_.ready() : begins & camera,
+    m.offer(Link::slot, sched_.slot_valid(), streams ? surf_or_stream_cache_.ready() : begins & camera,
             sched_.slot().ray);
     if constexpr (streams) {
         m.record = record_addr(sched_.slot());
-        m.offer(Link::record, third_cache_.valid(), begins, third_cache_.answer());
+        m.offer(Link::record, surf_or_stream_cache_.valid(), begins, surf_or_stream_cache_.answer());
     }
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
-    m.offer(Link::node_req, trav_.node_valid<levels>() & !lists_, node_cache_.ready(),
+    m.offer(Link::node_req, trav_.node_valid<levels>() & !is_list_, node_cache_.ready(),
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
@@ -32,50 +32,54 @@ template <Pipeline::Rays rays, bool levels>
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
         m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0
+                       : node_cache_.has_misses_in_flight()                ? 1
+                                                                           : 2;
     }
-    const LinkRay boxed = box_.answer(now), tried = tri_.answer(now);
-    m.lower_answer = levels && is_low(boxed.ray);
-    m.boxed = late_ ? boxed_.answer(now) : boxed;
-    if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
-    m.tried = late_ ? tried_.answer(now) : tried;
-    m.offer(Link::box_rsp, boxed.valid, true, boxed.ray);
-    m.offer(Link::leaves, m.boxed.valid & has_tests(m.boxed.ray), true, m.boxed.ray);
+    const LinkRay from_box = box_.answer(now), from_tri = tri_.answer(now);
+    m.lower_answer = levels && is_low(from_box.ray);
+    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_box;
+    if (is_list_) m.node_answer = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
+    m.tri_answer = delays_answers_ ? tri_answer_delay_.answer(now) : from_tri;
+    m.offer(Link::box_rsp, from_box.valid, true, from_box.ray);
+    m.offer(Link::leaves, m.node_answer.valid & has_tests(m.node_answer.ray), true, m.node_answer.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
     m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_hold_left_ == 0), prim_cache_.answer());
-    m.offer(Link::tri_rsp, tried.valid, true, tried.ray);
+    m.offer(Link::tri_rsp, from_tri.valid, true, from_tri.ray);
     const bool tested = list_.tested_valid();
     m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
     m.step = trav_.step_valid(tested) & trav_.step_ready();
     if constexpr (shades) {
         m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
         m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
-        m.offer(Link::surf_req, shade_.surf_valid<levels>(), third_cache_.ready(), shade_.surf_ray<levels>());
-        const std::uint32_t came = third_cache_.answer();
+        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_or_stream_cache_.ready(),
+                shade_.surf_ray<levels>());
+        const std::uint32_t came = surf_or_stream_cache_.answer();
         m.placing = levels && (*rays_[came].at & Trace::place_flag);
-        m.offer(Link::surf_rsp, third_cache_.valid(), shade_.ready() | m.placing, came);
+        m.offer(Link::surf_rsp, surf_or_stream_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
-        m.shade_code = shade_.code(third_cache_.valid() & !m.placing, third_cache_.waits());
+        m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
+                                   surf_or_stream_cache_.has_misses_in_flight());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
 }
 
-template <Pipeline::Rays rays> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
+template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
     const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
-    constexpr bool shades = rays == Rays::shade;
-    constexpr Link first = rays == Rays::stream ? Link::record : Link::slot;
+    constexpr bool shades = feed == RayFeed::shade;
+    constexpr Link first = feed == RayFeed::stream ? Link::record : Link::slot;
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
-    const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-                        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-                        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
-                        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
-                        tri =
-                            tri_hold_left_ > 0
-                                ? 0u
-                                : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
+    const std::uint32_t
+        sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
+        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
+        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
+        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
+        tri = tri_hold_left_ > 0
+                  ? 0u
+                  : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
 }
@@ -106,7 +110,7 @@ inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     return more;
 }
 
-template <Pipeline::Rays rays>
+template <Pipeline::RayFeed feed>
 [[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
     const bool slot = m[Link::slot].fires;
     if (slot) {
@@ -115,7 +119,7 @@ template <Pipeline::Rays rays>
         cursor.at = ray_at(*trace_, given.x, given.y);
         cursor.head = *cursor.at;
     }
-    if constexpr (rays == Rays::shade) {
+    if constexpr (feed == RayFeed::shade) {
         const bool second = raygen_link_.second(shade_.spawn_valid());
         raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
     }
@@ -123,10 +127,10 @@ template <Pipeline::Rays rays>
     sink_.clock();
 }
 
-template <Pipeline::Rays rays>
+template <Pipeline::RayFeed feed>
 [[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
-    LinkRay in = m[rays == Rays::stream ? Link::record : Link::slot];
-    if constexpr (rays == Rays::shade) {
+    LinkRay in = m[feed == RayFeed::stream ? Link::record : Link::slot];
+    if constexpr (feed == RayFeed::shade) {
         const LinkInside& spawn = m[Link::spawn];
         in = {bool(in.valid | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
@@ -134,15 +138,15 @@ template <Pipeline::Rays rays>
     raygen_hold_left_ = select(in.valid, raygen_hold_, raygen_hold_left_ - (raygen_hold_left_ > 0));
 }
 
-template <Pipeline::Rays rays, bool levels>
+template <Pipeline::RayFeed feed, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
     const LinkInside& tested = m[Link::tested];
     if constexpr (levels) enter(m[Link::change]);
     trav_.clock<levels>({m[Link::ray],
-                         {bool(m.boxed.valid & !m[Link::leaves].fires), m.boxed.ray},
+                         {bool(m.node_answer.valid & !m[Link::leaves].fires), m.node_answer.ray},
                          {tested.valid, tested.ray},
-                         lists_ ? m.boxed.valid : m[Link::node_req].fires,
-                         m[rays == Rays::shade ? Link::closest : Link::hit].fires,
+                         is_list_ ? m.node_answer.valid : m[Link::node_req].fires,
+                         m[feed == RayFeed::shade ? Link::closest : Link::hit].fires,
                          levels ? LinkRay(m[Link::change]) : LinkRay{}},
                         [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
@@ -157,13 +161,13 @@ template <Pipeline::Rays rays, bool levels>
     box_.clock(now, m[Link::box_req]);
     box_hold_left_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_hold_,
                             box_hold_left_ - (box_hold_left_ > 0));
-    if (late_) boxed_.clock(now, m[Link::box_rsp]);
+    if (delays_answers_) node_answer_delay_.clock(now, m[Link::box_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
     const LinkInside& leaves = m[Link::leaves];
     rays_[leaves.ray].at += leaves.fires;   // to the first triangle
-    list_.clock(leaves, m.tried, has_more(m.tried.ray, m.tried.valid), m[Link::prim_req].fires,
+    list_.clock(leaves, m.tri_answer, has_more(m.tri_answer.ray, m.tri_answer.valid), m[Link::prim_req].fires,
                 m[Link::tested].fires);
 }
 
@@ -176,7 +180,7 @@ template <Pipeline::Rays rays, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     tri_.clock(now, m[Link::tri_req]);
     tri_hold_left_ = select(m[Link::tri_req].fires, tri_hold_, tri_hold_left_ - (tri_hold_left_ > 0));
-    if (late_) tried_.clock(now, m[Link::tri_rsp]);
+    if (delays_answers_) tri_answer_delay_.clock(now, m[Link::tri_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_xform(const Moves& m, std::uint64_t now) {
@@ -189,16 +193,16 @@ template <Pipeline::Rays rays, bool levels>
     xform_hold_left_ = select(req.fires, xform_hold_, xform_hold_left_ - (xform_hold_left_ > 0));
 }
 
-template <Pipeline::Rays rays, bool levels>
+template <Pipeline::RayFeed feed, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
-    account_units<rays>(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.valid | m.tried.valid |
+    account_units<feed>(m);
+    const bool turning = !trav_.idle() | sched_.passing() | m.node_answer.valid | m.tri_answer.valid |
                          (raygen_hold_left_ > 0) | (box_hold_left_ > 0) | (tri_hold_left_ > 0) |
                          (levels && xform_hold_left_ > 0);
-    clock_sched<rays>(m, shared.tile);
-    clock_raygen<rays>(m, now);
-    clock_trav<rays, levels>(m);
+    clock_sched<feed>(m, shared.tile);
+    clock_raygen<feed>(m, now);
+    clock_trav<feed, levels>(m);
     if constexpr (levels) clock_xform(m, now);
     clock_node_cache(m, shared);
     clock_box(m, now);
@@ -212,30 +216,30 @@ template <Pipeline::Rays rays, bool levels>
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
-    if constexpr (rays == Rays::stream) {
+    if constexpr (feed == RayFeed::stream) {
         clock_stream(m, shared);
-        asleep_ =
-            asleep_ & !m.any(Link::record) & (third_outcome_ > CacheOutcome::drain) & !third_cache_.loaded();
+        asleep_ = asleep_ & !m.any(Link::record) & (surf_or_stream_outcome_ > CacheOutcome::drain) &
+                  !surf_or_stream_cache_.loaded();
     }
-    if constexpr (rays == Rays::shade) {
+    if constexpr (feed == RayFeed::shade) {
         asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.is_occupied() &
                   !shade_.comes() & !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade<levels>(m, now);
-        asleep_ = asleep_ & (third_outcome_ > CacheOutcome::drain) & !third_cache_.loaded();
+        asleep_ = asleep_ & (surf_or_stream_outcome_ > CacheOutcome::drain) & !surf_or_stream_cache_.loaded();
     }
 }
 
-template <Pipeline::Rays rays, bool levels>
+template <Pipeline::RayFeed feed, bool levels>
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     Moves m;   // a local instead of moves_, so that it stays in registers
-    settle<rays, levels>(m, now);
-    clock<rays, levels>(m, now, shared);
+    settle<feed, levels>(m, now);
+    clock<feed, levels>(m, now, shared);
     return m[Link::hit].fires;
 }
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    return with_shape([&]<Rays rays, bool levels>() { return step<rays, levels>(now, shared); });
+    return with_shape([&]<RayFeed feed, bool levels>() { return step<feed, levels>(now, shared); });
 }
 
 }   // namespace rayclock

@@ -9,7 +9,8 @@ namespace rayclock {
 
 namespace {
 CacheShape shape(const Config& config, int sets, int ways, int line, int mshrs, int id_bits) {
-    return {sets, ways, line / line_bytes, mshrs, config.cache_queue, 1 << id_bits, Stages(config).cache};
+    const int delay = Stages(config).cache_delay;
+    return {sets, ways, line / line_bytes, mshrs, config.cache_queue, 1 << id_bits, delay};
 }
 int log2_of(int n) { return std::countr_zero(unsigned(n)); }
 }   // namespace
@@ -42,16 +43,16 @@ Cache::Cache(const CacheShape& shape)
       filled_(shape.mshrs),
       answers_(shape.queue) {
     for (std::uint32_t way = 0; way < std::uint32_t(shape.ways); ++way) {
-        keep_[way] = 0xff;
+        plru_keep_[way] = 0xff;
         for (std::uint32_t node = way + std::uint32_t(shape.ways); node > 1; node >>= 1) {
             const std::uint32_t bit = 1u << (node >> 1);
-            keep_[way] = std::uint8_t(keep_[way] & ~bit);
-            if (!(node & 1)) turn_[way] = std::uint8_t(turn_[way] | bit);
+            plru_keep_[way] = std::uint8_t(plru_keep_[way] & ~bit);
+            if (!(node & 1)) plru_set_[way] = std::uint8_t(plru_set_[way] | bit);
         }
     }
 }
 
-CacheOutcome Cache::ask(const Request& request, std::uint32_t line, std::uint32_t number) {
+CacheOutcome Cache::allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t number) {
     if (busy_ == shape_.mshrs) return CacheOutcome::mshrs;
     Set& set = sets_[number];
     const int way = victim(set);
@@ -85,7 +86,7 @@ bool Cache::warm(std::uint32_t addr) {
 }
 
 /// The line is in flight: the request joins the end of its chain.
-CacheOutcome Cache::wait(const Request& request, Set& set, std::uint32_t way) {
+CacheOutcome Cache::merge_into_mshr(const Request& request, Set& set, std::uint32_t way) {
     set.recent = touched(set, way);
     Mshr& m = mshrs_[set.mshrs[way] - 1u];
     next_[m.tail] = request.id;
@@ -131,7 +132,7 @@ int Cache::victim(const Set& set) const {
 }
 
 std::string Cache::where(std::uint32_t id) const {
-    for (const auto* queue : {&in_, &before_})
+    for (const auto* queue : {&in_, &input_queue_})
         for (std::size_t i = 0; i < queue->size(); ++i)
             if (queue->at(i).id == id) return "waits to be looked up";
     for (const Mshr& m : mshrs_) {

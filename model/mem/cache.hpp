@@ -62,7 +62,7 @@ public:
 
     explicit Cache(const CacheShape& shape);
 
-    bool ready() const { return !(shape_.cut ? before_.full() : in_.full()); }
+    bool ready() const { return !(shape_.cut ? input_queue_.full() : in_.full()); }
     bool valid() const { return answers_.size() > std::uint32_t(read_) + std::uint32_t(reading_); }
     std::uint32_t answer() const { return answers_.front(); }   ///< id of the answered request
     bool miss_valid() const { return !misses_.empty(); }
@@ -100,7 +100,7 @@ public:
 
     bool answers() const { return !answers_.empty(); }   ///< now or in the next cycle
     bool loaded() const { return loaded_; }              ///< a request has just reached its look-up
-    bool waits() const { return busy_ > 0; }             ///< lines are in flight
+    bool has_misses_in_flight() const { return busy_ > 0; }
     /// Returns the place of a request, for messages; empty if it is not here.
     std::string where(std::uint32_t id) const;
 
@@ -126,13 +126,13 @@ private:
     }
     /// Moves the head of the queue to its look-up, if that is free.
     void load(bool asked, const Request& request) {
-        loaded_ = in_.empty() & !before_.empty();
-        in_.push(before_.front(), loaded_);
-        before_.pop(loaded_);
-        before_.push(request, asked);
+        loaded_ = in_.empty() & !input_queue_.empty();
+        in_.push(input_queue_.front(), loaded_);
+        input_queue_.pop(loaded_);
+        input_queue_.push(request, asked);
     }
-    CacheOutcome ask(const Request& request, std::uint32_t line, std::uint32_t set);
-    CacheOutcome wait(const Request& request, Set& set, std::uint32_t way);
+    CacheOutcome allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t set);
+    CacheOutcome merge_into_mshr(const Request& request, Set& set, std::uint32_t way);
     void next_word();
     void fill(std::uint32_t id);
     int victim(const Set& set) const;
@@ -140,18 +140,19 @@ private:
     // A bit of the tree points to the half that was used longer ago. Using a way turns the bits above it away
     // from it.
     std::uint8_t touched(const Set& set, std::uint32_t way) const {
-        return std::uint8_t((set.recent & keep_[way]) | turn_[way]);
+        return std::uint8_t((set.recent & plru_keep_[way]) | plru_set_[way]);
     }
 
     CacheShape shape_;
     int word_bits_;
     std::uint32_t set_mask_;
     std::vector<Set> sets_;
-    std::array<std::uint8_t, most_ways> keep_{}, turn_{};
+    std::array<std::uint8_t, most_ways> plru_keep_{}, plru_set_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;   ///< [id]: the next request in its chain
-    Ring<Request, 2> in_, before_{2};   // with `cut`, the queue lies before the request that is looked up
+    // With `cut`, input_queue_ lies before the request that is looked up.
+    Ring<Request, 2> in_, input_queue_{2};
     Ring<std::uint32_t> misses_, filled_;
     std::uint32_t miss_word_ = 0;
     bool loaded_ = false;
@@ -173,7 +174,7 @@ inline CacheOutcome Cache::look_up(bool room, bool answer_taken) {
     set.recent = std::uint8_t(select(hit, touched(set, way), set.recent));
     in_.pop(hit);
     if (some & room & !hit) [[unlikely]]
-        return found ? wait(request, set, way) : ask(request, line, number);
+        return found ? merge_into_mshr(request, set, way) : allocate_mshr(request, line, number);
     return !some ? CacheOutcome::starved : room ? CacheOutcome::hit : CacheOutcome::answers;
 }
 

@@ -24,7 +24,7 @@ void Memory::write(const std::vector<std::uint32_t>& lines) {
     written_.erase(written_.begin(), written_.end() - std::ptrdiff_t(left_));
     written_.insert(written_.end(), lines.begin(), lines.end());
     left_ = written_.size();
-    if (left_ > 0 && dram_) pay(), sleeping_ = false;
+    if (left_ > 0 && dram_) catch_up(), sleeping_ = false;
 }
 
 /// Chooses the next request: the chip's if it was accepted, then the picture's, then the host's.
@@ -48,7 +48,7 @@ Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
     return BusUser::host;
 }
 
-void Memory::work(const Answer* request, std::uint32_t pixels) {
+void Memory::clock_awake(const Answer* request, std::uint32_t pixels) {
     if (is_for_screen()) frame_buffer_->answered(coming().id - first_screen_id_);
     Dram::Answer asked;
     const bool had_room = has_room();
@@ -62,7 +62,7 @@ void Memory::work(const Answer* request, std::uint32_t pixels) {
                 {coming(), now_ + std::uint64_t(traffic_.jitter > 0 ? rng_.below(traffic_.jitter + 1) : 0)});
     }
     if (dram_) {
-        pay();
+        catch_up();
         dram_->clock(asks ? &asked : nullptr);
         sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
     } else {
@@ -85,9 +85,9 @@ std::uint64_t Memory::picture_is_quiet_until() const {
     return quiet > ~std::uint64_t(0) - now_ ? quiet : now_ + quiet;
 }
 
-void Memory::pay() {
-    if (owed_ > 0) dram_->skip(owed_);
-    owed_ = 0;
+void Memory::catch_up() {
+    if (skipped_cycles_ > 0) dram_->skip(skipped_cycles_);
+    skipped_cycles_ = 0;
 }
 
 /// Offers the oldest answer that is due.
@@ -102,7 +102,7 @@ void Memory::skip(std::uint64_t cycles) {
     now_ += cycles;
     if (frame_buffer_) frame_buffer_->skip(cycles, has_room());
     if (sleeping_) {
-        owed_ += cycles;
+        skipped_cycles_ += cycles;
     } else if (dram_) {
         dram_->skip(cycles);
     } else {
@@ -120,7 +120,7 @@ std::array<std::uint64_t, 8> Memory::outcomes() const {
         else
             sums[i] = ideal_outcomes_[i];
     }
-    sums[std::size_t(MemoryOutcome::starved)] += owed_;
+    sums[std::size_t(MemoryOutcome::starved)] += skipped_cycles_;
     return sums;
 }
 

@@ -64,9 +64,9 @@ public:
     void clock(const Answer* request, std::uint32_t pixels = 0) {
         ++now_;
         if (!request && sleeping_)
-            ++owed_;
+            ++skipped_cycles_;
         else
-            work(request, pixels);
+            clock_awake(request, pixels);
     }
     /// Cycles by outcome.
     std::array<std::uint64_t, 8> outcomes() const;
@@ -99,8 +99,8 @@ private:
     Answer coming() const {
         return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer();
     }
-    void work(const Answer* request, std::uint32_t pixels);
-    void pay();
+    void clock_awake(const Answer* request, std::uint32_t pixels);
+    void catch_up();
     void disturb();
 
     std::uint32_t first_screen_id_;   // ids from here on belong to the frame buffer
@@ -111,9 +111,9 @@ private:
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
-    // The DRAM is idle; it catches up on the cycles that pass when it has work again.
+    // The DRAM is idle. It catches up on the cycles that it skips when it has work again.
     bool sleeping_ = false;
-    std::uint64_t owed_ = 0;   // number of these cycles
+    std::uint64_t skipped_cycles_ = 0;
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_outcomes> ideal_outcomes_{};
     std::vector<std::uint32_t> written_;   // lines that the host writes; the last left_ of them remain

@@ -27,7 +27,7 @@ public:
           nodes_(image_, config_),
           placements_(config.has_instances() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
-          surfaces_(config.has_shade() ? image.lines() - image.surfaces : 0) {}
+          surfaces_(config.has_shade() ? image.lines() - image.first_surface_line : 0) {}
 
     /// Returns a node of the tree that an engine walks.
     template <class Engine> const typename Engine::Wide& node(std::uint32_t line) const {
@@ -55,16 +55,18 @@ public:
     }
     /// For a list: page() returns the page that begins in a line, next_page() the line of the next one, 0
     /// after the last.
-    WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
+    WideNode page(std::uint32_t line) const {
+        return page_of(line, image_.listed_primitives, config_.node_width);
+    }
     std::uint32_t next_page(std::uint32_t line) const {
         const std::uint32_t next = line + page_lines(config_.node_width);
-        return 2 * next < image_.listed ? next : 0;
+        return 2 * next < image_.listed_primitives ? next : 0;
     }
     const PrimData& prim(std::uint32_t half_line) const {
         return prims_.get(half_line, [&] { return unpack<PrimData>(image_.half_line(half_line), config_); });
     }
     const Surface& surface(std::uint32_t line) const {
-        return surfaces_.get(line - image_.surfaces,
+        return surfaces_.get(line - image_.first_surface_line,
                              [&] { return unpack<Surface>(image_.line(line), config_); });
     }
 

@@ -18,7 +18,7 @@ OnDemandRecorder::OnDemandRecorder(const OnDemandJob& shared)
     : shared_(shared), scratch_(shared.config), record_(record_block()) {
     trace_.width = shared.frame.width;
     trace_.height = shared.frame.height;
-    trace_.meshes = shared.config.has_two_engines() ? shared.image.meshes : ~0u;
+    trace_.first_mesh_line = shared.config.has_two_engines() ? shared.image.first_mesh_line : ~0u;
     trace_.source = this;
     if (shared.decoder)
         shaded_.emplace(shared.image, shared.frame, shared.config, *shared.decoder);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/base/morton.hpp"
 #include "model/unit/isect/any.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
@@ -22,11 +23,7 @@ namespace {
     return rsp.closer;
 }
 
-/// Returns bits 0, 2, 4, ... of a number below 2^8, side by side.
-std::uint32_t every_second_bit(std::uint32_t bits) {
-    return (bits & 1) | (bits >> 1 & 2) | (bits >> 2 & 4) | (bits >> 3 & 8);
-}
-static_assert(RecordBlock::side <= 16);
+static_assert(RecordBlock::side <= 64);
 
 }   // namespace
 

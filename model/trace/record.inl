@@ -183,7 +183,7 @@ static void record_rays(const RecordJob& job, const RecordBlock& block, RecordSc
     std::size_t at = 0;
     // In Morton order: neighbours read the same nodes, and the processor predicts branches better.
     for (std::uint32_t i = 0; i < RecordBlock::side * RecordBlock::side; ++i) {
-        const std::uint32_t column = every_second_bit(i), row = every_second_bit(i >> 1);
+        const std::uint32_t column = even_bits(i), row = even_bits(i >> 1);
         if (column >= columns || row >= rows) continue;
         const std::uint32_t x = block.x0 + column, y = block.y0 + row;
         const Ray ray = raygen({0, x, y}, job.frame(), job.config());

@@ -33,7 +33,7 @@ struct Recording::Work {
           record_given(record_any()) {
         if (config.shading) decoder = std::make_unique<Decoder>(image, config);
         trace.width = frame.width;
-        trace.meshes = config.has_two_engines() ? image.meshes : ~0u;
+        trace.first_mesh_line = config.has_two_engines() ? image.first_mesh_line : ~0u;
         trace.height = frame.height;
         trace.rays.assign(std::size_t(frame.pixels()), nullptr);
         trace.hits.resize(trace.rays.size());

@@ -50,10 +50,10 @@ struct Trace {
     static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1,
                                    prim_mask = (2u << max_addr_bits) - 1;
 
-    std::uint32_t width = 0, height = 0;   ///< as in Frame, also for a stream
-    std::uint32_t meshes = ~0u;   ///< first line of the lower engine's nodes, if there are two engines
-    std::vector<const std::uint32_t*> rays;              ///< [y * width + x], or [ray]: into chunks
-    std::vector<Closest> hits;                           ///< [y * width + x]; `ray` is 0
+    std::uint32_t width = 0, height = 0;      ///< as in Frame, also for a stream
+    std::uint32_t first_mesh_line = ~0u;      ///< of the lower engine's nodes, if there are two engines
+    std::vector<const std::uint32_t*> rays;   ///< [y * width + x], or [ray]: into chunks
+    std::vector<Closest> hits;                ///< [y * width + x]; `ray` is 0
     std::vector<std::array<std::uint32_t, 3>> colours;   ///< [y * width + x], if the chip shades: as in Pixel
     std::vector<std::uint64_t> signatures;   ///< [y * width + x], if the chip shades: PathSignature
     RayCounts counts;

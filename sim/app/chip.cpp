@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"

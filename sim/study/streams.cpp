@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "model/compile/compile.hpp"
 #include "model/core/settled.hpp"
 #include "model/engine/check.hpp"
 #include "sim/files/table.hpp"

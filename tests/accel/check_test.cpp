@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/check/image_check.hpp"
+#include "model/compile/compile.hpp"
 #include "model/layout/words.hpp"
 #include "tests/accel/meshes.hpp"
 

@@ -1,6 +1,8 @@
 // Counts visits and tests of the machine's walk, and compares its hits with a search through all triangles.
 #include <catch2/catch.hpp>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/engine/bvh/decode.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"

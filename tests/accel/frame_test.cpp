@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/accel/meshes.hpp"

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/check/globe_check.hpp"
+#include "model/compile/compile.hpp"
 #include "model/engine/spheres/encode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"

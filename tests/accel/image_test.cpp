@@ -6,6 +6,7 @@
 #include "tests/support/check/image_check.hpp"
 #include "model/engine/check.hpp"
 #include "model/compile/emit.hpp"
+#include "model/compile/compile.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/base/error.hpp"
 #include "tests/accel/meshes.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/compile/lattice.hpp"
 #include "model/layout/memory_image.hpp"
 #include "tests/accel/meshes.hpp"
 

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "model/compile/levels/levels.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/base/error.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/levels/picture.hpp"

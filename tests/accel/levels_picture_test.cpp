@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "sim/judge/reference/reference.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/engine/check.hpp"
 #include "model/scene/hit_shading.hpp"
 #include "model/trace/trace.hpp"

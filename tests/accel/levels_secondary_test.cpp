@@ -48,7 +48,7 @@ public:
           levels_(compile_levels(scene, eye, config)),
           decoder_(levels_.image, config),
           walk_(frame_, decoder_, config) {
-        for (std::uint32_t line = 0; line < levels_.image.surfaces; ++line)
+        for (std::uint32_t line = 0; line < levels_.image.first_surface_line; ++line)
             if (line_kind(levels_.image.line(line)) == LineKind::placement)
                 if (const auto p = unpack<Placement>(levels_.image.line(line), config); p.here == line)
                     placements_.push_back(p);           // skip copies
@@ -101,8 +101,9 @@ public:
     /// Returns shade's state after a hit.
     ShadeState surface_of(const Ray& ray, const Closest& hit, PassIn& in) const {
         in.hit = hit, in.o = ray.o, in.d = ray.d;
-        in.placement = unpack<Placement>(levels_.image.line(hit.place), config_);
-        const std::uint32_t line = (in.placement.surfaces + hit.prim) & ((1u << config_.addr_bits) - 1);
+        in.placement = unpack<Placement>(levels_.image.line(hit.instance_line), config_);
+        const std::uint32_t line =
+            (in.placement.first_surface_line + hit.prim) & ((1u << config_.addr_bits) - 1);
         in.surface = unpack<Surface>(levels_.image.line(line), config_);
         ShadeState state = fresh_state(0, 0);
         surf(in, config_, state);
@@ -271,7 +272,7 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
         const Vec3i at = world.levels().image.lattice.snap(eye);
         Aim aim(scene, world.levels().image.lattice, config, 11);
         const auto is_same = [](const Closest& a, const Closest& b) {
-            return a.found == b.found && a.prim == b.prim && a.t == b.t && a.place == b.place;
+            return a.found == b.found && a.prim == b.prim && a.t == b.t && a.instance_line == b.instance_line;
         };
         for (int i = 0; i < 200; ++i) {
             Ray ray = aim.camera_ray(at);

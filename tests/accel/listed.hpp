@@ -1,5 +1,6 @@
 #pragma once
 // A scene's primitives on the lattice of a machine, in the order of a list.
+#include "model/compile/compile.hpp"
 #include "model/engine/bvh/decode.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"
@@ -14,7 +15,8 @@ inline std::vector<PrimData> prims_of(const char* name, Config config, Primitive
     if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
     const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
     std::vector<PrimData> prims;
-    for (std::uint32_t i = 0; i < image.listed; ++i) prims.push_back(read_triangle(image, i, config));
+    for (std::uint32_t i = 0; i < image.listed_primitives; ++i)
+        prims.push_back(read_triangle(image, i, config));
     return prims;
 }
 

@@ -2,6 +2,8 @@
 // project.
 #include <cstdio>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/machine/machine.hpp"
 #include "model/scene/builtin.hpp"
 

@@ -160,8 +160,8 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp W
         select_pixel();]]
   NEW [[        count_ = frame.ray_count;]])
 mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit [shade][interval]
-  OLD [[i < late_; ++i)]]
-  NEW [[i < late_ && !(i == 0 && closest.valid); ++i)]])
+  OLD [[i < closest_delay_; ++i)]]
+  NEW [[i < closest_delay_ && !(i == 0 && closest.valid); ++i)]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine/machine.cpp TEST unit "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])

@@ -10,7 +10,7 @@ mutant(rule_corners_aligned_64_times_more_coarsely FILE model/compile/surfaces.c
 mutant(rule_corners_of_instances_aligned_64_times_more_coarsely FILE model/compile/surfaces.cpp TEST simulate "cornell --depth 1 --set levels=2"
   OLD [[std::ilogb(steps) - 13 : 0]]
   NEW [[std::ilogb(steps) - 7 : 0]])
-mutant(rule_points_rounded_down_to_the_lattice FILE model/compile/lattice.cpp TEST simulate "gears:1 --depth 1"
+mutant(rule_points_rounded_down_to_the_lattice FILE model/layout/lattice.cpp TEST simulate "gears:1 --depth 1"
   OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
   NEW [[std::floor((point[k] - centre[k]) / pitch[k])]])
 mutant(rule_planes_turned FILE model/compile/plane.cpp TEST simulate "spheres --depth 1"

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/compile/frame.hpp"
 #include "model/base/rng.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/run/film/film.hpp"

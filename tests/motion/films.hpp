@@ -1,5 +1,6 @@
 #pragma once
 // Films for the tests, and the chips of two levels that render them.
+#include "model/compile/surfaces.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/load/load.hpp"
 #include "tests/system/frames.hpp"

@@ -2,6 +2,7 @@
 // Frames that are watched, on machines of all kinds.
 #include <catch2/catch.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "model/core/settled.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/engine/check.hpp"

@@ -2,6 +2,8 @@
 // or reordered transfer is named with unit, link, ray and pixel.
 #include <catch2/catch.hpp>
 
+#include "model/compile/frame.hpp"
+#include "model/compile/surfaces.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/elastic/elastic.hpp"
 #include "sim/run/elastic/unit_alone.hpp"

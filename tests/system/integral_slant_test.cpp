@@ -8,6 +8,7 @@
 // surfaces.
 #include <bit>
 
+#include "model/compile/compile.hpp"
 #include "model/trace/decoder.hpp"
 #include "tests/system/convex.hpp"
 #include "tests/system/lines.hpp"
@@ -98,7 +99,7 @@ void check_all(int lines) {
         for (int i = 0; i < lines; ++i) {
             const Ray ray = drawn.next();
             Counts counts;
-            tree.count(0, box_ray(ray), aligned(ray, config), true, counts);
+            tree.count(0, box_ray(ray), slant_direction(ray, config), true, counts);
             met.add(counts.met);
             visited.add(counts.visited);
         }

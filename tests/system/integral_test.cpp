@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/compile/compile.hpp"
 #include "model/core/layout.hpp"
 #include "model/trace/decoder.hpp"
 #include "tests/system/lines.hpp"

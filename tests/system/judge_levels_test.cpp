@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "model/layout/words.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
@@ -162,7 +163,7 @@ TEST_CASE("an answer of planes and true spheres next to instances with any fault
         std::find_if(hits.begin(), hits.end(), [&](const Closest& c) { return c.found && c.prim == plane; });
     REQUIRE(seen_plane != hits.end());
     const auto placed = [&](Closest answer) {   // a pixel's hit does not contain it
-        answer.place = world.line(world.place_of(answer.prim));
+        answer.instance_line = world.line(world.place_of(answer.prim));
         return answer;
     };
     int spheres = 0, planes = 0, triangles = 0, hidden = 0;
@@ -178,7 +179,7 @@ TEST_CASE("an answer of planes and true spheres next to instances with any fault
         CHECK(says([](Closest&) {}) == "");
         CHECK(says([](Closest& c) { c = {}; }) == "it meets something");
         CHECK(says([](Closest& c) { --c.t; }) != "");
-        CHECK(says([](Closest& c) { c.place ^= 1; }) == "it meets another instance");
+        CHECK(says([](Closest& c) { c.instance_line ^= 1; }) == "it meets another instance");
         if (answer.prim < first) {
             ++triangles;
             CHECK(says([&](Closest& c) { c.prim = first; }) != "");

@@ -1,6 +1,7 @@
 // The judge of finished pictures: it accepts correct ones, counts every ray, and detects any modification.
 #include <catch2/catch.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/paths/picture.hpp"
 #include "sim/load/load.hpp"

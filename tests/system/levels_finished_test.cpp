@@ -1,6 +1,7 @@
 // Finished pictures of two levels: the RTL computes the model's colours in the same cycles.
 #include <catch2/catch.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "tests/accel/mixed.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "model/compile/frame.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"

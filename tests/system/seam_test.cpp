@@ -3,6 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "model/compile/surfaces.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/image/srgb.hpp"

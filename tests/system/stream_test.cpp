@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/engine/check.hpp"
 #include "sim/load/load.hpp"
@@ -117,7 +118,7 @@ void check_two_levels(const Values& more) {
     INFO(judged.first);
     CHECK(judged.wrong == 0);
     std::set<std::uint32_t> places;
-    for (const Closest& answer : answers) places.insert(answer.place);
+    for (const Closest& answer : answers) places.insert(answer.instance_line);
     CHECK(places.size() > 2);
 }
 
@@ -144,7 +145,8 @@ TEST_CASE("with two levels, the stream of a picture's camera rays has the pictur
     const std::string bytes = hits_npy(hits_of(picture.stream, answers), {});
     for (std::size_t i = 0; i < answers.size(); ++i) {
         Closest drawn_hit = picture.drawn[i], traced = answers[i];
-        drawn_hit.place = traced.place = 0;   // without shading a picture's hits have no instance
+        // Without shading a picture's hits have no instance.
+        drawn_hit.instance_line = traced.instance_line = 0;
         REQUIRE(same_answer(drawn_hit, traced));
         std::uint32_t instance;
         std::memcpy(&instance, &bytes[bytes.size() - (answers.size() - i) * 42 + 6], sizeof instance);
@@ -433,7 +435,7 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
                       "16384 rays are too many: with pixel_bits=7 the chip numbers at most 16383");
     CHECK(image.records.empty());
     place_rays(image, std::span(rays).first(16383), config);
-    CHECK(image.end() == image.rays + 8192);
+    CHECK(image.end() == image.first_ray_line + 8192);
 
     config.addr_bits = 10;   // 1024 lines: the scene's first burst, and 1020 lines of rays
     CHECK_THROWS_WITH(place_rays(image, std::span(rays).first(2041), config),

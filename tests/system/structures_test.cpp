@@ -5,6 +5,7 @@
 #include <memory>
 #include <tuple>
 
+#include "model/compile/compile.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/engine/check.hpp"
 #include "model/trace/walk.hpp"

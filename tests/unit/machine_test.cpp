@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "model/compile/surfaces.hpp"
 #include "model/core/settled.hpp"
 #include "model/machine/machine.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"

@@ -2,6 +2,8 @@
 // machine's box test adds to it.
 #include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/judge/oracle/overlap.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/cases/box_cases.hpp"

@@ -53,7 +53,7 @@ void check(const char* format, int contexts, int queue, int cycles) {
     for (const auto& [name, idle, stall] : flows) {
         Draw draw{seed};
         Frame frame = random_shade_frame(draw, c);
-        frame.shade.surfaces = std::uint32_t(draw.bits(c.addr_bits));
+        frame.shade.first_surface_line = std::uint32_t(draw.bits(c.addr_bits));
         frame.shade.depth = std::uint32_t(draw.between(1, c.bounces));
         frame.shade.threshold = 0;
         frame.shade.side = c.supersampling ? seed : 1;

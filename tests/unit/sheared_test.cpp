@@ -1,6 +1,8 @@
 // The sheared test: it is watertight by itself and through the tree, and differs from the exact one by a
 // derived bound.
 #include "tests/support/check/image_check.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/unit/isect/sheared.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"

@@ -1,4 +1,5 @@
 // raygen of a shading chip: rays of every kind, samples of a pixel, and the priority of requests.
+#include "model/compile/frame.hpp"
 #include "model/layout/memory_image.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "model/scene/whitted.hpp"

@@ -1,5 +1,7 @@
 // Traces come from lean forms of the units, for speed. Each must equal the unit's public form, and the
 // recorder as a whole must equal the walk.
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/unit/isect/facet.hpp"
 #include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"

@@ -1,6 +1,9 @@
 // Traces of a shading chip come from a lean form of the walk, which must equal Walk and Shader ray by ray.
 #include <catch2/catch.hpp>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"

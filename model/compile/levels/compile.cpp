@@ -1,4 +1,6 @@
 // compile_levels: lattices and maps, a lower structure for each class, and the scene's tree above them.
+#include "model/compile/levels/levels.hpp"
+
 #include <bit>
 #include <map>
 
@@ -8,9 +10,9 @@
 #include "model/compile/emit.hpp"
 #include "model/engine/check.hpp"
 #include "model/layout/words.hpp"
-#include "model/compile/levels/levels.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 
@@ -28,7 +30,7 @@ public:
     void run(int buffers, const UpperRoom& room) {
         buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
-        out_.rooms.assign(lowers_.size(), 0), out_.surfaces.assign(lowers_.size(), 0);
+        out_.rooms.assign(lowers_.size(), 0), out_.first_surface_lines.assign(lowers_.size(), 0);
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // each buffer has room for any tree of the film
@@ -38,9 +40,9 @@ public:
         std::vector<PlacedEntry> placed;
         const UpperReport report =
             write_upper(out_.entries, 0, true, config_.upper(), name_, image_.words, placed);
-        image_.meshes = image_.lines();
+        image_.first_mesh_line = image_.lines();
         append_lowers();
-        image_.surfaces = image_.lines();
+        image_.first_surface_line = image_.lines();
         for (std::size_t e = 0; e < out_.entries.size(); ++e) complete(out_.entries[e], out_.of_entry[e]);
         write_entries(out_.entries, placed, config_, image_.words);
         image_.report.nodes += report.nodes;
@@ -122,7 +124,7 @@ private:
     void complete(UpperEntry& entry, std::uint32_t instance) {
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
-        entry.surfaces = surfaces_of(instance) - entry.first;
+        entry.first_surface_line = surfaces_of(instance) - entry.first;
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 
@@ -148,7 +150,7 @@ private:
     void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
         if (parts_.is_round(made.mesh)) return write_round(made.lattice);
-        out_.surfaces[number] = image_.lines();
+        out_.first_surface_lines[number] = image_.lines();
         const Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
         for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
     }

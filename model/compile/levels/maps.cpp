@@ -7,6 +7,8 @@
 
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 
 #include <glm/common.hpp>
@@ -312,13 +314,14 @@ private:
     std::vector<Needs> needs_;
 };
 
-/// Aligns large triangles as in a flat scene; see aligned() in surfaces.hpp.
+/// Aligns large triangles as in a flat scene; see align_large_triangles() in surfaces.hpp.
 void align(MeshClass& made, const SharedMesh& mesh) {
     Scene scene;
     for (const glm::dvec3& at : mesh.vertices)
         scene.vertices.push_back(glm::dvec3(made.before * glm::dvec4(at, 1)));
     scene.triangles = mesh.triangles;
-    if (std::optional<Scene> moved = aligned(scene, made.lattice)) made.corners = std::move(moved->vertices);
+    if (std::optional<Scene> moved = align_large_triangles(scene, made.lattice))
+        made.corners = std::move(moved->vertices);
 }
 
 }   // namespace

@@ -49,7 +49,7 @@ struct MeshClass {
     std::uint32_t mesh = 0;
     glm::dmat4 before{1};   ///< the identity, or the place of a written-out instance
     Lattice lattice;
-    /// The mesh's corners after aligned(), for a chip that shades.
+    /// The mesh's corners after align_large_triangles(), for a chip that shades.
     std::vector<glm::dvec3> corners;
     std::vector<Vec3i> points;   ///< its corners on the lattice, each once
     std::int32_t longest = 0;    ///< longest component of an edge, in steps

@@ -147,7 +147,8 @@ void MovingLevels::hold(std::size_t buffer) {
         const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c], count = follower.triangles;
         if (levels_.roots[c] == 0) continue;
         part(levels_.roots[c] + std::uint32_t(buffer) * room, room, &follower);
-        if (config_.shading) part(levels_.surfaces[c] + std::uint32_t(buffer) * count, count, nullptr);
+        if (config_.shading)
+            part(levels_.first_surface_lines[c] + std::uint32_t(buffer) * count, count, nullptr);
     }
     std::sort(regions_.begin(), regions_.end(),
               [](const Region& a, const Region& b) { return a.first < b.first; });
@@ -189,7 +190,7 @@ void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::v
     follower.tree.write(root, true, &words[std::size_t(root) * words_per_line], room);
     std::uint32_t surfaces = 0;
     if (config_.shading) {
-        surfaces = levels_.surfaces[c] + std::uint32_t(buffer) * follower.triangles;
+        surfaces = levels_.first_surface_lines[c] + std::uint32_t(buffer) * follower.triangles;
         MemoryImage part;
         part.lattice.coord_bits = config_.coord_bits;
         write_surfaces(class_surfaces(mesh, levels_.maps.classes[c], materials), config_, name_, part);
@@ -201,7 +202,7 @@ void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::v
         entry.root = root;
         entry.stack_need = follower.tree.report().stack_need;
         entry.depth = follower.tree.report().depth;
-        if (config_.shading) entry.surfaces = surfaces - entry.first;
+        if (config_.shading) entry.first_surface_line = surfaces - entry.first;
     }
 }
 

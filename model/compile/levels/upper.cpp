@@ -6,6 +6,7 @@
 #include "model/engine/bvh/encode.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/bvh/collapse.hpp"
+#include "model/engine/bvh/build.hpp"
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"
 #include "model/compile/levels/upper_lines.hpp"
@@ -136,7 +137,7 @@ void write_entries(const std::vector<UpperEntry>& entries, const std::vector<Pla
         if (here[at.entry] == none) here[at.entry] = at.line;
         std::uint32_t* const line = &words[std::size_t(at.line) * words_per_line];
         std::fill_n(line, words_per_line, 0u);
-        const std::uint32_t surfaces = entry.surfaces & ((1u << config.addr_bits) - 1);
+        const std::uint32_t surfaces = entry.first_surface_line & ((1u << config.addr_bits) - 1);
         write_payload(Placement{entry.first, entry.root, here[at.entry], surfaces, entry.material,
                                 entry.map->is_same, entry.map->a, entry.map->b},
                       config, line, scratch);

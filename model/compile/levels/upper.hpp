@@ -11,10 +11,10 @@ namespace rayclock {
 /// An instance that has primitives left on its lattice.
 struct UpperEntry {
     const InstanceMap* map = nullptr;
-    std::uint32_t first = 0;                    ///< number of its first primitive
-    std::uint32_t root = 0;                     ///< line of its class's root; may be set later
-    std::uint32_t surfaces = 0, material = 0;   ///< as in Placement
-    int stack_need = 0, depth = 0;              ///< of the structure below it
+    std::uint32_t first = 0;                              ///< number of its first primitive
+    std::uint32_t root = 0;                               ///< line of its class's root; may be set later
+    std::uint32_t first_surface_line = 0, material = 0;   ///< as in Placement
+    int stack_need = 0, depth = 0;                        ///< of the structure below it
 };
 
 struct UpperReport {

@@ -10,6 +10,8 @@
 #include "model/layout/words.hpp"
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/stopwatch.hpp"
 
 namespace rayclock {
@@ -48,7 +50,8 @@ std::vector<PrimData> RefittedScene::snapped(const Scene& scene) const {
 
 Upload RefittedScene::next(const Scene& given) {
     const Stopwatch watch;
-    const std::optional<Scene> moved = config_.shading ? aligned(given, image_.lattice) : std::nullopt;
+    const std::optional<Scene> moved =
+        config_.shading ? align_large_triangles(given, image_.lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> prims = snapped(scene);
     // The number is the same in each frame, because spheres do not move.

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "model/scene/scene.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/upload.hpp"
 

@@ -8,6 +8,7 @@
 #include "model/engine/bvh/collapse.hpp"
 #include "model/engine/bvh/decode.hpp"
 #include "model/compile/emit.hpp"
+#include "model/compile/compile.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/layout/words.hpp"
 

@@ -1,6 +1,8 @@
 // The unit bih: pairs of planes, and the exits that a ray meets.
 #include "model/engine/bih/bih.hpp"
 
+#include "model/engine/cells/axis.hpp"
+
 namespace rayclock {
 
 WideBih widen(const BihNode& node, int node_width) {

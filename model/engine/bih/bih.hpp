@@ -1,7 +1,7 @@
 #pragma once
 // The unit bih: nodes of pairs of planes.
 #include "model/engine/bih/node.hpp"
-#include "model/engine/kd/treelet.hpp"
+#include "model/engine/cells/decide.hpp"
 
 namespace rayclock {
 
@@ -15,12 +15,13 @@ WideBih widen(const BihNode& node, int node_width);
 
 /// Returns the position of a ray relative to a pair of planes, conservatively. The half that the ray meets
 /// first ends at one plane, and the other half starts at the other plane. So the bounds of a treelet's plane
-/// (kd/treelet.hpp) hold for each of the two.
+/// (cells/decide.hpp) hold for each of the two.
 PlaneSides pair_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t lower_to, std::int32_t upper_from,
                       const Config& config);
 
-/// Returns the exits that a ray meets, as treelet_exits() does for a treelet: one bit each, and t_near by
-/// child. Mirror of rtl/engine/bih/rc_bih.sv, latency engine::Bih::latency() + 1, one node per cycle.
+/// Returns the exits that a ray meets, as treelet_exits() (kd/treelet.hpp) does for a treelet: one bit each,
+/// and t_near by child. Mirror of rtl/engine/bih/rc_bih.sv, latency engine::Bih::latency() + 1, one node per
+/// cycle.
 std::uint32_t bih_exits(const BoxRay& ray, const WideBih& node, const Config& config, std::uint32_t* t_near);
 /// Returns the unit's answer.
 BoxRsp bih_answer(const BihReq& req, const Config& config);

@@ -1,7 +1,8 @@
 // Builds bounding interval hierarchies from trees of boxes.
 #include "model/engine/bih/build.hpp"
 
-#include "model/engine/kd/treelets.hpp"
+#include "model/engine/bvh/build.hpp"
+#include "model/engine/cells/treelets.hpp"
 #include "model/layout/tree.hpp"
 
 namespace rayclock::bih {
@@ -10,14 +11,14 @@ namespace {
 
 class Builder {
 public:
-    Builder(const BinaryTree& tree, const kd::Items& items, const Config& config)
+    Builder(const BinaryTree& tree, const cells::Items& items, const Config& config)
         : tree_(tree), items_(items), treelets_(config) {}
 
-    kd::CellPtr cell(std::uint32_t at) const {
+    cells::CellPtr cell(std::uint32_t at) const {
         const BinaryNode& node = tree_.nodes[at];
-        if (node.is_leaf()) return kd::leaf_of({items_[node.left]});
-        auto cell = std::make_unique<kd::Cell>();
-        kd::CellPtr left = this->cell(node.left), right = this->cell(node.right);
+        if (node.is_leaf()) return cells::leaf_of({items_[node.left]});
+        auto cell = std::make_unique<cells::Cell>();
+        cells::CellPtr left = this->cell(node.left), right = this->cell(node.right);
         cell->bounds = node.box;
         cell->count = left->count + right->count;
         cell->axis = widest_gap(left->bounds, right->bounds);
@@ -42,22 +43,22 @@ private:
     }
 
     const BinaryTree& tree_;
-    const kd::Items& items_;
-    kd::Treelets treelets_;
+    const cells::Items& items_;
+    cells::Treelets treelets_;
 };
 
 }   // namespace
 
-kd::CellPtr build(const kd::Pieces& pieces, const Config& config) {
-    const kd::Items items = pieces.all();
-    if (items.empty()) return pieces.with_endless(kd::leaf_of(items));
+cells::CellPtr build(const cells::Pieces& pieces, const Config& config) {
+    const cells::Items items = pieces.all();
+    if (items.empty()) return pieces.with_endless(cells::leaf_of(items));
     std::vector<LatticeBox> boxes;
     boxes.reserve(items.size());
-    for (const kd::Item& item : items) boxes.push_back(item.box);
+    for (const cells::Item& item : items) boxes.push_back(item.box);
     BinaryTree tree = build_tree(boxes);
     optimise_tree(tree);
-    kd::CellPtr root = Builder(tree, items, config).cell(tree.root);
-    kd::Treelets(config).settle(*root, pieces.has_endless());
+    cells::CellPtr root = Builder(tree, items, config).cell(tree.root);
+    cells::Treelets(config).settle(*root, pieces.has_endless());
     return pieces.with_endless(std::move(root));
 }
 

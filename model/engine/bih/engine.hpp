@@ -2,12 +2,12 @@
 // The descriptor of structure=bih.
 #include "model/engine/bih/bih.hpp"
 #include "model/engine/bih/build.hpp"
-#include "model/engine/kd/exits.hpp"
+#include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
 
 namespace rayclock {
 
-inline void put(const kd::Cell& cell, std::size_t plane, BihNode& node) {
+inline void put(const cells::Cell& cell, std::size_t plane, BihNode& node) {
     node.axis[plane] = cell.axis;
     if (cell.axis == no_axis) return;
     node.lower_to[plane] = cell.lower->bounds.hi[cell.axis];
@@ -33,7 +33,8 @@ struct Bih : OfBoxRay<BihNode>, OfCells<BihNode, WideBih> {
         return bih_exits(form, node, config, t_near);
     }
     static BoxRsp answer(const Request& request, const Config& config) { return bih_answer(request, config); }
-    static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>&, const Config& config) {
+    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
+                                const Config& config) {
         return bih::build(pieces, config);
     }
 };

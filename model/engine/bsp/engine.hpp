@@ -1,13 +1,13 @@
 #pragma once
 // The descriptor of structure=bsp.
+#include "model/engine/bsp/build.hpp"
 #include "model/engine/bsp/slant.hpp"
-#include "model/engine/kd/build.hpp"
-#include "model/engine/kd/exits.hpp"
+#include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
 
 namespace rayclock {
 
-inline void put(const kd::Cell& cell, std::size_t plane, Slant& slant) {
+inline void put(const cells::Cell& cell, std::size_t plane, Slant& slant) {
     for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
     slant.at[plane] = cell.at;
 }
@@ -30,7 +30,7 @@ struct Bsp : OfCells<Slant, WideSlant> {
         return stages.cut + stages.crossing + stages.exits + stages.rank;
     }
     static RayForm form(const Ray& ray, const BoxRay& box, const Config& config) {
-        return {box, aligned(ray, config)};
+        return {box, slant_direction(ray, config)};
     }
     static Request request(std::uint32_t ray, const RayForm& form, const Node& node) {
         return {ray, form.box.o, form.box.recip, form.box.len, form.along, node};
@@ -40,9 +40,9 @@ struct Bsp : OfCells<Slant, WideSlant> {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
     static BoxRsp answer(const Request& request, const Config& config) { return slant(request, config); }
-    static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
-                             const Config& config) {
-        return kd::build(pieces, prims, config);
+    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims,
+                                const Config& config) {
+        return bsp::build(pieces, prims, config);
     }
 };
 

@@ -34,7 +34,8 @@ struct SlantReq {
     std::uint32_t ray = 0;
     Vec3i o{};
     std::array<std::uint32_t, 3> recip{}, len{};
-    Vec3i along{};   ///< direction, shifted up to ray_dir_bits: aligned() in model/engine/bsp/slant.hpp
+    Vec3i along{};   ///< direction, shifted up to ray_dir_bits: slant_direction() in
+                     ///< model/engine/bsp/slant.hpp
     Slant node;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());

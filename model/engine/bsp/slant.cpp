@@ -31,7 +31,7 @@ WideSlant widen(const Slant& slant, int node_width) {
     return wide;
 }
 
-Vec3i aligned(const Ray& ray, const Config& config) {
+Vec3i slant_direction(const Ray& ray, const Config& config) {
     if (RayKind(ray.kind) == RayKind::shadow) return ray.d;
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k) d[k] = ray.d[k] * (1 << (config.ray_dir_bits() - config.dir_bits));

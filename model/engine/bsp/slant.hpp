@@ -1,7 +1,7 @@
 #pragma once
 // The unit slant: nodes with planes in any direction.
 #include "model/engine/bsp/node.hpp"
-#include "model/engine/kd/treelet.hpp"
+#include "model/engine/cells/decide.hpp"
 
 namespace rayclock {
 
@@ -16,11 +16,11 @@ WideSlant widen(const Slant& slant, int node_width);
 /// A ray in the form of slants.
 struct SlantRay {
     BoxRay box;
-    Vec3i along{};   ///< aligned()
+    Vec3i along{};   ///< slant_direction()
 };
 /// Returns a ray's direction in the form that slants use. It is shifted up by ray_dir_bits - dir_bits, so
 /// that its scale does not depend on the ray's kind. A shadow ray's direction already has ray_dir_bits.
-Vec3i aligned(const Ray& ray, const Config& config);
+Vec3i slant_direction(const Ray& ray, const Config& config);
 
 /// Returns the position of a ray relative to the plane n . x = at, conservatively (docs/bsp.md).
 ///
@@ -33,8 +33,8 @@ Vec3i aligned(const Ray& ray, const Config& config);
 PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std::int32_t at,
                     const Config& config);
 
-/// Returns the exits of a slant that a ray meets, as treelet_exits() does for a treelet. Mirror of
-/// rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
+/// Returns the exits of a slant that a ray meets, as treelet_exits() (kd/treelet.hpp) does for a treelet.
+/// Mirror of rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
 /// Returns the unit's answer.

@@ -1,7 +1,6 @@
 // The unit box: unpacks nodes, tests their children and sorts the answer.
 #include "model/engine/bvh/box.hpp"
 
-#include "model/unit/trav/children.hpp"
 #include "model/engine/bvh/slab.hpp"
 
 namespace rayclock {
@@ -78,22 +77,6 @@ std::uint32_t box_children(const BoxRay& ray, const WideNode& node, const Config
 }
 #endif
 
-BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node) {
-    BoxRsp out;
-    std::array<std::uint64_t, 2 * max_width> sorted;
-    out.ray = ray;
-    out.base = node.base;
-    out.inner = sort_children(hits & node.inner_mask, t_near, sorted.data());
-    out.leaves = sort_children(hits & ~std::uint32_t(node.inner_mask), t_near, &sorted[out.inner]);
-    for (std::size_t i = 0; i < out.inner + out.leaves; ++i) {
-        const std::uint32_t child = ByDistance::child(sorted[i]);
-        out.t_near[i] = ByDistance::near(sorted[i]);
-        out.offset[i] = node.offset[child];
-        out.count[i] = node.count[child];
-    }
-    return out;
-}
-
 WideNode widen(const Node& node, int node_width) {
     WideNode wide;
     wide.base = node.base;
@@ -149,22 +132,6 @@ WideNode NodeReader::operator()(const std::uint32_t* line) const {
     }
     set_masks(wide, inner);
     return wide;
-}
-
-Children children_of(const BoxRsp& boxes) {
-    Children children{boxes.base, boxes.inner, boxes.t_near, {}};
-    for (std::size_t i = 0; i < max_width; ++i) children.slot[i] = boxes.offset[i] >> 1;
-    return children;
-}
-
-Leaves leaves_of(const BoxRsp& boxes) {
-    Leaves leaves{boxes.ray, boxes.base, boxes.leaves, {}, {}, {}};
-    for (std::size_t i = 0; i < boxes.leaves; ++i) {
-        leaves.t_near[i] = boxes.t_near[boxes.inner + i];
-        leaves.offset[i] = boxes.offset[boxes.inner + i];
-        leaves.count[i] = boxes.count[boxes.inner + i];
-    }
-    return leaves;
 }
 
 BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test) {

@@ -1,20 +1,11 @@
 #pragma once
 // The unit box: nodes with child boxes.
-#include "model/core/payloads.hpp"
+#include "model/engine/box_ray.hpp"
 #include "model/engine/bvh/node.hpp"
+#include "model/engine/node_answer.hpp"
 
 namespace rayclock {
 
-/// A node unpacked for the model: planes by axis, and the place of each child in the block. Inner children
-/// come first.
-struct alignas(32) WideNode {
-    std::array<std::int32_t, 4> org{};   ///< the fourth entry is 0, here and in exp
-    std::array<std::uint8_t, 4> exp{};
-    std::uint32_t base = 0;
-    std::uint8_t children = 0, children_mask = 0, inner_mask = 0;
-    std::array<std::uint8_t, 2 * 3 * max_width> planes{};    ///< [(3 * hi + axis) * 8 + child]
-    std::array<std::uint8_t, max_width> offset{}, count{};   ///< as in BoxRsp
-};
 /// Reads a node's fields directly from its line, without unpacking a Node.
 class NodeReader {
 public:
@@ -26,15 +17,6 @@ private:
     int org_ = 0, exp_ = 0, base_ = 0, kind_ = 0, lo_ = 0, hi_ = 0;   ///< lowest bit of each field
 };
 WideNode widen(const Node& node, int node_width);
-
-/// The part of a ray that the slab test uses; computed once per ray.
-struct BoxRay {
-    Vec3i o{};   ///< with B fraction bits if the chip shades
-    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
-};
-template <class Moving> BoxRay box_ray(const Moving& ray) {   ///< a Ray or a Change
-    return {ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len};
-}
 
 /// Performs the slab test of all children of a node, conservatively. It never leaves out a box that holds a
 /// point of the ray, and the box's t_near is never beyond that point.
@@ -57,8 +39,7 @@ using BoxTest = std::uint32_t(const BoxRay& ray, const WideNode& node, const Con
 BoxTest box_children;
 /// Performs the same test without the processor's wider vectors, for the tests.
 BoxTest box_children_plain;
-/// Returns the unit's answer: the children met, inner ones first, then leaves, both nearest first.
-BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node);
+/// Returns the unit's answer.
 BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test = box_children);
 
 }   // namespace rayclock

@@ -1,4 +1,6 @@
 // Builds the binary tree of boxes top-down, on all cores.
+#include "model/engine/bvh/build.hpp"
+
 #include <tbb/parallel_invoke.h>
 
 #include "model/engine/bvh/divide.hpp"

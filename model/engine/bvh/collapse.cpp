@@ -1,7 +1,11 @@
 // The dynamic program of collapse.hpp.
 #include "model/engine/bvh/collapse.hpp"
 
+#include <limits>
+
 #include <tbb/parallel_for.h>
+
+#include "model/engine/bvh/build.hpp"
 
 namespace rayclock {
 

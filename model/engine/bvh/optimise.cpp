@@ -1,8 +1,8 @@
 // Reinsertion. Each round searches the best moves in parallel on a fixed tree. It then makes them one by one,
 // largest gain first, and undoes a move whose gain an earlier move has turned into a loss.
-#include <tbb/parallel_for.h>
+#include "model/engine/bvh/build.hpp"
 
-#include "model/layout/tree.hpp"
+#include <tbb/parallel_for.h>
 
 namespace rayclock {
 

@@ -1,28 +1,11 @@
 #pragma once
 // The kd-tree over the primitives of a scene on the lattice.
-#include "model/engine/kd/cell.hpp"
+#include "model/engine/cells/cell.hpp"
 
 namespace rayclock::kd {
 
-/// Builds a tree by the surface area heuristic with perfect splits (Wald and Havran 2006, "On building fast
-/// kd-trees for ray tracing, and on doing that in O(N log N)"). Each cell uses the primitives' clipped
-/// bounds, and planes at both ends of every primitive. A cut costs 8, a test 20, and a plane that cuts off
-/// empty space is a tenth cheaper. More than 16 primitives count as fewer tests (split.hpp), since they will
-/// be cut again. A level costs O(n), and the tree O(n log n).
-///
-/// The builder cuts deeper than is useful. A pass from the leaves up then decides which cuts remain
-/// (treelets.hpp).
-///
-/// Config::references bounds the references. Every primitive brings that many, and a cut distributes them in
-/// proportion to the parts' items. A cell with too few for a cut remains a leaf. No cell is cut below a depth
-/// of 8 + 1.3 log2 n, at most 34.
-///
-/// The cell of a treelet is the box in its line, so no plane is spent on the space around it.
-///
-/// Infinite planes fill all of space. They are walked next to the tree, in a separate part.
-CellPtr build(const std::vector<PrimData>& prims, const Config& config);
-/// Builds a tree over any pieces. `prims`, in the same order, offer planes in any direction; without prims
-/// there are none.
-CellPtr build(const Pieces& pieces, const std::vector<PrimData>& prims, const Config& config);
+/// Builds a tree whose planes lie across the axes, at both ends of the primitives (cells/build.hpp).
+cells::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
+cells::CellPtr build(const cells::Pieces& pieces, const Config& config);
 
 }   // namespace rayclock::kd

@@ -1,10 +1,20 @@
 #pragma once
 // The descriptor of structure=kd and structure=octree.
+#include "model/engine/cells/exits.hpp"
 #include "model/engine/kd/build.hpp"
-#include "model/engine/kd/exits.hpp"
 #include "model/engine/kd/treelet.hpp"
 #include "model/engine/octree/build.hpp"
 #include "model/engine/parts.hpp"
+
+namespace rayclock {
+
+inline void put(const cells::Cell& cell, std::size_t plane, Treelet& treelet) {
+    treelet.axis[plane] = cell.axis;
+    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
+}
+inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
+
+}   // namespace rayclock
 
 namespace rayclock::engine {
 
@@ -22,9 +32,9 @@ struct Kd : OfBoxRay<Treelet>, OfCells<Treelet, WideTreelet> {
         return treelet_exits(form, node, config, t_near);
     }
     static BoxRsp answer(const Request& request, const Config& config) { return treelet(request, config); }
-    static kd::CellPtr build(const kd::Pieces& pieces, const std::vector<PrimData>& prims,
-                             const Config& config) {
-        return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, prims, config);
+    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
+                                const Config& config) {
+        return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, config);
     }
 };
 

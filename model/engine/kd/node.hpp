@@ -35,7 +35,6 @@ struct Treelet {
         v("kind", kind, count_bits, c.node_width);
     }
 };
-constexpr std::uint32_t no_axis = 3;   ///< axis of a missing plane
 
 using TreeletReq = BoxRayReq<Treelet>;
 

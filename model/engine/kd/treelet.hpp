@@ -1,28 +1,10 @@
 #pragma once
 // The unit treelet: nodes of planes across the axes.
-#include "model/engine/bvh/box.hpp"
+#include "model/engine/cells/decide.hpp"
 #include "model/engine/kd/node.hpp"
 
 namespace rayclock {
 
-/// The exits of a treelet (or a slant, model/engine/bsp) unpacked for the model. They have the form of a
-/// node's children, inner ones first, so trav and list do not depend on the structure. `exit` gives the
-/// position of each.
-struct WideExits {
-    WideNode exits;                               ///< planes, org and exp are unused
-    std::array<std::uint8_t, max_width> exit{};   ///< [child]
-    bool open = false;                            ///< has no box
-    Vec3i lo{}, hi{};
-
-    WideExits() = default;
-    template <class Line> WideExits(const Line& line, int node_width)
-        : open(line.open != 0), lo(line.lo), hi(line.hi) {
-        place(line.base, line.kind, std::size_t(node_width));
-    }
-
-private:
-    void place(std::uint32_t base, const std::array<std::uint32_t, max_width>& kind, std::size_t width);
-};
 /// A treelet unpacked for the model.
 struct WideTreelet : WideExits {
     using WideExits::WideExits;
@@ -31,32 +13,17 @@ struct WideTreelet : WideExits {
 };
 WideTreelet widen(const Treelet& treelet, int node_width);
 
-/// The position of a ray relative to a plane: bounds on the end of the side that the ray meets first, and on
-/// the start of the other.
-struct PlaneSides {
-    bool near = true, far = true;   ///< true if the ray may be on the side that it meets first; on the other
-    bool turned = false;            ///< the ray meets the upper side first
-    std::uint32_t near_to = 0;      ///< no point of the near side lies beyond
-    std::uint32_t far_from = 0;     ///< no point of the far side lies before
-};
-PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, const Config& config);
-
-/// For all planes of a treelet, in heap order.
-using AllSides = std::array<PlaneSides, max_width - 1>;
-/// Returns the exits that are met within the box, one bit each, and writes t_near by child.
-std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSides& sides,
-                        const Config& config, std::uint32_t* t_near);
-
 /// Returns the exits of a treelet that a ray meets, conservatively. It never leaves out an exit in whose
 /// closed cell the ray has a point o + s d with s > 0, and the exit's t_near is never beyond that point
 /// (docs/planes.md).
 ///
-/// With r and x as in the box test (box.hpp), let w be the way from the origin to a plane, along the ray and
-/// in lattice steps. It is rounded down to w_lo and up to w_hi. The ray enters the far side at f = floor(2^x
-/// r w_lo) at the earliest. It leaves the near side at f + floor(f / 2^(R-1)) + 2 + 2^(x+R) (w_hi - w_lo) at
-/// the latest. If w_hi <= 0, the ray is on the far side only, from the start. For a ray that does not move on
-/// the axis, only the side matters. An exit is met if the latest entry on its way is not beyond the earliest
-/// end. Mirror of rtl/engine/kd/rc_treelet.sv, latency engine::Kd::latency() + 1, one treelet per cycle.
+/// With r and x as in the box test (bvh/box.hpp), let w be the way from the origin to a plane, along the ray
+/// and in lattice steps. It is rounded down to w_lo and up to w_hi. The ray enters the far side at f =
+/// floor(2^x r w_lo) at the earliest. It leaves the near side at f + floor(f / 2^(R-1)) + 2 + 2^(x+R) (w_hi -
+/// w_lo) at the latest. If w_hi <= 0, the ray is on the far side only, from the start. For a ray that does
+/// not move on the axis, only the side matters. An exit is met if the latest entry on its way is not beyond
+/// the earliest end. Mirror of rtl/engine/kd/rc_treelet.sv, latency engine::Kd::latency() + 1, one treelet
+/// per cycle.
 ///
 /// Returns the children of `exits` that are met, one bit each, and writes t_near by child.
 std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& config,

@@ -2,7 +2,7 @@
 // The pages of a list of primitives (structure=none).
 #include <algorithm>
 
-#include "model/engine/bvh/box.hpp"
+#include "model/engine/node_answer.hpp"
 
 namespace rayclock {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The octree over the primitives of a scene on the lattice.
-#include "model/engine/kd/cell.hpp"
+#include "model/engine/cells/cell.hpp"
 
 namespace rayclock::octree {
 
@@ -10,11 +10,11 @@ namespace rayclock::octree {
 /// halved.
 ///
 /// A primitive that straddles a plane has a reference in every leaf that it reaches, by exact clipping, and
-/// references are bounded (kd/build.hpp). With `straddlers` inner it stays in the inner node instead. A node
-/// that holds primitives itself is walked in two parts that no plane divides: these primitives and its
+/// references are bounded (cells/build.hpp). With `straddlers` inner it stays in the inner node instead. A
+/// node that holds primitives itself is walked in two parts that no plane divides: these primitives and its
 /// octants.
-kd::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
-kd::CellPtr build(const kd::Pieces& pieces, const Config& config);
+cells::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
+cells::CellPtr build(const cells::Pieces& pieces, const Config& config);
 constexpr int most_depth = 12;
 
 }   // namespace rayclock::octree

@@ -1,6 +1,6 @@
 #pragma once
 // The unit globe: nodes with bounding spheres.
-#include "model/engine/bvh/box.hpp"
+#include "model/engine/node_answer.hpp"
 #include "model/engine/spheres/node.hpp"
 
 namespace rayclock {

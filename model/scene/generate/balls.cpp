@@ -1,4 +1,6 @@
 // Haines' "balls": the sphereflake (spd.md 3.1). Every sphere has nine spheres of a third its size around it.
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -6,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -2,9 +2,10 @@
 // is a room open towards the camera, with a red and a green wall and two white blocks on the floor. Adjacent
 // sides share corners. The lamp is a panel that fills a hole in the ceiling. As lights have no area here, a
 // point light hangs a little below it. Everything is flat: there are no normals.
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -1,12 +1,13 @@
 // A marching crowd: size * size walkers in rows. Each has a trunk with a head, and two arms and two legs that
 // swing about shoulder and hip. All walk ahead by one metre per second, and the camera moves with them.
+#include "model/scene/generate/generate.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -1,9 +1,10 @@
 // The scene of Vortex's test rt_raycast: a cube of 12 triangles, with the camera that this test computes.
+#include "model/scene/generate/generate.hpp"
+
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

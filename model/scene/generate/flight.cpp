@@ -1,10 +1,11 @@
 // Balls in flight over a ground. Every ball is thrown up, falls and is thrown again, once in four seconds,
 // along a parabola of sixteen straight pieces. Two of three are mirrors. One of two lights moves in a circle.
+#include "model/scene/generate/generate.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -4,6 +4,8 @@
 // them. The 72-gon is halved again and again, because a fan would give long thin triangles, which suit a
 // bounding-volume hierarchy badly. All diagonals run from corner to corner, so top, bottom and sides meet
 // without T-junctions.
+#include "model/scene/generate/generate.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

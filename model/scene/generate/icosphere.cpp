@@ -1,12 +1,13 @@
 // A closed sphere without poles or seams: the icosahedron with every triangle cut in four `size` times. All
 // vertices lie on the unit sphere and are shared; normals are radial.
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 #include <cstdlib>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -3,11 +3,12 @@
 // The published recursion evaluates the noise of every inner edge twice. Here a grid of heights is refined
 // level by level, with the same sums, so the heights have the same bits. The terrain is flat-shaded. Since
 // the spheres are smooth, the terrain's triangles have their own vertices, bitwise equal where they meet.
+#include "model/scene/generate/generate.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -1,10 +1,11 @@
 // Haines' "rings": chains of six interlocked pentagonal rings of cylinders and spheres (spd.md 3.4).
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -2,12 +2,13 @@
 //
 // Patches that share a row of control points, in either direction, get bitwise equal vertices along it. The
 // weights and the sums below are symmetric under reversal of a parameter, and exact at its ends.
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 #include "model/scene/generate/teapot_patches.hpp"
 

@@ -1,8 +1,9 @@
 // Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). Neighbours that touch at a corner do not share its
 // vertex.
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

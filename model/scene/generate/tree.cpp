@@ -1,11 +1,12 @@
 // Haines' "tree": cones that fork in two, with a sphere at every fork (spd.md 3.7).
+#include "model/scene/generate/generate.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include <glm/mat3x3.hpp>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

@@ -2,12 +2,13 @@
 // spheres follow the published generator (ubc-aamodt-group/RayTracingInVulkan, src/SceneList.cpp), which
 // draws them with std::mt19937(42) in single precision. Shading differs: our materials have neither fuzzy
 // reflection nor light from the sky, so two point lights stand in for the sky.
+#include "model/scene/generate/generate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 
-#include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {

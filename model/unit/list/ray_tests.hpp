@@ -13,11 +13,12 @@ public:
     BestHit(const Start& start, std::uint32_t reach)
         : ray_(start.ray), reach_(reach), any_(ends_at_any(start.kind)) {}
 
-    /// Accepts tri's answer. `place` is Closest's.
-    void take(const TriRsp& tri, std::uint32_t place = 0) {
+    /// Accepts tri's answer. `instance_line` is Closest's.
+    void take(const TriRsp& tri, std::uint32_t instance_line = 0) {
         if (!tri.closer) return;
         best_ = {1, tri.num, tri.det, tri.prim};
-        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, place};   // zeros if any hit ends the ray
+        // Zeros if any hit ends the ray.
+        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, instance_line};
         reach_ = tri.t;
     }
     const Best& best() const { return best_; }

@@ -1,5 +1,6 @@
 #pragma once
 // The unit sched: gives the pixels of tiles to contexts.
+#include "model/base/morton.hpp"
 #include "model/core/payloads.hpp"
 #include "model/core/ring.hpp"
 
@@ -60,13 +61,6 @@ public:
     }
 
 private:
-    /// Returns every second bit of a number, from the lowest on.
-    static std::uint32_t even_bits(std::uint32_t m) {
-        m &= 0x555;
-        m = (m | m >> 1) & 0x333;
-        m = (m | m >> 2) & 0xf0f;
-        return (m | m >> 4) & 0x3f;
-    }
     /// Computes the next pixel of the tile.
     void select_pixel() {
         inside_ = outside_ = false;

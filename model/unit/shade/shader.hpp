@@ -40,7 +40,7 @@ public:
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
         if (wants_surface() && config_->has_homes())
-            in_.placement = unpack<Placement>(image_->line(hit.place), *config_);
+            in_.placement = unpack<Placement>(image_->line(hit.instance_line), *config_);
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);
@@ -57,13 +57,13 @@ public:
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
     std::uint32_t surface_line() const {
         if (config_->has_homes())
-            return (in_.placement.surfaces + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
-        return frame_->shade.surfaces + in_.hit.prim;
+            return (in_.placement.first_surface_line + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
+        return frame_->shade.first_surface_line + in_.hit.prim;
     }
     Surface surface_at(std::uint32_t line) const { return unpack<Surface>(image_->line(line), *config_); }
     /// With two levels these lines come before the surface: the instance, then its material if it has one for
     /// all its primitives.
-    std::uint32_t placement_line() const { return in_.hit.place; }
+    std::uint32_t placement_line() const { return in_.hit.instance_line; }
     std::uint32_t material_line() const { return config_->has_homes() ? in_.placement.material : 0; }
     /// For callers that see lines arrive one by one. next_line() is the line awaited. got_line() records its
     /// arrival and returns true if it was the surface.

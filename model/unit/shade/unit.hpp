@@ -31,7 +31,7 @@ public:
           spawns_(config.contexts),
           pixels_(config.contexts),
           pass_(config.shade_latency(), config.shade_queue),
-          late_(std::size_t(Stages(config).closest)),
+          closest_delay_(std::size_t(Stages(config).closest_delay)),
           hold_cycles_(std::uint32_t(config.shade_interval - 1)) {}
 
     /// True if it requests a surface or an instance.
@@ -81,7 +81,7 @@ public:
     template <bool levels = false, class Decide>
     void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
                bool surf_taken, bool spawn_taken, bool pixel_taken, Decide&& turn) {
-        for (std::size_t i = 0; i < late_; ++i) {   // the unit sees an arrival in a later cycle
+        for (std::size_t i = 0; i < closest_delay_; ++i) {   // the unit sees an arrival in a later cycle
             std::swap(closest, came_[i]);
             std::swap(wants, came_wants_[i]);
         }
@@ -128,7 +128,7 @@ private:
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
     Merge surf_link_;               // of fetch_ and places_
-    std::size_t late_;              // cycles until an answer is seen
+    std::size_t closest_delay_;     // cycles until an answer is seen
     std::array<LinkRay, 2> came_;   // the answers of these cycles, the last one first
     std::array<Wants, 2> came_wants_{};
     std::uint32_t hold_cycles_, hold_left_ = 0;   // cycles after a pass in which it accepts none; cycles left

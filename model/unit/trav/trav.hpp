@@ -20,7 +20,7 @@ namespace rayclock {
 class Trav {
 public:
     explicit Trav(const Config& config)
-        : late_(Stages(config).stack),
+        : stack_delay_(Stages(config).stack_delay),
           spawn_(2),
           changed_(config.has_instances() ? config.contexts : 1),
           leafless_(config.contexts),
@@ -93,7 +93,7 @@ public:
         const LinkRay last = last_stage();
         const Decision::Flags went = decide(last.ray, last.valid);
         nodes_.push(RayNumber(last.ray), went.visit);
-        if (late_ == 0) {
+        if (stack_delay_ == 0) {
             done_.push(RayNumber(last.ray), went.done);
         } else {   // reported from a register, because list is far away
             done_.push(RayNumber(ended_.ray), ended_.valid);
@@ -101,7 +101,7 @@ public:
         }
         again_ = went.again;
         again_ray_ = last.ray;
-        if (late_ != 0) pass_on();
+        if (stack_delay_ != 0) pass_on();
         s1_valid_ = turn | step;
         s1_ = select(turn, returned, stepping);
         spawn_.push(RayNumber(moves.ray.ray), moves.ray.valid);
@@ -111,23 +111,23 @@ public:
 private:
     /// Returns the ray that is decided in this cycle.
     LinkRay last_stage() const {
-        if (late_ == 0) return {s1_valid_, s1_};
-        return {bool(between_ >> (late_ - 1) & 1), waiting_[std::size_t(late_ - 1)]};
+        if (stack_delay_ == 0) return {s1_valid_, s1_};
+        return {bool(between_ >> (stack_delay_ - 1) & 1), waiting_[std::size_t(stack_delay_ - 1)]};
     }
     /// Advances the stages between the second and the last. Bit i of between_ is set if waiting_[i] is valid.
     void pass_on() {
-        for (int i = late_ - 1; i > 0; --i) waiting_[std::size_t(i)] = waiting_[std::size_t(i - 1)];
+        for (int i = stack_delay_ - 1; i > 0; --i) waiting_[std::size_t(i)] = waiting_[std::size_t(i - 1)];
         waiting_[0] = RayNumber(s1_);
-        between_ = (between_ << 1 | std::uint32_t(s1_valid_)) & ((1u << late_) - 1);
+        between_ = (between_ << 1 | std::uint32_t(s1_valid_)) & ((1u << stack_delay_) - 1);
     }
     bool is_decided(std::uint32_t ray) const {
-        for (int i = 0; i < late_; ++i)
+        for (int i = 0; i < stack_delay_; ++i)
             if ((between_ >> i & 1) && waiting_[std::size_t(i)] == ray) return true;
         return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray) ||
                (ended_.valid && ended_.ray == ray);
     }
 
-    int late_;   // stages between the second and the decision
+    int stack_delay_;   // stages between the second and the decision
     std::uint32_t between_ = 0;
     std::array<RayNumber, 4> waiting_{};
     Ring<RayNumber, 2> spawn_;

@@ -5,8 +5,8 @@
 // rc_pkg::RankStages later.
 //
 // It is a bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has
-// three levels in a stage, a fast chip one. Model: the end of box_children() in
-// model/engine/bvh/box.cpp.
+// three levels in a stage, a fast chip one. Model: box_answer() in
+// model/engine/node_answer.cpp.
 `default_nettype none
 module rc_rank #(
   localparam int unsigned NodeWidth  = rc_pkg::NodeWidth,

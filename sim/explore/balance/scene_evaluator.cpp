@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "model/compile/compile.hpp"
 #include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/core/parameters.hpp"

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/trace/hits.hpp"

@@ -6,6 +6,7 @@
 
 #include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/judge/oracle/overlap.hpp"
+#include "model/compile/compile.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/explore/stress/controls.hpp"
 

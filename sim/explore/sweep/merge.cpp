@@ -142,7 +142,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     r.multipliers = count_or_none(json.at("multipliers"));
     r.flip_flops = count_or_none(json.at("flip_flops"));
     if (!json.at("chip").is_null()) r.area = synth::count_of(json.at("chip"));
-    cells(r, false, false);   // check that a table can read every value
+    table_cells(r, false, false);   // check that a table can read every value
 }
 
 void fill(Outcome& outcome, const Part& part, const std::vector<Axis>& axes) {

@@ -86,7 +86,7 @@ std::string cell_text(const Column& column, const Result& r) {
 
 }   // namespace
 
-std::vector<std::string> cells(const Result& r, bool pareto, bool knee) {
+std::vector<std::string> table_cells(const Result& r, bool pareto, bool knee) {
     std::vector<std::string> all;
     for (const Column& column : columns) all.push_back(cell_text(column, r));
     for (const bool flag : {pareto, knee}) all.emplace_back(!r.complete() ? "" : flag ? "1" : "0");
@@ -100,7 +100,7 @@ bool is_knee(const Front& front, std::size_t i) { return front.knee && front.kne
 
 std::vector<std::string> row(const Result& r, const Front& front, std::size_t i) {
     std::vector<std::string> all = r.point.values;
-    const std::vector<std::string> figures = cells(r, front.pareto[i], is_knee(front, i));
+    const std::vector<std::string> figures = table_cells(r, front.pareto[i], is_knee(front, i));
     all.insert(all.end(), figures.begin(), figures.end());
     return all;
 }

@@ -7,7 +7,7 @@ namespace rayclock::sweep {
 
 /// Returns the cells of a point after its axes; missing figures are empty. New columns are only ever added
 /// after the existing ones.
-std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
+std::vector<std::string> table_cells(const Result& result, bool pareto, bool knee);
 
 /// Returns the column names of the whole table: axes, then figures.
 std::vector<std::string> column_names(const std::vector<Axis>& axes);

@@ -1,5 +1,6 @@
 // Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
+#include "model/compile/stream.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"
 
@@ -103,7 +104,7 @@ private:
     /// Returns the first child of the root if it is a node, else 0. For a list, returns the second page.
     std::uint32_t inner_root(const MemoryImage& image) const {
         const std::uint32_t page = page_lines(config_.node_width);
-        if (config_.is_list()) return 2 * page < image.listed ? page : 0;
+        if (config_.is_list()) return 2 * page < image.listed_primitives ? page : 0;
         return with_engine(config_.engine(), [&]<class E>(E) {
             const auto root = unpack<typename E::Node>(image.line(0), config_);
             if (root.kind[0] != 1) return 0u;
@@ -429,7 +430,7 @@ private:
     }
     /// Sets the number of primitives in a list from the frame's first line on.
     void set_listed(Frame& frame, const MemoryImage& image) const {
-        if (config_.is_list()) frame.listed = image.listed - 2 * frame.root;
+        if (config_.is_list()) frame.listed_primitives = image.listed_primitives - 2 * frame.root;
     }
     /// Adds the frame to the case, with random settings.
     Frame& add(TortureCase& t, Frame frame, int samples = 1) {

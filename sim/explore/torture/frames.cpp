@@ -8,6 +8,7 @@
 
 #include "model/base/axes.hpp"
 #include "model/base/largest.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock::torture {
 
@@ -148,7 +149,7 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     ShadeFrame s;
     const int all = samples * samples;
     const double one = 1 << unit_bits;
-    s.surfaces = image.surfaces;
+    s.first_surface_line = image.first_surface_line;
     s.depth = std::uint32_t(dice.between(1, config.refraction ? config.bounces : 15));
     s.threshold = dice.percent(40) ? 0 : dice.share(unit_bits + 1) >> dice.between(0, 8);
     s.side = std::uint32_t(samples);

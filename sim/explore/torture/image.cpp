@@ -5,6 +5,7 @@
 
 #include "model/engine/engines.hpp"
 #include "model/compile/emit.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
 #include "model/layout/words.hpp"
 #include "model/core/payloads.hpp"
@@ -221,7 +222,7 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
     if (!config.has_shade()) return image;
     const std::size_t first = image.lines();
     check_lines(first + numbered.size(), config, name);
-    image.surfaces = std::uint32_t(first);
+    image.first_surface_line = std::uint32_t(first);
     image.words.resize((first + numbered.size()) * words_per_line, 0);
     Words scratch;
     for (std::size_t i = 0; i < numbered.size(); ++i)
@@ -234,7 +235,7 @@ namespace {
 
 /// Draws a plane of a node, in any direction if the engine's planes have one.
 template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) {
-    kd::Cell cell;
+    cells::Cell cell;
     if constexpr (requires { node.normal; }) {
         const std::int32_t most = most_of(normal_step_bits);
         cell.normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
@@ -242,7 +243,7 @@ template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) 
     } else {
         const std::uint32_t axis = cell.axis = std::uint32_t(dice.below(3));
         cell.at = dice.between(node.lo[axis], node.hi[axis]);
-        cell.lower = std::make_unique<kd::Cell>(), cell.upper = std::make_unique<kd::Cell>();
+        cell.lower = std::make_unique<cells::Cell>(), cell.upper = std::make_unique<cells::Cell>();
         cell.lower->bounds.hi[axis] = cell.at;   // the second of a pair of planes makes a gap or an overlap
         cell.upper->bounds.lo[axis] = node.lo[axis] + node.hi[axis] - cell.at;
     }
@@ -305,18 +306,18 @@ MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& c
                              const char* name, std::uint32_t& root) {
     const MemoryImage made = image_of(prims, config, dice, name);
     const std::uint32_t all = 1u << config.addr_bits, page = page_lines(config.node_width);
-    const std::uint32_t before = config.shading ? made.surfaces : made.lines();
-    const std::uint32_t lines = config.is_list() ? (made.listed + 1) / 2 : before;
+    const std::uint32_t before = config.shading ? made.first_surface_line : made.lines();
+    const std::uint32_t lines = config.is_list() ? (made.listed_primitives + 1) / 2 : before;
     root = config.is_list() ? (all - lines) / page * page : all - lines;
     MemoryImage image = made;
-    image.surfaces = 0;
+    image.first_surface_line = 0;
     image.words.assign(std::size_t(all) * words_per_line, 0);
     std::copy(made.words.begin() + std::ptrdiff_t(before * words_per_line), made.words.end(),
               image.words.begin());
     std::copy_n(made.words.begin(), lines * words_per_line,
                 image.words.begin() + std::ptrdiff_t(root * words_per_line));
     if (config.is_list())
-        image.listed = 2 * root + made.listed;
+        image.listed_primitives = 2 * root + made.listed_primitives;
     else
         move_nodes(image.words, root, config.engine(), config);
     check_lines(made.lines() - before + all - root, config, name);

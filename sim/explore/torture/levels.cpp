@@ -7,6 +7,7 @@
 #include "model/compile/emit.hpp"
 #include "model/layout/words.hpp"
 #include "model/compile/levels/upper.hpp"
+#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
 
 namespace rayclock::torture {
@@ -102,9 +103,9 @@ public:
             write_upper(entries, 0, true, config_.upper(), name_, image_.words, placed);
         check_stack(report.stack_need, config_, name_);
         leave_room();
-        image_.meshes = image_.lines();
+        image_.first_mesh_line = image_.lines();
         for (MemoryImage& lower : lowers_) append(lower);
-        image_.surfaces = image_.lines();
+        image_.first_surface_line = image_.lines();
         if (config_.shading) append_surfaces(entries);
         for (std::size_t i = 0; i < entries.size(); ++i) entries[i].root = roots_[standings_[i].mesh];
         write_entries(entries, placed, config_, image_.words);
@@ -202,7 +203,7 @@ private:
             for (const PrimData& prim : mesh) append_surface(prim);
         }
         for (std::size_t i = 0; i < entries.size(); ++i) {
-            entries[i].surfaces = first[standings_[i].mesh] - entries[i].first;
+            entries[i].first_surface_line = first[standings_[i].mesh] - entries[i].first;
             if (dice_.percent(60)) continue;
             entries[i].material = image_.lines();
             append_surface(PrimData{});

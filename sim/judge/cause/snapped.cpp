@@ -84,7 +84,7 @@ private:
             return;
         }
         const std::optional<Scene> moved =
-            inputs_.config.shading ? aligned(inputs_.scene, lattice) : std::nullopt;
+            inputs_.config.shading ? align_large_triangles(inputs_.scene, lattice) : std::nullopt;
         const std::vector<double> most = corner_bounds(inputs_.scene, lattice, inputs_.config);
         const std::vector<glm::dvec3>& given = inputs_.scene.vertices;
         for (std::size_t i = 0; i < given.size(); ++i) {

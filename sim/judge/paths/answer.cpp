@@ -114,7 +114,7 @@ const char* judge_way(bool is_blocked, const Closest& answer) {
 }
 
 const char* no_place(const Closest& answer) {
-    return answer.place ? "an instance is told where nothing is met" : nullptr;
+    return answer.instance_line ? "an instance is told where nothing is met" : nullptr;
 }
 
 }   // namespace
@@ -196,7 +196,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
             (is_shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r)) != nowhere;
         const char* const wrong = judge_way(is_blocked, answer);
         if (wrong || !is_blocked) return wrong ? wrong : no_place(answer);
-        const std::uint32_t place = world.place_at(answer.place);
+        const std::uint32_t place = world.place_at(answer.instance_line);
         return place != nowhere && solids.is_met(place, r, is_shadow, c.origin_frac())
                    ? nullptr
                    : "another instance blocks its way";
@@ -213,7 +213,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
                                   ? judge_placed_sphere(nearest, solids, place, r, c, answer)
                                   : judge_placed_flat(nearest, solids, place, r, c, answer);
     if (wrong) return wrong;
-    return c.has_homes() && answer.place != world.line(place) ? "it meets another instance" : nullptr;
+    return c.has_homes() && answer.instance_line != world.line(place) ? "it meets another instance" : nullptr;
 }
 
 }   // namespace rayclock

@@ -1,6 +1,7 @@
 // With two levels: a surface's point and normal are transformed to the scene's space, and rays begin in the
 // instance that they leave.
 #include "model/base/axes.hpp"
+#include "model/scene/placed.hpp"
 #include "sim/judge/paths/path.hpp"
 
 namespace rayclock {
@@ -49,7 +50,7 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
     const double off = std::sqrt(size) * vector_error, length = glm::length(exact);
     place_.normal_error = std::min(2.0, off < length ? off / (length - off / 2) + vector_error : 2.0);
     judge_vectors(in, s, turned);
-    place_.normal = unit_of(exact);
+    place_.normal = unit_or_zero(exact);
     demand_lights(s);
 }
 

@@ -1,6 +1,7 @@
 // Judges the surface where a ray arrives: the point, the vectors there, and the lights.
 #include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
+#include "model/scene/placed.hpp"
 #include "sim/judge/paths/path.hpp"
 
 namespace rayclock {
@@ -23,7 +24,7 @@ std::int64_t signed_value(std::uint32_t field, int bits) {
 
 /// True if `unit` equals v / |v|. Each component may differ by the error of unit_vector().
 bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
-    const glm::dvec3 exact = unit_of(v);
+    const glm::dvec3 exact = unit_or_zero(v);
     for (int k = 0; k < 3; ++k)
         if (std::abs(unit[std::size_t(k)] * unit_step - exact[k]) > component_error) return false;
     return true;
@@ -234,8 +235,8 @@ void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
 }
 
 void PathJudge::judge_vectors(const PassIn& in, const ShadeState& s, const Vec3l& toward) {
-    place_.normal = unit_of(vector_of(toward));
-    place_.view = -unit_of(vector_of(in.d));
+    place_.normal = unit_or_zero(vector_of(toward));
+    place_.view = -unit_or_zero(vector_of(in.d));
     demand(is_unit(s.normal, vector_of(toward)), "the normal is not of unit length or points elsewhere");
     demand(is_unit(s.view, -vector_of(in.d)), "the view vector is not of unit length or points elsewhere");
     demand(s.cosine == promised_cosine(s.normal, s.view),
@@ -271,7 +272,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
         return frame_.shade.place[3 * number + k] * (std::int64_t(1) << config_.origin_bits) - s.o[k];
     });
     judge_light_parts(s, out.light, way);
-    judge_share(out.state, out.light, unit_of(vector_of(way)));
+    judge_share(out.state, out.light, unit_or_zero(vector_of(way)));
 
     // A shadow ray goes exactly from the light to a point within the lattice. Otherwise the ray leaves the
     // point along a rounded direction.

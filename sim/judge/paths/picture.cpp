@@ -61,7 +61,8 @@ struct PictureJudge::World {
     World(const FrameInputs& given, const MemoryImage& memory, const Whitted& options)
         : image(memory),
           settings(options),
-          moved(given.config.has_instances() ? std::nullopt : aligned(given.scene, given.lattice)),
+          moved(given.config.has_instances() ? std::nullopt
+                                             : align_large_triangles(given.scene, given.lattice)),
           inputs{moved ? *moved : given.scene, given.camera, given.frame, given.lattice, given.config},
           primitives(given.config.has_instances()
                          ? std::vector<oracle::Solid>{}

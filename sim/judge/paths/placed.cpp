@@ -150,8 +150,8 @@ PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     return made;
 }
 
-/// Converts a mesh to the lattice of its class. Corners move as in a flat scene (aligned()), and normals
-/// transform like planes.
+/// Converts a mesh to the lattice of its class. Corners move as in a flat scene (align_large_triangles()),
+/// and normals transform like planes.
 PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& mesh,
                                     const LevelLattices::Class& of, const glm::dmat4& first) const {
     Scene part;
@@ -161,7 +161,8 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     const std::vector<glm::dvec3> given = made.scene.vertices;
     const std::vector<double> most = corner_bounds(made.scene, of.lattice, config_);
     if (config_.shading)
-        if (std::optional<Scene> moved = aligned(made.scene, of.lattice)) made.scene = std::move(*moved);
+        if (std::optional<Scene> moved = align_large_triangles(made.scene, of.lattice))
+            made.scene = std::move(*moved);
     for (glm::dvec3& at : made.scene.vertices) at = (at - of.lattice.centre) / of.lattice.pitch;
     // Each normal has unit length in the scene, at the first instance's place.
     const std::array<long double, 9> back = inverse_of(of.before == glm::dmat4(1) ? first : glm::dmat4(1));

@@ -52,11 +52,6 @@ template <class A, class B> Int128 dot(const std::array<A, 3>& a, const std::arr
 }
 inline glm::dvec3 vector_of(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 inline glm::dvec3 vector_of(const Vec3l& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
-/// Returns the unit vector, or zero for zero.
-inline glm::dvec3 unit_of(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3{0};
-}
 
 /// Step of colours, weights and components of unit vectors.
 constexpr double unit_step = 1.0 / (1 << unit_bits);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/whitted.hpp"
 #include "model/layout/memory_image.hpp"
 #include "sim/judge/oracle/solids.hpp"
 
@@ -19,15 +20,15 @@ struct FrameInputs {
 };
 
 /// Returns the scene's primitives on the lattice, by number. In a chip that shades, corners of large
-/// triangles lie on coarser points (aligned()); `scene` must contain the moved corners.
+/// triangles lie on coarser points (align_large_triangles()); `scene` must contain the moved corners.
 std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits);
 
 /// Largest error of doubles, in lattice steps.
 constexpr double lattice_slack = 1e-6;
 
-/// Returns the largest allowed error of each corner on each axis, in lattice steps (the bound of aligned()).
-/// It is half a step. In a chip that shades it is at least 2^-13 of the shortest edge of the corner's
-/// triangles. A corner of no triangle may lie anywhere.
+/// Returns the largest allowed error of each corner on each axis, in lattice steps (the bound of
+/// align_large_triangles()). It is half a step. In a chip that shades it is at least 2^-13 of the shortest
+/// edge of the corner's triangles. A corner of no triangle may lie anywhere.
 std::vector<double> corner_bounds(const Scene& scene, const Lattice& lattice, const Config& config);
 
 /// Returns the distance of a lattice point from a scene point, in steps, on the worst axis. Errors of doubles

@@ -15,6 +15,7 @@
 #include "sim/run/elastic/line_judge.hpp"
 #include "sim/run/elastic/ray_judge.hpp"
 #include "sim/run/gen/registers.hpp"
+#include "sim/run/lockstep/ray_end.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {

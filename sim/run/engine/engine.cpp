@@ -9,6 +9,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/hits.hpp"
@@ -275,7 +278,8 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
         if (is_in(job.mirrored, hits[i].found ? hits[i].prim : no_primitive))
             std::swap(picture.hits.back().u, picture.hits.back().v);
         if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
-        const auto surface = unpack<Surface>(job.image.line(job.image.surfaces + hits[i].prim), job.config);
+        const auto surface =
+            unpack<Surface>(job.image.line(job.image.first_surface_line + hits[i].prim), job.config);
         if (PrimKind(surface.kind) == PrimKind::plane)
             picture.hits.back().depth =
                 depth_on_plane(hits[i], surface, frame.eye, job.image.lattice, job.config);

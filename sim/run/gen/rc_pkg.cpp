@@ -335,7 +335,7 @@ void derived(Package& p, const Config& c) {
     p.constant("MemIdBits", c.mem_id_bits());
     const Stages stages(c);
     p.constant("Cut", stages.cut);
-    p.constant("FarCut", stages.far);
+    p.constant("FarCut", stages.shading_cut);
     p.constant("MulStages", stages.multiply);
     p.constant("SlabPlanes", stages.slab_planes);
     p.constant("SlabStages", stages.slab);
@@ -365,7 +365,7 @@ void derived(Package& p, const Config& c) {
     p.constant("MapShare", stages.map_share);
     p.constant("RecipShare", stages.recip_share);
     p.constant("MapStages", stages.map);
-    p.constant("StackStages", stages.stack);
+    p.constant("StackStages", stages.stack_delay);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxInterval", c.box_interval());
     for_each_engine(

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"

@@ -4,19 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "model/base/morton.hpp"
+
 namespace rayclock::sample {
-
-namespace {
-
-/// Returns bits 0, 2, 4, ... of m, as sched does.
-std::uint32_t even_bits(std::uint32_t m) {
-    m &= 0x555;
-    m = (m | m >> 1) & 0x333;
-    m = (m | m >> 2) & 0xf0f;
-    return (m | m >> 4) & 0x3f;
-}
-
-}   // namespace
 
 SlotOrder::SlotOrder(const Frame& frame, int tile_bits)
     : width_(frame.width),

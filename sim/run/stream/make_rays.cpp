@@ -11,6 +11,8 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
+#include "model/compile/frame.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/rng.hpp"

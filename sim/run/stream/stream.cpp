@@ -15,6 +15,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/compile.hpp"
 #include "model/machine/machine.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
@@ -174,7 +175,7 @@ std::function<const char*(const Ray&, const Closest&)> judge_of(const StreamJob&
             return judge_answer(*world, config, ray, answer);
         };
     }
-    const std::optional<Scene> moved = aligned(stream.scene, image.lattice);
+    const std::optional<Scene> moved = align_large_triangles(stream.scene, image.lattice);
     const auto primitives = std::make_shared<const std::vector<oracle::Solid>>(
         solids_of(moved ? *moved : stream.scene, image.lattice, config.coord_bits));
     const auto solids = std::make_shared<const oracle::Solids>(*primitives);

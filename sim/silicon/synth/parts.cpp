@@ -93,7 +93,7 @@ std::string module_name(const std::string& type) {
     return type.substr(at + 3, end == std::string::npos ? end : end - at - 3);
 }
 
-const std::vector<std::string>& cells() {
+const std::vector<std::string>& cell_names() {
     static const std::vector<std::string> names{
         "divide", "sqrt",   "unit",  "power",  "sample", "recip",   "slope",    "stack",   "slab", "rank",
         "plane",  "span",   "edges", "shear",  "hitdiv", "sphere",  "contexts", "pass",    "surf", "corners",
@@ -119,7 +119,7 @@ std::string synth_script() {
     // Omits the last steps of synth_ecp5. `autoname` would take half of the time, and the tests in
     // tests/synth run `check`.
     std::string modules;   // whole names, alone or with parameters behind them: rc_pass is not rc_pass_end
-    for (const std::string& cell : cells()) modules += fmt::format(" *rc_{0} *rc_{0}[!a-z0-9_]*", cell);
+    for (const std::string& cell : cell_names()) modules += fmt::format(" *rc_{0} *rc_{0}[!a-z0-9_]*", cell);
     return fmt::format("setattr -mod -set keep_hierarchy 1{}\n{}tee -q -o stat.json stat -json\n", modules,
                        ecp5_steps("check"));
 }

@@ -50,7 +50,7 @@ Count count_of(const nlohmann::ordered_json& json);
 
 /// Returns the modules that stay separate within their unit, so that each is counted: all arithmetic modules.
 /// Names are without rc_.
-const std::vector<std::string>& cells();
+const std::vector<std::string>& cell_names();
 
 /// Returns "divide" for "$paramod/rc_divide/Width=s32'..."; empty for a cell of the ECP5.
 std::string module_name(const std::string& type);

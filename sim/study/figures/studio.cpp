@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/compile/surfaces.hpp"
 #include "model/scene/builtin.hpp"
 
 namespace rayclock::figures {

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "model/compile/surfaces.hpp"
 #include "model/engine/check.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"

@@ -29,7 +29,7 @@ std::vector<std::string> head(const char* first) {
     return names;
 }
 
-std::vector<std::string> cells(const Row& row) {
+std::vector<std::string> cells_of(const Row& row) {
     std::vector<std::string> text{fmt::format("`{}`", row.scene), grouped(row.triangles),
                                   size_text(row.size)};
     for (const double seconds : row.seconds) text.push_back(seconds_text(seconds));
@@ -42,7 +42,7 @@ std::vector<std::string> cells(const Row& row) {
 /// Returns the rows of a series, and below them the exponents if the series has a size that grows.
 std::string table(const std::vector<Row>& rows, std::uint64_t (*x)(const Row&)) {
     Table table(head("scene"));
-    for (const Row& row : rows) table.add(cells(row));
+    for (const Row& row : rows) table.add(cells_of(row));
     if (x) {
         std::vector<std::string> last{"**exponent**", "", ""};
         for (std::size_t w = 0; w < works; ++w) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/compile/surfaces.hpp"
 #include "model/engine/engines.hpp"
 #include "model/base/error.hpp"
 #include "model/trace/hits.hpp"

@@ -35,7 +35,7 @@ Observer::Observer(const Machine& machine, const Frame& frame, EventSink* sink, 
       shading_(machine.config().shading),
       lists_(machine.config().is_list()),
       streams_(machine.config().is_stream()),
-      records_(frame.rays),
+      records_(frame.first_ray_line),
       line_words_{
           node_cache_shape(machine.config()).words, prim_cache_shape(machine.config()).words,
           (streams_ ? stream_cache_shape(machine.config()) : surf_cache_shape(machine.config())).words},

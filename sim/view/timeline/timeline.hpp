@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/camera.hpp"
 #include "model/machine/machine.hpp"
 #include "sim/view/observe/events.hpp"
 

@@ -28,7 +28,7 @@ inline void set_direction(SlantCase& c, const Vec3i& d, const Config& config) {
     Ray ray;
     ray.d = d;
     ray.kind = std::uint32_t(c.is_long ? RayKind::shadow : RayKind::camera);
-    c.req.along = aligned(ray, config);
+    c.req.along = slant_direction(ray, config);
 }
 
 /// Planes through points near the ray's origin. Rays lie in them, start on them, or aim at edges where two

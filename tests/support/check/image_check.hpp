@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/scene.hpp"
 #include "model/engine/bvh/decode.hpp"
 
 namespace rayclock {

@@ -2,6 +2,7 @@
 // Streams of random rays, for tests.
 #include <vector>
 
+#include "model/scene/scene.hpp"
 #include "model/compile/stream.hpp"
 
 namespace rayclock::test {

@@ -28,7 +28,7 @@ public:
         : list_(config),
           rays_(std::size_t(config.contexts)),
           tests_(rays_.size(), RayTests(config)),
-          tried_(Stages(config).tried) {}
+          tri_answer_delay_(Stages(config).tri_answer_delay) {}
     void eval() {
         tri_rsp.ready = true;
         prim_req.offer.reset();
@@ -48,10 +48,10 @@ public:
         if (done.offer) closest.offer = tests_[done.offer->ray].closest();
     }
     void commit() {
-        const std::optional<TriRsp> tried = tried_.out(tri_rsp.offer);
+        const std::optional<TriRsp> tried = tri_answer_delay_.out(tri_rsp.offer);
         list_.clock(ray_of(leaves), ray_of(tried), tried && tests_[tried->ray].advance(*tried),
                     prim_req.fires(), tested.fires());
-        tried_.clock(tri_rsp.offer);
+        tri_answer_delay_.clock(tri_rsp.offer);
         if (leaves) tests_[leaves->ray].begin(*leaves);
         if (ray) rays_[ray->ray] = *ray;
         if (start) tests_[start->ray].start(*start);
@@ -61,7 +61,7 @@ private:
     List list_;
     std::vector<Ray> rays_;
     std::vector<RayTests> tests_;
-    DelayedLink<TriRsp> tried_;
+    DelayedLink<TriRsp> tri_answer_delay_;
 };
 
 class ListRtl : public ListLinks {

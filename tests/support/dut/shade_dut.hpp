@@ -29,8 +29,8 @@ public:
         closest.ready = true;
         surf_req.offer.reset(), spawn.offer.reset(), pixel.offer.reset();
         if (shade_.surf_valid())
-            surf_req.offer =
-                SurfReq{shade_.surf_ray(), frame_.shade.surfaces + contexts_[shade_.surf_ray()].in.hit.prim};
+            surf_req.offer = SurfReq{shade_.surf_ray(), frame_.shade.first_surface_line +
+                                                            contexts_[shade_.surf_ray()].in.hit.prim};
         if (shade_.spawn_valid()) spawn.offer = contexts_[shade_.spawn_ray()].out.spawn;
         if (shade_.pixel_valid()) pixel.offer = contexts_[shade_.pixel_ray()].out.pixel;
         surf_rsp.ready = shade_.ready();

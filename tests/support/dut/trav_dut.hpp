@@ -28,7 +28,7 @@ public:
           root_(frame.root),
           trav_(config),
           contexts_(std::size_t(config.contexts), Context{{}, {}, {}, Stack(config), 0, 0}),
-          boxed_(Stages(config).arrive) {}
+          node_answer_delay_(Stages(config).node_answer_delay) {}
     void eval() {
         const bool offered = tested.offer.has_value();
         ray.ready = trav_.ray_ready();
@@ -51,12 +51,12 @@ public:
         }
         box_rsp.ready = true;
         leaves.reset();
-        const std::optional<BoxRsp>& boxed = boxed_.out(box_rsp.offer);
+        const std::optional<BoxRsp>& boxed = node_answer_delay_.out(box_rsp.offer);
         if (boxed && boxed->leaves > 0 && boxed->t_near[boxed->inner] <= contexts_[boxed->ray].reach)
             leaves = leaves_of(*boxed);
     }
     void commit() {
-        const std::optional<BoxRsp> boxed = boxed_.out(box_rsp.offer);
+        const std::optional<BoxRsp> boxed = node_answer_delay_.out(box_rsp.offer);
         const LinkRay leafless = leaves ? LinkRay{} : ray_of(boxed);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
@@ -72,7 +72,7 @@ public:
             c.children = children_of(*boxed);
             c.tested = {boxed->ray, 0, c.reach};   // the default if no other answer comes
         }
-        boxed_.clock(box_rsp.offer);
+        node_answer_delay_.clock(box_rsp.offer);
         if (tested.fires()) {
             Context& c = contexts_[tested.offer->ray];
             c.tested = *tested.offer;
@@ -98,7 +98,7 @@ private:
     std::uint32_t root_;
     Trav trav_;
     std::vector<Context> contexts_;
-    DelayedLink<BoxRsp> boxed_;
+    DelayedLink<BoxRsp> node_answer_delay_;
 };
 
 class TravRtl : public TravLinks {

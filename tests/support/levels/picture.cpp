@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "model/compile/frame.hpp"
 #include "model/trace/hits.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/judge/reference/tiles.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 // Traces the camera rays of a picture through two levels, without timing.
+#include "model/base/progress.hpp"
 #include "model/compile/levels/levels.hpp"
 #include "model/scene/hit.hpp"
 #include "tests/support/levels/walk.hpp"

@@ -10,6 +10,7 @@
 
 #include "model/layout/memory_image.hpp"
 #include "model/scene/placed.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock::test {
 

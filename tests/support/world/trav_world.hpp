@@ -41,7 +41,7 @@ public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
         : frame_(frame),
           config_(config),
-          boxed_(Stages(config).arrive),
+          node_answer_delay_(Stages(config).node_answer_delay),
           flow_(flow),
           draw_(seed),
           left_(rays),
@@ -183,8 +183,8 @@ private:
     void see_leaves(const TravLinks& dut) {
         std::optional<BoxRsp> taken;
         if (boxes_ && dut.box_rsp.fires()) taken.swap(boxes_);
-        const std::optional<BoxRsp> seen = boxed_.out(taken);
-        boxed_.clock(taken);
+        const std::optional<BoxRsp> seen = node_answer_delay_.out(taken);
+        node_answer_delay_.clock(taken);
         if (!seen) {
             REQUIRE_FALSE(dut.leaves);
             return;
@@ -246,7 +246,7 @@ private:
 
     Frame frame_;
     Config config_;
-    DelayedLink<BoxRsp> boxed_;   // answers that trav has accepted and not yet processed
+    DelayedLink<BoxRsp> node_answer_delay_;   // answers that trav has accepted and not yet processed
     Flow flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;

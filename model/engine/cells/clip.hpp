@@ -5,7 +5,7 @@
 
 #include "model/layout/tree.hpp"
 
-namespace rayclock::kd {
+namespace rayclock::cells {
 
 /// A cell's side of a plane in any direction: n . x <= at, or >= at on the upper side.
 struct Wall {
@@ -54,4 +54,4 @@ private:
     bool is_full_ = false;      ///< it is a full box
 };
 
-}   // namespace rayclock::kd
+}   // namespace rayclock::cells

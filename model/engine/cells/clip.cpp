@@ -1,11 +1,11 @@
 // Clips triangles, spheres and boxes to cells.
-#include "model/engine/kd/clip.hpp"
+#include "model/engine/cells/clip.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
-namespace rayclock::kd {
+namespace rayclock::cells {
 
 namespace {
 
@@ -155,4 +155,4 @@ bool Clipper::meets_sphere(const LatticeBox& cell) const {
     return nearest <= outer * outer && farthest >= inner * inner;
 }
 
-}   // namespace rayclock::kd
+}   // namespace rayclock::cells

@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "model/engine/kd/node.hpp"
-#include "model/engine/kd/clip.hpp"
+#include "model/core/config.hpp"
+#include "model/engine/cells/axis.hpp"
+#include "model/engine/cells/clip.hpp"
 
-namespace rayclock::kd {
+namespace rayclock::cells {
 
 /// A cell of space: cut by a plane, walked in two parts without a cut (no_axis, a normal of zeros), or a
 /// leaf.
@@ -94,4 +95,4 @@ private:
     std::function<void()> report_;
 };
 
-}   // namespace rayclock::kd
+}   // namespace rayclock::cells

@@ -1,9 +1,8 @@
 #pragma once
 // The planes and cells of a node, shared by all writers of cells as lines.
-#include "model/engine/kd/cell.hpp"
-#include "model/engine/kd/node.hpp"
+#include "model/engine/cells/cell.hpp"
 
-namespace rayclock::kd {
+namespace rayclock::cells {
 
 /// A cell, or some of a leaf's primitives. A leaf too large for one exit is walked in parts.
 struct CellPart {
@@ -23,12 +22,6 @@ struct CellPart {
                                : CellPart(cell->upper.get());
     }
 };
-
-inline void put(const Cell& cell, std::size_t plane, Treelet& treelet) {
-    treelet.axis[plane] = cell.axis;
-    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
-}
-inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
 
 /// Computes the exits of a node over a place, with at most `most` primitives in each, and writes the node's
 /// planes and box. `Line` is a node with planes; its engine defines put() and put_none() for it.
@@ -64,4 +57,4 @@ private:
     std::array<CellPart, max_width> exits_;
 };
 
-}   // namespace rayclock::kd
+}   // namespace rayclock::cells

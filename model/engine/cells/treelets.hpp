@@ -1,9 +1,9 @@
 #pragma once
 // Chooses the cells of a tree that begin a treelet, and the cuts to take back.
-#include "model/engine/kd/cell.hpp"
+#include "model/engine/cells/cell.hpp"
 #include "model/core/config.hpp"
 
-namespace rayclock::kd {
+namespace rayclock::cells {
 
 /// The chip visits treelets, so the planes that share one are a choice. Dynamic programming from the leaves
 /// up makes it, as for the box tree (collapse.hpp). Under a treelet's root, each cell that is met as one of
@@ -45,4 +45,4 @@ private:
     int levels_ = 0;
 };
 
-}   // namespace rayclock::kd
+}   // namespace rayclock::cells

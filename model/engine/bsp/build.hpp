@@ -1,0 +1,11 @@
+#pragma once
+// The tree of planes in any direction over the primitives of a scene on the lattice.
+#include "model/engine/cells/cell.hpp"
+
+namespace rayclock::bsp {
+
+/// Builds a tree whose planes may lie in any direction (facets.hpp, cells/build.hpp). `prims`, in the order
+/// of the pieces, offer these planes. Without prims all planes lie across the axes.
+cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims, const Config& config);
+
+}   // namespace rayclock::bsp
