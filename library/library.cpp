@@ -9,8 +9,8 @@
 #include "model/base/stopwatch.hpp"
 #include "model/core/parameters.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/app/simulate_run.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/simulate_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/load.hpp"
 

@@ -6,9 +6,9 @@
 #include "model/base/stopwatch.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
-#include "sim/app/clock.hpp"
-#include "sim/app/simulate_run.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/run/simulate_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 
 namespace rayclock::python {
 

@@ -9,7 +9,7 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/methods.hpp"
+#include "sim/app/parts/methods.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/estimate.hpp"
 #include "sim/silicon/chip/picture.hpp"

@@ -12,7 +12,7 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/app/stream_commands.hpp"
+#include "sim/app/parts/stream_commands.hpp"
 #include "sim/explore/torture/streamed.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/process/stopping.hpp"

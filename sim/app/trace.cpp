@@ -6,7 +6,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/app/clock.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/run/engine/engine.hpp"

@@ -1,10 +1,10 @@
 // Runs a simulation and makes its report.
-#include "sim/app/simulate_run.hpp"
+#include "sim/app/run/simulate_run.hpp"
 
 #include <algorithm>
 #include <mutex>
 
-#include "sim/app/clock.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/files/process/threads.hpp"
 #include "sim/view/report/accounts.hpp"

@@ -1,5 +1,5 @@
 // Records the frames of a film, compares them and writes their pictures.
-#include "sim/app/film_strip.hpp"
+#include "sim/app/run/film_strip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/trace/hits.hpp"
-#include "sim/app/picture_folder.hpp"
+#include "sim/app/run/picture_folder.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/accounts.hpp"

@@ -1,5 +1,5 @@
 // Compares a machine's frame with the reference and judges it.
-#include "sim/app/frame_comparison.hpp"
+#include "sim/app/run/frame_comparison.hpp"
 
 #include "sim/run/request/reference_picture.hpp"
 

@@ -1,5 +1,5 @@
 // Reads --elastic, --unit and --unit-only, and runs a unit alone.
-#include "sim/app/elastic.hpp"
+#include "sim/app/parts/elastic.hpp"
 
 #include <algorithm>
 

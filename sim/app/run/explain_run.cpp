@@ -1,9 +1,9 @@
 // Explains a pixel and makes the report.
-#include "sim/app/explain_run.hpp"
+#include "sim/app/run/explain_run.hpp"
 
 #include "model/base/interrupted.hpp"
-#include "sim/app/clock.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/view/explain/page.hpp"
 #include "sim/view/observe/replay.hpp"

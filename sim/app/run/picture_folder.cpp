@@ -1,5 +1,5 @@
 // Checks and writes folders of pictures.
-#include "sim/app/picture_folder.hpp"
+#include "sim/app/run/picture_folder.hpp"
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // simulate and verify with a stream of rays in place of a camera.
-#include "sim/app/stream_commands.hpp"
+#include "sim/app/parts/stream_commands.hpp"
 
 #include <memory>
 #include <utility>
@@ -9,9 +9,9 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/app/clock.hpp"
-#include "sim/app/elastic.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/parts/elastic.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/run/request/request.hpp"

@@ -1,5 +1,5 @@
 // Collects the findings and events of explained pixels.
-#include "sim/app/pixel_findings.hpp"
+#include "sim/app/run/pixel_findings.hpp"
 
 #include <fmt/format.h>
 

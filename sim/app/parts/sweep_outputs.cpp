@@ -1,5 +1,5 @@
 // Checks and writes the outputs of sweep and merge.
-#include "sim/app/sweep_outputs.hpp"
+#include "sim/app/parts/sweep_outputs.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 #include "model/base/nearest.hpp"
 #include "sim/app/options/command_line.hpp"
-#include "sim/app/sweep_run.hpp"
+#include "sim/app/run/sweep_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/page/frame.hpp"

@@ -1,5 +1,5 @@
 // Declares and checks the options of placers and routers.
-#include "sim/app/methods.hpp"
+#include "sim/app/parts/methods.hpp"
 
 #include <algorithm>
 

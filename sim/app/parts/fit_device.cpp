@@ -1,5 +1,5 @@
 // Searches, routes and reports the machine for a device.
-#include "sim/app/fit_device.hpp"
+#include "sim/app/parts/fit_device.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Runs a sample and makes its report.
-#include "sim/app/sample_run.hpp"
+#include "sim/app/run/sample_run.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/app/clock.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/sampled.hpp"

@@ -1,10 +1,10 @@
 // Runs a stream of rays and makes its report.
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 
 #include "model/base/error.hpp"
 #include "model/core/settled.hpp"
 #include "model/trace/hits.hpp"
-#include "sim/app/clock.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/request.hpp"

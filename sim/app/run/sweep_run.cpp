@@ -1,8 +1,8 @@
 // Runs a sweep and makes its report.
-#include "sim/app/sweep_run.hpp"
+#include "sim/app/run/sweep_run.hpp"
 
-#include "sim/app/clock.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/table.hpp"
 #include "sim/run/rtl/builder.hpp"

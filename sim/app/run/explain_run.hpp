@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/app/pixel_findings.hpp"
+#include "sim/app/run/pixel_findings.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/run/stream/input.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Explanations of one pixel for explain, and of many pixels for simulate's report.
-#include "sim/app/frame_comparison.hpp"
+#include "sim/app/run/frame_comparison.hpp"
 #include "sim/view/explain/explain.hpp"
 
 namespace rayclock {

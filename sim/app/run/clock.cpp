@@ -1,5 +1,5 @@
 // Parses clocks and looks up routed ones.
-#include "sim/app/clock.hpp"
+#include "sim/app/run/clock.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // The part of `fit --device` after the formats: the fastest machine that fits a device, confirmed by routing.
 #include <optional>
 
-#include "sim/app/methods.hpp"
+#include "sim/app/parts/methods.hpp"
 #include "sim/explore/balance/search.hpp"
 #include "sim/silicon/chip/run.hpp"
 #include "sim/run/film/choice.hpp"
