@@ -14,7 +14,7 @@
 #include "sim/silicon/chip/estimate.hpp"
 #include "sim/silicon/chip/picture.hpp"
 #include "sim/silicon/chip/report.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"

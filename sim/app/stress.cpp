@@ -17,7 +17,7 @@
 #include "sim/files/input.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/files/process/threads.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/study/hard_cases.hpp"

@@ -9,7 +9,7 @@
 #include "sim/app/run/clock.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/observe/replay.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"

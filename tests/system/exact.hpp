@@ -10,7 +10,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "sim/judge/oracle/surface.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock::test {
 

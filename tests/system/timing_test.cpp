@@ -3,7 +3,7 @@
 
 #include <future>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "tests/system/frames.hpp"
 

@@ -1,5 +1,5 @@
 // The loops that run the model and the RTL, and the conversion of their results.
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 #include <algorithm>
 #include <stdexcept>
