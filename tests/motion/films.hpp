@@ -2,7 +2,7 @@
 // Films for the tests, and the chips of two levels that render them.
 #include "sim/run/film/film.hpp"
 #include "sim/load/load.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test {
 

@@ -9,8 +9,8 @@
 #include <bit>
 
 #include "model/trace/decoder.hpp"
-#include "tests/system/convex.hpp"
-#include "tests/system/lines.hpp"
+#include "tests/support/geometry/convex.hpp"
+#include "tests/support/geometry/lines.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -9,7 +9,7 @@
 
 #include "model/core/layout.hpp"
 #include "model/trace/decoder.hpp"
-#include "tests/system/lines.hpp"
+#include "tests/support/geometry/lines.hpp"
 
 namespace rayclock::test::integral_test {
 

@@ -1,9 +1,9 @@
 // Finished pictures of two levels: the RTL computes the model's colours in the same cycles.
 #include <catch2/catch.hpp>
 
-#include "tests/accel/mixed.hpp"
+#include "tests/compile/mixed.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::levels_finished_test {
 

@@ -9,7 +9,7 @@
 
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 using namespace rayclock;
 

@@ -17,8 +17,8 @@
 #include "model/unit/shade/surf.hpp"
 #include "model/unit/shade/unit_vector.hpp"
 #include "tests/support/levels/walk.hpp"
-#include "tests/accel/aim.hpp"
-#include "tests/accel/solids.hpp"
+#include "tests/compile/aim.hpp"
+#include "tests/compile/solids.hpp"
 
 namespace rayclock::test::levels_secondary_test {
 

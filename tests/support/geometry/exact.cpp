@@ -1,5 +1,5 @@
 // Finds hits and directions in 256-bit integers.
-#include "tests/system/exact.hpp"
+#include "tests/support/geometry/exact.hpp"
 
 namespace rayclock::test {
 

@@ -1,5 +1,5 @@
 // Computes surfaces of convex bodies by clipping each plane's square with all others.
-#include "tests/system/convex.hpp"
+#include "tests/support/geometry/convex.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -5,7 +5,7 @@
 #include "model/base/error.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/levels/picture.hpp"
-#include "tests/accel/solids.hpp"
+#include "tests/compile/solids.hpp"
 
 using namespace rayclock;
 

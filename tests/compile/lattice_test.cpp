@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/layout/memory_image.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 using namespace rayclock;
 

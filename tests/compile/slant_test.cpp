@@ -10,7 +10,7 @@
 #include "model/engine/bsp/facets.hpp"
 #include "model/engine/bsp/slant.hpp"
 #include "model/core/layout.hpp"
-#include "tests/accel/listed.hpp"
+#include "tests/compile/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

@@ -7,8 +7,8 @@
 #include "model/engine/check.hpp"
 #include "model/scene/hit_shading.hpp"
 #include "model/trace/trace.hpp"
-#include "tests/accel/mixed.hpp"
-#include "tests/accel/solids.hpp"
+#include "tests/compile/mixed.hpp"
+#include "tests/compile/solids.hpp"
 
 using namespace rayclock;
 

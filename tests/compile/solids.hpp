@@ -10,7 +10,7 @@
 #include "model/engine/check.hpp"
 #include "model/scene/placed.hpp"
 #include "tests/support/machine/structures.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 namespace rayclock {
 

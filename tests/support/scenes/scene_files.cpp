@@ -1,5 +1,5 @@
 // Writes one octahedron in every format.
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 #include <sstream>
 

@@ -8,7 +8,7 @@
 #include "model/engine/kd/build.hpp"
 #include "model/engine/kd/split.hpp"
 #include "model/engine/kd/treelets.hpp"
-#include "tests/accel/listed.hpp"
+#include "tests/compile/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

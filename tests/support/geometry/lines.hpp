@@ -8,7 +8,7 @@
 
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/draw.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test {
 

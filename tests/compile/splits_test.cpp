@@ -5,7 +5,7 @@
 
 #include "model/engine/bvh/encode.hpp"
 #include "model/unit/isect/vectors.hpp"
-#include "tests/accel/listed.hpp"
+#include "tests/compile/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test::splits_test {

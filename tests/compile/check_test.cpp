@@ -3,7 +3,7 @@
 
 #include "tests/support/check/image_check.hpp"
 #include "model/layout/words.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 using namespace rayclock;
 

@@ -8,7 +8,7 @@
 #include "model/scene/placed.hpp"
 #include "model/unit/shade/bounce.hpp"
 #include "model/unit/shade/unit_vector.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 namespace rayclock {
 
 inline Vec3i unit_towards(const glm::dvec3& d, int bits) {

@@ -1,5 +1,5 @@
 // Prepares scenes, runs lockstep and checks the accounts of frames.
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -8,7 +8,7 @@
 #include "model/compile/emit.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/base/error.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 using namespace rayclock;
 

@@ -6,7 +6,7 @@
 #include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/walk.hpp"
-#include "tests/accel/meshes.hpp"
+#include "tests/compile/meshes.hpp"
 
 using namespace rayclock;
 
