@@ -9,8 +9,8 @@
 #include "model/base/stopwatch.hpp"
 #include "model/core/parameters.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/app/simulate_run.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/simulate_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/load.hpp"
 
@@ -162,7 +162,7 @@ std::vector<Hit> trace(const Scene& scene, const Config& config, std::span<const
         const StreamInput input = input_of(scene.held().scene, rows);
         std::vector<Hit> hits;
         for (const StreamHit& hit :
-             trace_stream(input, StreamEngine::model, stream_machine(config), threads).hits)
+             trace_stream(input, StreamTracer::model, stream_machine(config), threads).hits)
             hits.push_back({hit.hit, hit.back, hit.primitive, hit.t, hit.u, hit.v});
         return hits;
     });

@@ -5,8 +5,8 @@
 #include "model/base/error.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
-#include "sim/app/explain_run.hpp"
-#include "sim/app/sweep_run.hpp"
+#include "sim/app/run/explain_run.hpp"
+#include "sim/app/run/sweep_run.hpp"
 
 namespace rayclock::python {
 

@@ -6,9 +6,9 @@
 #include "model/base/stopwatch.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
-#include "sim/app/clock.hpp"
-#include "sim/app/simulate_run.hpp"
-#include "sim/app/stream_run.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/run/simulate_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 
 namespace rayclock::python {
 
@@ -95,10 +95,10 @@ PyStream traced(const PyScene& scene, const PyConfig& config, const py::array& r
     return result_of(
         [=](const Progress& stop) {
             PyStream made;
-            const StreamEngine asked = parse_stream_engine(engine);
+            const StreamTracer asked = parse_stream_tracer(engine);
             const Config machine = stream_config(config.choice, made.notes);
             const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
-            if (asked == StreamEngine::rtl) check_rtl(machine);
+            if (asked == StreamTracer::rtl) check_rtl(machine);
             const StreamAnswers answers = trace_stream(input, asked, machine, threads, stop);
             made.hits = hits_npy(answers.hits, {});
             made.notes.insert(made.notes.end(), answers.notes.begin(), answers.notes.end());

@@ -9,7 +9,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/fit_device.hpp"
+#include "sim/app/parts/fit_device.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/explore/fit/dominant.hpp"
 #include "sim/explore/fit/report.hpp"

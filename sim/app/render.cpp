@@ -8,11 +8,11 @@
 #include "model/base/stopwatch.hpp"
 #include "model/trace/hits.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/film_strip.hpp"
+#include "sim/app/run/film_strip.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/app/picture_folder.hpp"
-#include "sim/app/stream_commands.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/app/run/picture_folder.hpp"
+#include "sim/app/parts/stream_commands.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/json.hpp"
@@ -143,16 +143,16 @@ std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const P
 
 /// Answers a stream of rays with one engine. The answers have no timing.
 int render_stream(const RenderOptions& o) {
-    const StreamEngine engine = parse_stream_engine(o.engine);
+    const StreamTracer tracer = parse_stream_tracer(o.engine);
     if (!o.stream.hits) throw UserError("--rays needs --hits, the .npy file for each ray's hit");
     check_hits(o.stream, o.json);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
     const StreamRequest request = stream_request(o.scene, o.config, o.stream, progress);
-    if (engine == StreamEngine::rtl) check_rtl(request.config);
+    if (tracer == StreamTracer::rtl) check_rtl(request.config);
     const StreamInput& input = *request.input;
     const Stopwatch watch;
-    const StreamAnswers traced = trace_stream(input, engine, request.config, o.threads, progress);
+    const StreamAnswers traced = trace_stream(input, tracer, request.config, o.threads, progress);
     const std::vector<StreamHit>& answers = traced.hits;
     const double seconds = watch.seconds();
     stop_if_interrupted();

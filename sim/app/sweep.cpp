@@ -4,9 +4,9 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/stream_commands.hpp"
-#include "sim/app/sweep_run.hpp"
-#include "sim/app/sweep_outputs.hpp"
+#include "sim/app/parts/stream_commands.hpp"
+#include "sim/app/run/sweep_run.hpp"
+#include "sim/app/parts/sweep_outputs.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/files/process/stopping.hpp"

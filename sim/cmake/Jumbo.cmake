@@ -5,17 +5,23 @@ cmake_path(SET rc_jumbo_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 # instantiated once for all of them. Sources with options of their own (rc_define, SKIP_UNITY_BUILD_INCLUSION)
 # and generated sources stay alone. The sources of a unit share file-local names. A unit includes its sources by
 # their path in the project, so that the compiler cache serves other clones too, which the units of CMake's own
-# UNITY_BUILD prevent. The global property rc_jumbo_PATH lists the sources that are compiled together with
-# PATH. tests/meta builds a mutant of PATH from this list.
+# UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The global
+# property rc_jumbo_PATH lists the sources that are compiled together with PATH. tests/meta builds a mutant of
+# PATH from this list.
 function(rc_jumbo name)
   get_target_property(sources ${name} SOURCES)
   set(units)
   set(members)
+  set(folders)
   foreach(source IN LISTS sources)
     get_filename_component(source ${source} ABSOLUTE)
+    cmake_path(GET source PARENT_PATH folder)
     get_source_file_property(defined ${source} COMPILE_DEFINITIONS)
     get_source_file_property(alone ${source} SKIP_UNITY_BUILD_INCLUSION)
     cmake_path(IS_PREFIX CMAKE_CURRENT_BINARY_DIR ${source} generated)
+    if(NOT generated)
+      list(APPEND folders ${folder})
+    endif()
     if(defined OR alone OR generated)
       list(APPEND units ${source})
       continue()
@@ -28,7 +34,31 @@ function(rc_jumbo name)
     endif()
   endforeach()
   rc_jumbo_unit(${name})
-  set_target_properties(${name} PROPERTIES SOURCES "${units}")
+  list(REMOVE_DUPLICATES folders)
+  set_target_properties(${name} PROPERTIES SOURCES "${units}" rc_folders "${folders}")
+endfunction()
+
+# rc_folders(NAME RESULT): lists the folders that hold the sources of a library and of all libraries of the project that
+# it links, directly or through others.
+function(rc_folders name result)
+  set(found)
+  set(seen)
+  set(open ${name})
+  while(open)
+    list(POP_FRONT open library)
+    if(library IN_LIST seen OR NOT TARGET ${library})
+      continue()
+    endif()
+    list(APPEND seen ${library})
+    get_target_property(folders ${library} rc_folders)
+    if(folders)
+      list(APPEND found ${folders})
+      get_target_property(linked ${library} LINK_LIBRARIES)
+      list(APPEND open ${linked})
+    endif()
+  endwhile()
+  list(REMOVE_DUPLICATES found)
+  set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
 # Writes the unit of the sources in `members`, lists it in `units`, and empties `members`.

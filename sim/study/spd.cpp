@@ -13,7 +13,7 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::spd {

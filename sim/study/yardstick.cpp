@@ -5,7 +5,7 @@
 
 #include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"

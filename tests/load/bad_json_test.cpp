@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -3,7 +3,7 @@
 
 #include <unistd.h>
 
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::bad_test {
 

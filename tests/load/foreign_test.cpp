@@ -8,7 +8,7 @@
 
 #include "sim/load/import/assimp.hpp"
 #include "sim/files/process/process.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

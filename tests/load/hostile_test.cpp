@@ -9,7 +9,7 @@
 
 #include "model/base/nearest.hpp"
 #include "model/base/quote.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::hostile_test {
 

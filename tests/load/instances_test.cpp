@@ -6,7 +6,7 @@
 
 #include "model/scene/placed.hpp"
 #include "sim/load/json/scene.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::json_test {
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/load/mesh/triangulate.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::obj_test {
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/files/image/image.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::other_formats_test {
 

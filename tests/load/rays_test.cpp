@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/load/rays/rays.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::rays_test {
 

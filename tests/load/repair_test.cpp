@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::repair_test {
 

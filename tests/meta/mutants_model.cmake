@@ -42,10 +42,10 @@ mutant(model_box_zero_strict FILE model/engine/bvh/slab.inl WITH model/engine/bv
 mutant(model_box_near_from_the_point_before FILE model/engine/bvh/slab.hpp WITH model/engine/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
-mutant(model_child_box_rounded_inward QUICK FILE model/engine/bvh/encode.cpp TEST accel ~[none]
+mutant(model_child_box_rounded_inward QUICK FILE model/engine/bvh/encode.cpp TEST compile ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST accel "a node's boxes*"
+mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST compile "a node's boxes*"
   OLD [[std::uint32_t(children[i].box.lo[k] - node.org[k]) >> node.exp[k];]]
   NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
 
@@ -64,7 +64,7 @@ mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH
   NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- Answers that are wrong by a tie, judged pixel by pixel.
-mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
+mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp tests/support/machine/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
   OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
   NEW [[return mine < theirs;]])
 
@@ -76,13 +76,13 @@ mutant(model_raygen_direction_wraps FILE model/unit/raygen/raygen.cpp TEST unit 
   OLD [[>> drop), least,
                           most);]]
   NEW [[>> drop), least, most + 1);]])
-mutant(frame_takes_a_camera_that_is_too_wide FILE model/compile/frame.cpp TEST accel "a camera that is too wide*"
+mutant(frame_takes_a_camera_that_is_too_wide FILE model/compile/frame.cpp TEST compile "a camera that is too wide*"
   OLD [[if (!(scale * least - off >=]]
   NEW [[if (!(scale * std::max(m, least) - off >=]])
-mutant(model_eye_between_lattice_points FILE model/compile/lattice.cpp TEST accel ~[none]
+mutant(model_eye_between_lattice_points FILE model/compile/lattice.cpp TEST compile ~[none]
   OLD [[lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k])]]
   NEW [[lattice.pitch[k] * ((eye[k] - middle[k]) / lattice.pitch[k])]])
-mutant(frame_forgets_the_outer_samples FILE model/compile/frame.cpp TEST accel "every sample*"
+mutant(frame_forgets_the_outer_samples FILE model/compile/frame.cpp TEST compile "every sample*"
   OLD [[config.supersampling ? 0.5 : 0;]]
   NEW [[0;]])
 mutant(scene_bounds_without_spheres FILE model/scene/scene.cpp TEST scene [check]

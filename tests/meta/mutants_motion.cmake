@@ -1,25 +1,25 @@
 # Faults of instances, films and deforming meshes. mutants_rtl.cmake explains a row.
 
 # ---- Two levels: the compiler. Its boxes hold every rounded ray.
-mutant(upper_globes_hold_no_upper_corner FILE model/compile/levels/upper.cpp TEST accel [levels]
+mutant(upper_globes_hold_no_upper_corner FILE model/compile/levels/upper.cpp TEST compile [levels]
   OLD [[box.hi[2] : box.lo[2]},]]
   NEW [[box.lo[2] : box.lo[2]},]])
-mutant(upper_boxes_reach_out_of_space FILE model/compile/levels/fit.cpp TEST accel [levels]
+mutant(upper_boxes_reach_out_of_space FILE model/compile/levels/fit.cpp TEST compile [levels]
   OLD [[std::max({fitted.beyond, -largest - least, most - largest});]]
   NEW [[std::max({fitted.beyond, -2 * largest - least, most - 2 * largest});]])
-mutant(levels_moves_no_node_behind_a_leaf FILE model/compile/levels/compile.cpp TEST accel [levels]
+mutant(levels_moves_no_node_behind_a_leaf FILE model/compile/levels/compile.cpp TEST compile [levels]
   OLD [[if (kind == 1) pending.push_back(next++);]]
   NEW [[if (kind == 1 && next - node.base < 2) pending.push_back(next++);]])
-mutant(levels_boxes_forget_the_direction FILE model/compile/levels/fit.cpp TEST accel [levels]
+mutant(levels_boxes_forget_the_direction FILE model/compile/levels/fit.cpp TEST compile [levels]
   OLD [[map.is_whole ? 0 : 0.5 + 0.5 * last;]]
   NEW [[map.is_whole ? 0 : 0.5 + 0 * last;]])
-mutant(levels_boxes_forget_where_bounces_begin FILE model/compile/levels/fit.cpp TEST accel [secondary]
+mutant(levels_boxes_forget_where_bounces_begin FILE model/compile/levels/fit.cpp TEST compile [secondary]
   OLD [[off = begin + slope * reach(begin, bounce);]]
   NEW [[off = slope * reach(begin, bounce);]])
-mutant(levels_boxes_forget_the_longest_edge FILE model/compile/levels/fit.cpp TEST accel [secondary]
+mutant(levels_boxes_forget_the_longest_edge FILE model/compile/levels/fit.cpp TEST compile [secondary]
   OLD [[+ 2.5 * frac * made.longest;]]
   NEW [[+ 0 * made.longest;]])
-mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST accel "two levels draw a scene without instances as one level does*"
+mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST compile "two levels draw a scene without instances as one level does*"
   OLD [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};]]
   NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
 

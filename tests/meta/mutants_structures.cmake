@@ -1,7 +1,7 @@
 # Faults of the structures other than the box tree. mutants_rtl.cmake explains a row.
 
 # ---- Globes: rounded outward, in the compiler and in the unit.
-mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST accel "globes are written outward*"
+mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST compile "globes are written outward*"
   OLD [[std::ceil((globe.radius + glm::length(moved)) / step)]]
   NEW [[std::floor((globe.radius + glm::length(moved)) / step)]])
 mutant(model_globe_without_slack FILE model/engine/spheres/globe.cpp TEST unit "globe is right*"
@@ -34,22 +34,22 @@ mutant(model_crossing_never_ends_the_near_side FILE model/engine/bsp/slant.cpp T
 mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/compile/emit_cells.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
-mutant(bsp_clips_inward FILE model/engine/cells/clip.cpp TEST accel [slant]
+mutant(bsp_clips_inward FILE model/engine/cells/clip.cpp TEST compile [slant]
   OLD [[wall.at + (wall.upper ? -margin : margin)]]
   NEW [[wall.at + (wall.upper ? 40 : -40)]])
 mutant(kd_loses_what_lies_in_a_plane FILE model/engine/cells/cell.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
   NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
-mutant(kd_sweep_ends_a_step_late FILE model/engine/cells/split.cpp TEST accel "no plane of a cell is cheaper*"
+mutant(kd_sweep_ends_a_step_late FILE model/engine/cells/split.cpp TEST compile "no plane of a cell is cheaper*"
   OLD [[hi_[ended] <= plane) ++ended;]]
   NEW [[hi_[ended] < plane) ++ended;]])
-mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/cells/split.cpp TEST accel "no plane of a cell is cheaper*"
+mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/cells/split.cpp TEST compile "no plane of a cell is cheaper*"
   OLD [[{lo(plane), hi(plane), before(plane), after(plane)}]]
   NEW [[{lo(plane), hi(plane)}]])
-mutant(treelets_have_a_primitive_twice FILE model/engine/cells/treelets.cpp TEST accel "no choice of treelets costs less*"
+mutant(treelets_have_a_primitive_twice FILE model/engine/cells/treelets.cpp TEST compile "no choice of treelets costs less*"
   OLD [[cell.prims.erase(std::unique(cell.prims.begin(), cell.prims.end()), cell.prims.end());]]
   NEW [[]])
-mutant(splits_lose_the_upper_part FILE model/engine/bvh/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"
+mutant(splits_lose_the_upper_part FILE model/engine/bvh/splits.cpp TEST compile "boxes with spatial splits hold what lies in them"
   OLD [[upper.items.push_back({s.above, s.whole.index});]]
   NEW [[upper.box.add(s.above);]])
 mutant(octree_straddler_is_on_one_side FILE model/engine/octree/build.cpp TEST system "rays of every family hit the same in every structure"

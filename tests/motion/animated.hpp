@@ -4,7 +4,7 @@
 
 #include "model/scene/placed.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test {
 

@@ -9,8 +9,8 @@
 #include "model/scene/placed.hpp"
 #include "sim/load/json/scene.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
-#include "tests/load/files.hpp"
 #include "tests/motion/animated.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

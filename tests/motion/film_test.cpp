@@ -13,10 +13,10 @@
 #include "sim/files/image/image.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 #include "tests/support/machine/structures.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 #include "tests/motion/films.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

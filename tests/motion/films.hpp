@@ -3,7 +3,7 @@
 #include "model/compile/surfaces.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/load/load.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test {
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/compile/levels/moving.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -13,8 +13,8 @@
 #include "model/compile/lattice.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/record.hpp"
-#include "tests/accel/meshes.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/compile/meshes.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::refit_test {
 

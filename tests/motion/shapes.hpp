@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/load/json/scene.hpp"
-#include "tests/load/files.hpp"
+#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test {
 

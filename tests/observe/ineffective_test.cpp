@@ -7,7 +7,7 @@
 #include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/core/parameters.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/material.hpp"

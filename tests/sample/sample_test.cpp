@@ -6,7 +6,7 @@
 #include "model/machine/machine.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/on_demand.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/view/report/sampled.hpp"
 

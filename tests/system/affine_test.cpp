@@ -11,7 +11,7 @@
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/levels/walk.hpp"
 #include "sim/explore/stress/aim.hpp"
-#include "tests/accel/solids.hpp"
+#include "tests/compile/solids.hpp"
 
 using namespace rayclock;
 

@@ -11,7 +11,7 @@
 #include "sim/judge/cause/cause.hpp"
 #include "sim/judge/cause/exact_answers.hpp"
 #include "sim/files/image/srgb.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::cause_test {
 

@@ -6,7 +6,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/view/report/json.hpp"
 #include "tests/support/cases/coincident.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::coincident_test {
 

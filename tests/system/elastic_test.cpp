@@ -8,7 +8,7 @@
 #include "sim/run/elastic/elastic.hpp"
 #include "sim/run/elastic/unit_alone.hpp"
 #include "tests/system/elastic/faulty.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 #include "sim/view/report/lockstep.hpp"
 
 namespace rayclock::test::elastic_test {

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "model/layout/memory_image.hpp"
-#include "tests/system/exact.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/geometry/exact.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -7,7 +7,7 @@
 #include "sim/files/image/image.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

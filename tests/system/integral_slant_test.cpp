@@ -10,8 +10,8 @@
 
 #include "model/compile/compile.hpp"
 #include "model/trace/decoder.hpp"
-#include "tests/system/convex.hpp"
-#include "tests/system/lines.hpp"
+#include "tests/support/geometry/convex.hpp"
+#include "tests/support/geometry/lines.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -10,7 +10,7 @@
 #include "model/compile/compile.hpp"
 #include "model/core/layout.hpp"
 #include "model/trace/decoder.hpp"
-#include "tests/system/lines.hpp"
+#include "tests/support/geometry/lines.hpp"
 
 namespace rayclock::test::integral_test {
 

@@ -14,9 +14,9 @@
 #include "sim/judge/paths/camera.hpp"
 #include "sim/judge/paths/picture.hpp"
 #include "sim/judge/paths/placed.hpp"
-#include "tests/accel/mixed.hpp"
-#include "tests/accel/solids.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/compile/mixed.hpp"
+#include "tests/compile/solids.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::judge_levels_test {
 

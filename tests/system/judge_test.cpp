@@ -5,7 +5,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/paths/picture.hpp"
 #include "sim/load/load.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

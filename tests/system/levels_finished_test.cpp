@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
-#include "tests/accel/mixed.hpp"
+#include "tests/compile/mixed.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::levels_finished_test {
 

@@ -7,7 +7,7 @@
 #include "tests/support/machine/structures.hpp"
 #include "tests/support/levels/picture.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::levels_test {
 

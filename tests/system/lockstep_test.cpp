@@ -6,7 +6,7 @@
 #include "model/compile/frame.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -6,7 +6,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/image/image.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

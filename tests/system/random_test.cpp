@@ -6,7 +6,7 @@
 #include "model/engine/check.hpp"
 #include "sim/explore/torture/random_chip.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

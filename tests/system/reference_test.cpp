@@ -28,7 +28,7 @@
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/view/report/json.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -7,8 +7,8 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/image/srgb.hpp"
-#include "tests/accel/mixed.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/compile/mixed.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::seam_test {
 

@@ -11,7 +11,7 @@
 #include "model/trace/hits.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "tests/support/scenes/random_scene.hpp"
 
 using namespace rayclock;

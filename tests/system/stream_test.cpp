@@ -14,7 +14,7 @@
 #include "sim/run/stream/make_rays.hpp"
 #include "sim/run/stream/stream.hpp"
 #include "tests/support/check/streams.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -13,7 +13,7 @@
 #include "sim/explore/stress/families.hpp"
 #include "tests/support/machine/structures.hpp"
 #include "tests/support/machine/build_all.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

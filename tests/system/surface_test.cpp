@@ -6,7 +6,7 @@
 
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/cases/draw.hpp"
-#include "tests/system/exact.hpp"
+#include "tests/support/geometry/exact.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

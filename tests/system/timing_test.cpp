@@ -3,9 +3,9 @@
 
 #include <future>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::timing_test {
 

@@ -11,8 +11,8 @@
 #include "sim/judge/cause/exact_answers.hpp"
 #include "sim/judge/paths/camera.hpp"
 #include "sim/view/report/json.hpp"
-#include "tests/system/exact.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/support/geometry/exact.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::wide_test {
 

@@ -8,7 +8,7 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/study/area.hpp"
 #include "sim/study/typed.hpp"

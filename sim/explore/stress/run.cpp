@@ -9,7 +9,7 @@
 
 #include "model/engine/check.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/explore/stress/shadows.hpp"
 #include "sim/explore/stress/state.hpp"
 #include "sim/files/process/threads.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // Counts rays that slip through closed surfaces.
 #include "model/base/progress.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock::sweep {
 

@@ -7,7 +7,7 @@
 
 #include "model/compile/levels/moving.hpp"
 #include "model/compile/refit/flat.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 
 namespace rayclock {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/machine/links.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 // The picture that the reference tracer draws for a request.
 #include "sim/run/request/reference_picture.hpp"
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock {
 

@@ -10,7 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/ground.hpp"
 #include "sim/run/memory/memory_file.hpp"

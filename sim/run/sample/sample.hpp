@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/sample/estimate.hpp"
 
 namespace rayclock::sample {

@@ -24,10 +24,10 @@ Outside parse_outside(const std::string& text) {
     throw UserError("--outside: " + shown(text) + " is not clip or refuse");
 }
 
-StreamEngine parse_stream_engine(const std::string& text) {
-    if (text == "reference") return StreamEngine::reference;
-    if (text == "model") return StreamEngine::model;
-    if (text == "rtl") return StreamEngine::rtl;
+StreamTracer parse_stream_tracer(const std::string& text) {
+    if (text == "reference") return StreamTracer::reference;
+    if (text == "model") return StreamTracer::model;
+    if (text == "rtl") return StreamTracer::rtl;
     throw UserError("--engine: " + shown(text) + " is not reference, model or rtl");
 }
 
@@ -97,12 +97,12 @@ std::vector<StreamHit> trace_on_reference(const StreamInput& input, int threads,
 
 }   // namespace
 
-StreamAnswers trace_stream(const StreamInput& input, StreamEngine engine, const Config& config, int threads,
+StreamAnswers trace_stream(const StreamInput& input, StreamTracer tracer, const Config& config, int threads,
                            const Progress& progress) {
-    if (engine == StreamEngine::reference) return {trace_on_reference(input, threads, progress), {}};
+    if (tracer == StreamTracer::reference) return {trace_on_reference(input, threads, progress), {}};
     const StreamJob stream = input.job(config, progress);
     const std::vector<Closest> answers =
-        engine == StreamEngine::rtl
+        tracer == StreamTracer::rtl
             ? run_rtl(stream.job, {}, progress).answers
             : record_frame(stream.job, stream.job.frame, threads, progress).trace.hits;
     if (interrupted()) throw Interrupted("interrupted: nothing is written");

@@ -39,10 +39,10 @@ private:
 /// Returns a sentence for each kind of change that the host made to the rays of a stream, such as clipping.
 std::vector<std::string> stream_notes(const StreamJob& stream);
 
-/// The machine or tracer that answers a stream.
-enum class StreamEngine { reference, model, rtl };
+/// What traces a stream: the software tracer, the model or the RTL.
+enum class StreamTracer { reference, model, rtl };
 /// Parses "reference", "model" or "rtl". Throws UserError.
-StreamEngine parse_stream_engine(const std::string& text);
+StreamTracer parse_stream_tracer(const std::string& text);
 
 /// The answers to a stream, in the order of the rays.
 struct StreamAnswers {
@@ -52,7 +52,7 @@ struct StreamAnswers {
 /// Returns every ray's answer without timing, in the order of the rays. The reference traces the rays and the
 /// scene as given, in double precision; its t, u and v have the precision of float32. Model and RTL give
 /// equal answers. Throws UserError, and Interrupted after Ctrl-C.
-StreamAnswers trace_stream(const StreamInput& input, StreamEngine engine, const Config& config,
+StreamAnswers trace_stream(const StreamInput& input, StreamTracer tracer, const Config& config,
                            int threads = 0, const Progress& progress = {});
 
 }   // namespace rayclock

@@ -5,7 +5,7 @@
 #include "model/compile/stream.hpp"
 #include "model/scene/placed.hpp"
 #include "sim/load/rays/rays.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 #include "sim/files/process/threads.hpp"

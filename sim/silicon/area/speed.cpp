@@ -8,7 +8,7 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/rtl/builder.hpp"
 
 namespace rayclock::area {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/silicon/synth/stat.hpp"

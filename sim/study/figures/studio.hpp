@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/judge/reference/reference.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/files/process/stopping.hpp"
 
 namespace rayclock::figures {

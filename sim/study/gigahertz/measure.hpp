@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 
 namespace rayclock::gigahertz {

@@ -11,7 +11,7 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/cause.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/request/reference_picture.hpp"
 
 namespace rayclock::scale {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/silicon/area/run.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/limits.hpp"
 

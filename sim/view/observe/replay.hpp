@@ -2,7 +2,7 @@
 // Replays of recorded frames that observers watch.
 #include <span>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/view/observe/costs.hpp"
 #include "sim/view/observe/events.hpp"
 

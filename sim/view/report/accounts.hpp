@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock {
 

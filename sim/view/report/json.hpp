@@ -6,7 +6,7 @@
 
 #include "model/scene/scene.hpp"
 #include "sim/judge/cause/cause.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 

@@ -7,7 +7,7 @@
 #include "model/scene/builtin.hpp"
 #include "model/engine/check.hpp"
 #include "model/core/parameters.hpp"
-#include "sim/run/engine/engine.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock::test {
 
