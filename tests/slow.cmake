@@ -1,11 +1,11 @@
 # cmake -DBUILD=<build folder> -DSOURCE=<tree> [-DJOBS=n] -P tests/slow.cmake
-# Runs the slow tests that have not yet passed on this state of the tree, eight at a time, and records each test that passes.
-# It may be stopped at any time; the next call continues with the remaining tests.
+# Runs the slow tests that have not yet passed on this state of the tree, eight at a time, and records each
+# test that passes. It may be stopped at any time; the next call continues with the remaining tests.
 if(NOT JOBS)
   set(JOBS 1)
 endif()
-file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/* ${SOURCE}/sim/* ${SOURCE}/rtl/* ${SOURCE}/scenes/*
-  ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/CMakeLists.txt)
+file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/* ${SOURCE}/sim/* ${SOURCE}/rtl/*
+  ${SOURCE}/scenes/* ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/CMakeLists.txt)
 list(SORT files)
 set(sums)
 foreach(file ${files})
@@ -33,8 +33,8 @@ while(listed)
   list(SUBLIST listed 0 8 batch)
   list(REMOVE_ITEM listed ${batch})
   list(JOIN batch "," numbers)
-  execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} -j ${JOBS} --output-on-failure -I 0,0,0,${numbers}
-    OUTPUT_VARIABLE said ECHO_OUTPUT_VARIABLE)
+  execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} -j ${JOBS} --output-on-failure
+    -I 0,0,0,${numbers} OUTPUT_VARIABLE said ECHO_OUTPUT_VARIABLE)
   foreach(number ${batch})
     if(said MATCHES "Test +#${number}: [^\n]* Passed ")
       file(APPEND ${state} "${number}\n")

@@ -15,9 +15,9 @@ target_compile_options(rc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restri
 target_compile_options(rc_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # A program loads only the libraries that it calls: OpenImageIO pulls in 250, which add 0.2 s to every start.
 target_link_options(rc_options INTERFACE LINKER:--as-needed)
-# The Python module is a shared library, and needs position-independent code. Functions may still be inlined and
-# called directly, since nothing replaces them at run time. Without the module the flags stay the same, so that
-# the tests reuse what the program was built from.
+# The Python module is a shared library, and needs position-independent code. Functions may still be inlined
+# and called directly, since nothing replaces them at run time. Without the module the flags stay the same, so
+# that the tests reuse what the program was built from.
 target_compile_options(rc_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 if(RAYCLOCK_SANITIZE)
   target_compile_options(rc_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined)

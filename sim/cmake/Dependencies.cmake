@@ -23,7 +23,8 @@ endif()
 
 # The Python module: ON, OFF, or AUTO, which builds it if Python's headers and pybind11 are installed. A
 # sanitised module cannot be loaded by an ordinary Python.
-set(RAYCLOCK_PYTHON AUTO CACHE STRING "Build the Python module: ON, OFF, or AUTO if its packages are installed")
+set(RAYCLOCK_PYTHON AUTO CACHE
+  STRING "Build the Python module: ON, OFF, or AUTO if its packages are installed")
 set_property(CACHE RAYCLOCK_PYTHON PROPERTY STRINGS AUTO ON OFF)
 set(rc_python ${RAYCLOCK_PYTHON})
 if(rc_python STREQUAL AUTO AND RAYCLOCK_SANITIZE)
@@ -58,5 +59,6 @@ find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths in the project count as relative, so that a second clone uses what the first has compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-    CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})   # without this, nothing with precompiled headers is cached
+    # Without this, nothing with precompiled headers is cached.
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()

@@ -8,10 +8,9 @@ set(data ${CMAKE_INSTALL_DATADIR}/rayclock)
 # The manual page and the shell completions, from the options that the commands declare.
 set(printed ${PROJECT_BINARY_DIR}/printed)
 set(prints)
-foreach(form man=rayclock.1 bash=rayclock zsh=_rayclock fish=rayclock.fish)
-  string(REPLACE "=" ";" form ${form})
-  list(GET form 0 name)
-  list(GET form 1 file)
+set(forms man bash zsh fish)
+set(printed_files rayclock.1 rayclock _rayclock rayclock.fish)
+foreach(name file IN ZIP_LISTS forms printed_files)
   list(APPEND prints COMMAND ${CMAKE_COMMAND} -E make_directory ${printed}/${name}
     COMMAND rayclock --print ${name} > ${printed}/${name}/${file})
 endforeach()
@@ -29,15 +28,18 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
-# find_package(rayclock): the program, the C++ library (library/CMakeLists.txt), and the Verilog sources in the order that tools need.
+# find_package(rayclock): the program, the C++ library (library/CMakeLists.txt), and the Verilog sources in
+# the order that tools need.
 file(GLOB_RECURSE rtl_of_package CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/rtl rtl/*.sv)
 list(REMOVE_ITEM rtl_of_package rc_pkg.sv)
 list(SORT rtl_of_package)
 list(JOIN rtl_of_package " " rtl_of_package)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/rayclock)
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/rayclock-config.cmake.in ${PROJECT_BINARY_DIR}/rayclock-config.cmake
-  INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_BINDIR data)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/rayclock-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/rayclock-config.cmake.in
+  ${PROJECT_BINARY_DIR}/rayclock-config.cmake INSTALL_DESTINATION ${package_folder} PATH_VARS
+  CMAKE_INSTALL_BINDIR data)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/rayclock-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rayclock-config.cmake ${PROJECT_BINARY_DIR}/rayclock-config-version.cmake
   DESTINATION ${package_folder})
 

@@ -3,9 +3,9 @@ cmake_path(SET rc_jumbo_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 
 # rc_jumbo(NAME): compiles sixteen sources of a target as one, so that headers are parsed and templates
 # instantiated once for all of them. Sources with options of their own (rc_define, SKIP_UNITY_BUILD_INCLUSION)
-# and generated sources stay alone. The sources of a unit share file-local names. A unit includes its sources by
-# their path in the project, so that the compiler cache serves other clones too, which the units of CMake's own
-# UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The global
+# and generated sources stay alone. The sources of a unit share file-local names. A unit includes its sources
+# by their path in the project, so that the compiler cache serves other clones too, which the units of CMake's
+# own UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The global
 # property rc_jumbo_PATH lists the sources that are compiled together with PATH. tests/meta builds a mutant of
 # PATH from this list.
 function(rc_jumbo name)
@@ -38,8 +38,8 @@ function(rc_jumbo name)
   set_target_properties(${name} PROPERTIES SOURCES "${units}" rc_folders "${folders}")
 endfunction()
 
-# rc_folders(NAME RESULT): lists the folders that hold the sources of a library and of all libraries of the project that
-# it links, directly or through others.
+# rc_folders(NAME RESULT): lists the folders that hold the sources of a library and of all libraries of the
+# project that it links, directly or through others.
 function(rc_folders name result)
   set(found)
   set(seen)

@@ -1,11 +1,11 @@
 # Checks that cpack reads before it packs. Without `file`, CPack fails with an internal error. Without
 # dpkg-shlibdeps, it makes a package that names no library and cannot start.
-foreach(program file=file dpkg-shlibdeps=dpkg-dev)
-  string(REPLACE "=" ";" program ${program})
-  list(GET program 0 name)
-  list(GET program 1 package)
+set(programs file dpkg-shlibdeps)
+set(packages file dpkg-dev)
+foreach(name package IN ZIP_LISTS programs packages)
   find_program(found_${name} ${name} NO_DEFAULT_PATH PATHS ENV PATH)
   if(NOT found_${name})
-    message(FATAL_ERROR "A Debian package cannot be made without the program ${name}: apt-get install ${package}")
+    message(FATAL_ERROR
+      "A Debian package cannot be made without the program ${name}: apt-get install ${package}")
   endif()
 endforeach()

@@ -1,5 +1,6 @@
 # cmake -DFORMAT=clang-format -DSOURCE= -DFOLDERS=a,b -P format.cmake
-# Checks that every C++ file in the folders has the layout of .clang-format. Generated files and deliberate faults lie elsewhere.
+# Checks that every C++ file in the folders has the layout of .clang-format. Generated files and deliberate
+# faults lie elsewhere.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files)
 foreach(folder IN LISTS folders)
@@ -16,6 +17,7 @@ endif()
 execute_process(COMMAND ${FORMAT} --dry-run -Werror ${files} RESULT_VARIABLE result ERROR_VARIABLE said)
 if(NOT result EQUAL 0)
   message("${said}")
-  message(FATAL_ERROR "some of ${count} files are not as .clang-format wants them: clang-format -i FILE mends them")
+  message(FATAL_ERROR
+    "some of ${count} files are not as .clang-format wants them: clang-format -i FILE mends them")
 endif()
 message("${count} files are as .clang-format wants them")

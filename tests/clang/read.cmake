@@ -1,6 +1,7 @@
 # cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] [-DUNITS=file] -P read.cmake
-# Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is generated. UNITS lists
-# sources to read instead; each source must be in this list or be included by a source of the list.
+# Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is
+# generated. UNITS lists sources to read instead; each source must be in this list or be included by a source
+# of the list.
 file(GLOB_RECURSE files ${SOURCE}/${FOLDER}/*.cpp)
 list(LENGTH files count)
 if(count LESS 2)
@@ -32,7 +33,8 @@ execute_process(COMMAND xargs -d "\\n" -n 1 -P ${cores} ${CLANG} -std=c++20 -I $
   INPUT_FILE ${input} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(REMOVE ${input})
 if(NOT result EQUAL 0)
-  message("${said}")   # a notice: an error's text would be wrapped, and how depends on the length of the tree's path
+  # A notice: an error's text would be wrapped, and how depends on the length of the tree's path.
+  message("${said}")
   message(FATAL_ERROR "Clang refuses what is below ${FOLDER}")
 endif()
 message("Clang reads ${count} files")

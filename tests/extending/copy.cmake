@@ -1,9 +1,9 @@
-# For the tests of docs/extending.md: run(COMMAND ... [OUTPUT variable]) in ${FOLDER}, and an empty ${FOLDER} with a copy of what
-# builds the program.
+# For the tests of docs/extending.md: run(COMMAND ... [OUTPUT variable]) in ${FOLDER}, and an empty ${FOLDER}
+# with a copy of what builds the program.
 function(run)
   cmake_parse_arguments(PARSE_ARGV 0 ARG "" "OUTPUT" "COMMAND")
-  execute_process(COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE result OUTPUT_VARIABLE output
-    ERROR_VARIABLE errors TIMEOUT 3000)
+  execute_process(COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE result
+    OUTPUT_VARIABLE output ERROR_VARIABLE errors TIMEOUT 3000)
   if(NOT result EQUAL 0)
     list(JOIN ARG_COMMAND " " command)
     message(FATAL_ERROR "${command} ended with ${result}:\n${output}\n${errors}")
@@ -15,5 +15,5 @@ endfunction()
 
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
-file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/bench ${SOURCE}/model ${SOURCE}/python ${SOURCE}/rtl ${SOURCE}/sim ${SOURCE}/scenes
-  DESTINATION ${FOLDER})
+file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/bench ${SOURCE}/model ${SOURCE}/python ${SOURCE}/rtl
+  ${SOURCE}/sim ${SOURCE}/scenes DESTINATION ${FOLDER})

@@ -1,14 +1,15 @@
 # cmake -DSOURCE= -DFOLDER= -DPATCH= -DPROGRAM= -DWERROR= -P run.cmake
-# Lays the files of the new unit `out` and the patch that wires it over a copy of the tree, builds program and unit's test
-# there, and runs them. Model and RTL must agree, and a frame must end exactly one cycle later than without the unit: it
-# has fewer pixels than the machine has contexts, so that no context is used again.
+# Lays the files of the new unit `out` and the patch that wires it over a copy of the tree, builds program and
+# unit's test there, and runs them. Model and RTL must agree, and a frame must end exactly one cycle later
+# than without the unit: it has fewer pixels than the machine has contexts, so that no context is used again.
 cmake_policy(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
 include(${here}/copy.cmake)
 file(COPY ${SOURCE}/tests/support DESTINATION ${FOLDER}/tests)
 file(COPY ${here}/rtl ${here}/model ${here}/tests DESTINATION ${FOLDER})
 run(COMMAND ${PATCH} --fuzz=0 -p0 -i ${here}/out.patch)
-run(COMMAND ${CMAKE_COMMAND} -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON -DRAYCLOCK_WERROR=${WERROR})
+run(COMMAND ${CMAKE_COMMAND} -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON
+  -DRAYCLOCK_WERROR=${WERROR})
 run(COMMAND ${CMAKE_COMMAND} --build build --target rayclock rc_out_tests)
 
 set(ENV{RAYCLOCK_CACHE} ${FOLDER}/cache)
@@ -28,5 +29,6 @@ math(EXPR later "${cycles_with} - ${cycles_without}")
 if(NOT gap EQUAL 0 OR NOT values EQUAL 0 OR NOT later EQUAL 1)
   message(FATAL_ERROR "cycle gap ${gap}, ${values} values differ, the frame ends ${later} cycles later")
 endif()
-message(STATUS "model and RTL agree, and the frame ends one cycle later: ${cycles_with} for ${cycles_without}")
+message(STATUS
+  "model and RTL agree, and the frame ends one cycle later: ${cycles_with} for ${cycles_without}")
 file(REMOVE_RECURSE ${FOLDER})

@@ -2,70 +2,91 @@
 
 # ---- The credits of a pipeline that cannot stall.
 foreach(credits IN ITEMS 1 4 5 16)
-  prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} INDUCTION 4)
+  prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
+    WITH Credits=${credits} INDUCTION 4)
 endforeach()
 foreach(credits IN ITEMS 1 4 16)
-  prove(formal:fast_credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Credits=${credits} Cut=1 INDUCTION 4)
+  prove(formal:fast_credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
+    WITH Credits=${credits} Cut=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fast_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_fast_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv
+  cells/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[(open_q && !(admit_i && last));]]
   NEW [[open_q;]])
-prove(mutant:formal_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv
+  cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[assign open_o = in_flight_q != Full;]]
   NEW [[assign open_o = in_flight_q != Full || leave_i;]])
-prove(mutant:formal_credit_counter_one_short TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_one_short TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
+  CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits - 1);]])
-prove(mutant:formal_credit_counter_forgets_who_came_as_one_left TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_forgets_who_came_as_one_left TOP credit_counter RTL rc_pkg.sv
+  cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
   OLD [[else if (leave_i && !admit_i)]]
   NEW [[else if (leave_i)]])
 
 # ---- Queues.
 foreach(depth IN ITEMS 2 4)
   prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
-  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} Cut=1 INDUCTION 4)
-  prove(formal:fast_fifo_with_a_second_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} Cut=1 Second=1 INDUCTION 4)
+  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} Cut=1
+    INDUCTION 4)
+  prove(formal:fast_fifo_with_a_second_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv
+    WITH Depth=${depth} Cut=1 Second=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
+  FILE cells/rc_fifo_peek.sv
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = 1'b1;]])
-prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[valid_q <= (valid_q && !ready_i) || more || comes;]]
   NEW [[valid_q <= (valid_q && !ready_i) || comes;]])
-prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[many_q  <= goes ? (comes ? many_q : third)]]
   NEW [[many_q  <= goes ? (comes ? many_q : third && 1'b0)]])
-prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[(ready_q && !(valid_i && one_place));]]
   NEW [[ready_q;]])
-prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv
+  WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[(!valid_q || ready_i) && (more || comes);]]
   NEW [[(!valid_q || ready_i) && more;]])
-prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[(!valid_q || ready_i) && (more || comes);]]
   NEW [[(!valid_q || ready_i) && (more || comes) || more;]])
-prove(mutant:formal_fast_fifo_keeps_its_second TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1 Second=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_keeps_its_second TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
+  Second=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
   OLD [[if (goes || !many_q) second_q]]
   NEW [[if (!many_q) second_q]])
-prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
+  FILE cells/rc_fifo_peek.sv
   OLD [[if (valid_i && ready_o) mem[tail_q]]
   NEW [[if (valid_i) mem[tail_q]])
-prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
+  FILE cells/rc_fifo_peek.sv
   OLD [[if (valid_o && ready_i) head_q]]
   NEW [[if (ready_i) head_q]])
 foreach(depth IN ITEMS 1 2 4)
-  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv
+    cells/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
 endforeach()
-prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv WITH Depth=4 CYCLES 10 FILE cells/rc_queue.sv
+prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv
+  cells/rc_fifo_peek.sv WITH Depth=4 CYCLES 10 FILE cells/rc_queue.sv
   OLD [[.valid_i(push_i), .ready_o(ready), .data_i,]]
   NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
 
 # ---- Many on one link.
 prove(formal:priority_merge TOP priority_merge RTL cells/rc_priority_merge.sv INDUCTION 4)
-prove(mutant:formal_priority_merge_changes_its_mind TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
+prove(mutant:formal_priority_merge_changes_its_mind TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8
+  FILE cells/rc_priority_merge.sv
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = !first_valid_i;]])
-prove(mutant:formal_priority_merge_tells_both TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8 FILE cells/rc_priority_merge.sv
+prove(mutant:formal_priority_merge_tells_both TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8
+  FILE cells/rc_priority_merge.sv
   OLD [[assign first_ready_o  = ready_i && !second;]]
   NEW [[assign first_ready_o  = ready_i;]])
 foreach(sources IN ITEMS 2 4 8)
@@ -74,7 +95,8 @@ endforeach()
 prove(mutant:formal_arbiter_turn_not_reset TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
   OLD "      last_q <= '0;"
   NEW "      last_q <= last_q;")
-prove(mutant:formal_arbiter_changes_its_mind TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
+prove(mutant:formal_arbiter_changes_its_mind TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10
+  FILE mem/rc_arbiter.sv
   OLD [[assign source_o = held_q ? held_source_q : turn;]]
   NEW [[assign source_o = turn;]])
 prove(mutant:formal_arbiter_lowest_first TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
@@ -103,7 +125,8 @@ prove(mutant:formal_mshr_links_to_the_first TOP mshr RTL ${mshr} CYCLES 8 FILE m
 prove(mutant:formal_mshr_joins_any_line_of_the_way TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
   OLD [[here && way_q == line_way_i ? MshrW'(m)]]
   NEW [[busy_q && way_q == line_way_i ? MshrW'(m)]])
-prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Words=2 CYCLES 8 FILE mem/rc_mshr.sv
+prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Words=2 CYCLES 8
+  FILE mem/rc_mshr.sv
   OLD [[assign filled = fill_fires_i && words == WordW'(Words - 1);]]
   NEW [[assign filled = fill_fires_i && words == '0;]])
 set(tags rc_pkg.sv mem/rc_tags.sv cells/rc_ram.sv cells/rc_ram_sync.sv cells/rc_path_register.sv)
@@ -118,22 +141,27 @@ prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
 prove(formal:tags_ahead TOP tags_ahead RTL ${tags} INDUCTION 4)
-prove(mutant:formal_tags_forget_who_took_while_the_head_waits TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+prove(mutant:formal_tags_forget_who_took_while_the_head_waits TOP tags_ahead RTL ${tags} CYCLES 10
+  FILE mem/rc_tags.sv
   OLD [[if (next_load_i) took_q <= takes;]]
   NEW [[took_q <= takes;]])
 prove(mutant:formal_tags_never_see_who_took TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
   OLD [[if (next_load_i) took_q <= takes;]]
   NEW [[took_q <= 1'b0;]])
-prove(mutant:formal_tags_take_another_sets_line_for_their_own TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+prove(mutant:formal_tags_take_another_sets_line_for_their_own TOP tags_ahead RTL ${tags} CYCLES 10
+  FILE mem/rc_tags.sv
   OLD [[took_q && same_late ? same_took]]
   NEW [[took_q ? same_took]])
-prove(mutant:formal_tags_keep_the_last_request_for_late TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+prove(mutant:formal_tags_keep_the_last_request_for_late TOP tags_ahead RTL ${tags} CYCLES 10
+  FILE mem/rc_tags.sv
   OLD [[if (next_load_i) late_q <= {set_i, tag_i};]]
   NEW [[late_q <= {set_i, tag_i};]])
-prove(mutant:formal_tags_load_the_tree_that_is_written TOP tags_ahead RTL ${tags} CYCLES 10 FILE mem/rc_tags.sv
+prove(mutant:formal_tags_load_the_tree_that_is_written TOP tags_ahead RTL ${tags} CYCLES 10
+  FILE mem/rc_tags.sv
   OLD [[: touched_q && same_late ? late_recent : kept;]]
   NEW [[: kept;]])
-set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv cells/rc_credit_counter.sv)
+set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv
+  cells/rc_credit_counter.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)
@@ -143,7 +171,8 @@ prove(mutant:formal_cache_hits_what_is_on_its_way TOP cache_always RTL ${cache} 
 prove(mutant:formal_cache_ways_and_mshrs_run_out TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
   OLD [[assign miss   = lookup && !found && !full && !conflict;]]
   NEW [[assign miss  = lookup && !found;]])
-prove(mutant:formal_cache_drain_without_a_place TOP cache_always RTL ${cache} CYCLES 11 SLOW FILE mem/rc_cache.sv
+prove(mutant:formal_cache_drain_without_a_place TOP cache_always RTL ${cache} CYCLES 11 SLOW
+  FILE mem/rc_cache.sv
   OLD [[assign drain  = draining && open;]]
   NEW [[assign drain = draining;]])
 prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
@@ -169,12 +198,15 @@ prove(mutant:formal_host_count_does_not_carry TOP host_cycles RTL ${host} CYCLES
 # ---- Sum or difference: of the device's carry cells, by their models in Yosys.
 foreach(width IN ITEMS 1 2 5 8)
   prove(formal:addsub_of_${width} TOP addsub RTL fixed/rc_addsub.sv WITH Width=${width} INDUCTION 2)
-  prove(formal:addsub_of_${width}_in_carry_cells TOP addsub RTL fixed/rc_addsub.sv WITH Width=${width} ECP5 INDUCTION 2)
+  prove(formal:addsub_of_${width}_in_carry_cells TOP addsub RTL fixed/rc_addsub.sv WITH Width=${width} ECP5
+    INDUCTION 2)
 endforeach()
-prove(mutant:formal_addsub_carries_the_other_operand TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2 FILE fixed/rc_addsub.sv
+prove(mutant:formal_addsub_carries_the_other_operand TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2
+  FILE fixed/rc_addsub.sv
   OLD [[AddSub = 16'b1001_0110_1010_1010;]]
   NEW [[AddSub = 16'b1001_0110_1010_1100;]])
-prove(mutant:formal_addsub_loses_the_one TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2 FILE fixed/rc_addsub.sv
+prove(mutant:formal_addsub_loses_the_one TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2
+  FILE fixed/rc_addsub.sv
   OLD [[assign carry[0] = minus_i;]]
   NEW [[assign carry[0] = 1'b0;]])
 prove(mutant:formal_addsub_adds TOP addsub RTL fixed/rc_addsub.sv CYCLES 2 FILE fixed/rc_addsub.sv
@@ -184,16 +216,19 @@ prove(mutant:formal_addsub_adds TOP addsub RTL fixed/rc_addsub.sv CYCLES 2 FILE 
 # ---- Division, for every operand: a step in each stage, or several one after the other.
 set(divide fixed/rc_addsub.sv fixed/rc_divide.sv)
 foreach(stages IN ITEMS 2 3)
-  prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL ${divide} WITH Stages=${stages} INDUCTION 6)
+  prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL ${divide} WITH Stages=${stages}
+    INDUCTION 6)
 endforeach()
 prove(formal:divide_of_5_bits_one_a_stage TOP divide RTL ${divide} WITH Bits=1 Stages=3 INDUCTION 6)
 prove(formal:divide_of_5_bits_in_carry_cells TOP divide RTL ${divide} WITH Bits=1 Stages=3 ECP5 INDUCTION 6)
 foreach(every IN ITEMS 2 3 4)   # 5 steps: the last stage makes fewer of them
-  prove(formal:divide_of_4_bits_every_${every} TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5 Every=${every} INDUCTION 9)
+  prove(formal:divide_of_4_bits_every_${every} TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5
+    Every=${every} INDUCTION 9)
   prove(formal:divide_of_4_bits_every_${every}_two_below TOP divide RTL ${divide}
     WITH Width=4 Bits=1 Stages=5 Every=${every} Lows=2 INDUCTION 9)
 endforeach()
-prove(formal:divide_of_3_bits_every_2_two_a_step TOP divide RTL ${divide} WITH Width=3 Stages=3 Every=2 INDUCTION 7)
+prove(formal:divide_of_3_bits_every_2_two_a_step TOP divide RTL ${divide} WITH Width=3 Stages=3 Every=2
+  INDUCTION 7)
 prove(mutant:formal_divide_adds_at_nothing_left TOP divide RTL ${divide} CYCLES 5 FILE fixed/rc_divide.sv
   OLD [[.minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]})]]
   NEW [[.minus_i(!rem_d[Width] && rem_d != '0), .a_i({rem_d[Width-1:0], low[1]})]])
@@ -203,7 +238,8 @@ prove(mutant:formal_divide_one_bit_short TOP divide RTL ${divide} CYCLES 5 FILE 
 prove(mutant:formal_divide_less_den_is_a_rest TOP divide RTL ${divide} CYCLES 5 FILE fixed/rc_divide.sv
   OLD [[end_rem[Width] ? (end_rem ^ end_den) != (end_rem | end_den) << 1]]
   NEW [[end_rem[Width] ? 1'b1]])
-set(divide_shared TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5 Every=2 CYCLES 9 FILE fixed/rc_divide.sv)
+set(divide_shared TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5 Every=2 CYCLES 9
+  FILE fixed/rc_divide.sv)
 prove(mutant:formal_divide_takes_the_next_divisor_early ${divide_shared}
   OLD [[if (valid[i*Every-1]) den_q <= gen_stage[i-1].den;]]
   NEW [[if (valid[Every > 1 ? i*Every-2 : 0]) den_q <= gen_stage[i-1].den;]])
@@ -223,7 +259,8 @@ foreach(stages IN ITEMS 2 3)
   prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL ${sqrt} WITH Stages=${stages} INDUCTION 6)
 endforeach()
 foreach(every IN ITEMS 1 2 3)   # 5 steps: the last stage makes fewer of them
-  prove(formal:sqrt_one_a_step_every_${every} TOP sqrt RTL ${sqrt} WITH Bits=1 Stages=5 Every=${every} INDUCTION 9)
+  prove(formal:sqrt_one_a_step_every_${every} TOP sqrt RTL ${sqrt} WITH Bits=1 Stages=5 Every=${every}
+    INDUCTION 9)
 endforeach()
 prove(formal:sqrt_two_a_step_every_2 TOP sqrt RTL ${sqrt} WITH Stages=3 Every=2 INDUCTION 7)
 prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
@@ -245,42 +282,52 @@ prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
 
 # ---- Data that accompanies a long pipeline.
 foreach(stages IN ITEMS 2 3 4)
-  prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv WITH Stages=${stages} INDUCTION 8)
+  prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv
+    WITH Stages=${stages} INDUCTION 8)
 endforeach()
-prove(mutant:formal_delay_ram_a_cycle_longer TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_a_cycle_longer TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10
+  FILE cells/rc_delay_ram.sv
   OLD [[at_q == IndexW'(Stages - 1)) at_q]]
   NEW [[at_q == IndexW'(Stages)) at_q]])
-prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10 FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv
+  CYCLES 10 FILE cells/rc_delay_ram.sv
   OLD [[.write_i(valid_i), .write_addr_i(at_q)]]
   NEW [[.write_i(1'b1), .write_addr_i(valid_i ? at_q : '0)]])
 
-# ---- Products that share multipliers, for every operand: one after the other, in parts, of operands that are held.
+# ---- Products that share multipliers, for every operand: one after the other, in parts, of operands that are
+# held.
 set(mul rc_pkg.sv cells/rc_path_register.sv fixed/rc_mul_limb.sv fixed/rc_mul.sv)
 set(shared ${mul} fixed/rc_mul_shared.sv fixed/rc_mul_parts.sv)
 foreach(share IN ITEMS 2 3)   # three products by two multipliers, and by one
   prove(formal:mul_shared_by_${share} TOP mul_shared RTL ${shared} WITH Share=${share} INDUCTION 6)
-  prove(formal:mul_shared_by_${share}_unsigned TOP mul_shared RTL ${shared} WITH Share=${share} Signed=0 INDUCTION 6)
+  prove(formal:mul_shared_by_${share}_unsigned TOP mul_shared RTL ${shared} WITH Share=${share} Signed=0
+    INDUCTION 6)
   prove(formal:mul_parts_shared_by_${share} TOP mul_shared RTL ${shared}
     WITH Share=${share} Parts=1 Products=2 INDUCTION 6)
-  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=${share} INDUCTION 6)
+  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=${share}
+    INDUCTION 6)
 endforeach()
 prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
 prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
 prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 INDUCTION 6)
 foreach(width IN ITEMS 4 5)   # a bit and two more than a block has
-  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/rc_mul_spill.sv WITH BW=${width} INDUCTION 2)
+  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/rc_mul_spill.sv WITH BW=${width}
+    INDUCTION 2)
 endforeach()
-prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2 FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
+  FILE fixed/rc_mul_spill.sv
   OLD [[for (int i = 0; i < BLow; i++)]]
   NEW [[for (int i = 1; i < BLow; i++)]])
-prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2 FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
+  FILE fixed/rc_mul_spill.sv
   OLD [[(2*Block)'(a_high) *]]
   NEW [[(2*Block)'($unsigned(a_high)) *]])
-prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 CYCLES 6
-  FILE fixed/rc_mul_held.sv
+prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3
+  Late=1 CYCLES 6 FILE fixed/rc_mul_held.sv
   OLD [[Every - Inside - Late;]]
   NEW [[Every - Inside;]])
-prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6 FILE fixed/rc_mul_shared.sv
+prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
+  FILE fixed/rc_mul_shared.sv
   OLD [[: a_q >> AW;]]
   NEW [[: a_q;]])
 prove(mutant:formal_mul_shared_second_operands_come_late TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6

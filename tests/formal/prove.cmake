@@ -1,6 +1,8 @@
-# cmake -DYOSYS= -DRTL= -DFOLDER= -DTOP= -DFILES=a;b -DWITH=P=1;Q=2 -DINDUCTION=steps|-DCYCLES=n [-DFILE=changed] -P prove.cmake
-# Proves the assertions of tests/formal/TOP.sv about the RTL in FILES, or, with FILE, refutes them for the changed RTL (OLD
-# and NEW in FOLDER, see tests/meta). A mutant is refuted by a trace from reset; that induction fails would say nothing.
+# cmake -DYOSYS= -DRTL= -DFOLDER= -DTOP= -DFILES=a;b -DWITH=P=1;Q=2 -DINDUCTION=steps|-DCYCLES=n
+# [-DFILE=changed] -P prove.cmake
+# Proves the assertions of tests/formal/TOP.sv about the RTL in FILES, or, with FILE, refutes them for the
+# changed RTL (OLD and NEW in FOLDER, see tests/meta). A mutant is refuted by a trace from reset; that
+# induction fails would say nothing.
 file(MAKE_DIRECTORY ${FOLDER})
 set(sources "")
 set(changed 0)
@@ -8,8 +10,8 @@ foreach(file IN LISTS FILES)
   set(source ${RTL}/${file})
   if(file STREQUAL "${FILE}")
     set(source ${FOLDER}/${file})
-    execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/old -DNEW=${FOLDER}/new -DFROM=${RTL}/${file} -DTO=${source}
-      -P ${CMAKE_CURRENT_LIST_DIR}/../meta/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/old -DNEW=${FOLDER}/new -DFROM=${RTL}/${file}
+      -DTO=${source} -P ${CMAKE_CURRENT_LIST_DIR}/../meta/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
     set(changed 1)
   endif()
   string(APPEND sources " \"${source}\"")   # a folder may have a space in its name
@@ -35,11 +37,13 @@ if(ECP5)   # the device's library has pads as well
   set(cells "read_verilog +/ecp5/cells_sim.v\n")
   set(quiet -w "tri-state logic")
 endif()
-set(script "${cells}read_verilog -sv -mem2reg${device}${sources}\nread_verilog -sv -formal -mem2reg${macros} \"${CMAKE_CURRENT_LIST_DIR}/${TOP}.sv\"\n")
+set(script "${cells}read_verilog -sv -mem2reg${device}${sources}\n")
+string(APPEND script "read_verilog -sv -formal -mem2reg${macros} \"${CMAKE_CURRENT_LIST_DIR}/${TOP}.sv\"\n")
 if(parameters)
   string(APPEND script "chparam${parameters} ${TOP}\n")
 endif()
-string(APPEND script "hierarchy -check -top ${TOP}\nproc\nflatten\nopt_clean\nasync2sync\ndffunmap\nopt -fast\ncheck -assert\n"
+string(APPEND script
+  "hierarchy -check -top ${TOP}\nproc\nflatten\nopt_clean\nasync2sync\ndffunmap\nopt -fast\ncheck -assert\n"
   "select -assert-min 1 t:$assert\nselect -assert-none t:$mem*\n")
 set(sat "sat -prove-asserts -set-assumes -seq 1 -tempinduct -show-inputs -show-public")
 if(FILE STREQUAL "" AND INDUCTION)
@@ -53,7 +57,8 @@ else()
   set(expect "model found for base case: FAIL!")
 endif()
 file(WRITE ${FOLDER}/run.ys "${script}")
-execute_process(COMMAND ${YOSYS} -q ${quiet} -l ${FOLDER}/yosys.log ${FOLDER}/run.ys RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+execute_process(COMMAND ${YOSYS} -q ${quiet} -l ${FOLDER}/yosys.log ${FOLDER}/run.ys RESULT_VARIABLE result
+  OUTPUT_VARIABLE output ERROR_VARIABLE output)
 file(READ ${FOLDER}/yosys.log log)
 string(REGEX REPLACE "Suppressed Warning[^\n]*" "" log "${log}")
 string(REGEX MATCHALL "[^\n]*(Warning|ERROR)[^\n]*" complaints "${log}")
@@ -66,6 +71,7 @@ if(found EQUAL -1 AND FILE STREQUAL "")
   string(REGEX MATCH "model found for base case[^\n]*|Reached maximum[^\n]*" why "${log}")
   message(FATAL_ERROR "not proven: ${why} See ${FOLDER}/yosys.log")
 elseif(found EQUAL -1)
-  message(FATAL_ERROR "the mutant of ${FILE} SURVIVED: no trace of ${CYCLES} cycles breaks a claim of ${TOP}.sv")
+  message(FATAL_ERROR
+    "the mutant of ${FILE} SURVIVED: no trace of ${CYCLES} cycles breaks a claim of ${TOP}.sv")
 endif()
 message(STATUS "${expect}")

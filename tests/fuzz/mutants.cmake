@@ -1,5 +1,5 @@
-# Faults in parsers that the fuzzing must find: TARGET is the fuzz target, RUNS the most inputs that it may need. As in
-# tests/meta, the text must occur in the file exactly once.
+# Faults in parsers that the fuzzing must find: TARGET is the fuzz target, RUNS the most inputs that it may
+# need. As in tests/meta, the text must occur in the file exactly once.
 fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/mesh/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])

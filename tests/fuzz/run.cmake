@@ -1,6 +1,7 @@
-# cmake -DPROGRAM= -DTARGET= -DRUNS= [-DLARGE=bytes] [-DMUTANT=name] -DSOURCE=tests/fuzz -DFOLDER= -P run.cmake
-# Runs a target on its corpus and on RUNS inputs made of it, from a fixed seed. An input that ends it is kept in FOLDER. A
-# mutant must be ended by one.
+# cmake -DPROGRAM= -DTARGET= -DRUNS= [-DLARGE=bytes] [-DMUTANT=name] -DSOURCE=tests/fuzz -DFOLDER= -P
+# run.cmake
+# Runs a target on its corpus and on RUNS inputs made of it, from a fixed seed. An input that ends it is kept
+# in FOLDER. A mutant must be ended by one.
 set(kind ${TARGET})
 if(LARGE)
   set(kind ${TARGET}_large)
@@ -13,8 +14,8 @@ endif()
 set(found ${FOLDER}/${kind})
 file(REMOVE_RECURSE ${found})
 file(MAKE_DIRECTORY ${found}/corpus)
-set(arguments -seed=20261122 -max_len=2048 -timeout=120 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=${found}/
-  -dict=${SOURCE}/dict/${TARGET}.dict)
+set(arguments -seed=20261122 -max_len=2048 -timeout=120 -rss_limit_mb=2048 -print_final_stats=1
+  -artifact_prefix=${found}/ -dict=${SOURCE}/dict/${TARGET}.dict)
 if("${TARGET}" STREQUAL "options")
   list(APPEND arguments -close_fd_mask=3)   # what the program prints
 endif()
@@ -30,7 +31,9 @@ file(GLOB inputs ${found}/crash-* ${found}/timeout-* ${found}/oom-* ${found}/lea
 if(MUTANT)
   if(result EQUAL 0)
     message(FATAL_ERROR "${MUTANT} SURVIVED: ${RUNS} inputs of ${TARGET} did not notice")
-  elseif(NOT inputs OR NOT said MATCHES "(ERROR: AddressSanitizer|runtime error|this does not hold|no UserError|Assertion|ERROR: libFuzzer)[^\n]*")
+  endif()
+  set(faults "ERROR: (AddressSanitizer|libFuzzer)|runtime error|this does not hold|no UserError|Assertion")
+  if(NOT inputs OR NOT said MATCHES "(${faults})[^\n]*")
     message(FATAL_ERROR "${MUTANT}: the program ended with ${result}, and there is no input for it:\n${said}")
   endif()
   message("${MUTANT}: ${CMAKE_MATCH_0}")
@@ -52,7 +55,8 @@ string(REGEX MATCH "Done ([0-9]+) runs in ([0-9]+) second" ignored "${said}")
 set(count ${CMAKE_MATCH_1})
 set(seconds ${CMAKE_MATCH_2})
 string(REGEX MATCH "peak_rss_mb: *([0-9]+)" ignored "${said}")
-message("${kind}: ${count} inputs in ${seconds} s, ${edges} edges and ${features} features covered, at most ${CMAKE_MATCH_1} MB")
+message("${kind}: ${count} inputs in ${seconds} s, ${edges} edges and ${features} features covered, "
+  "at most ${CMAKE_MATCH_1} MB")
 if(count LESS RUNS)
   message(FATAL_ERROR "${TARGET}: only ${count} of ${RUNS} inputs were tried")
 endif()

@@ -1,7 +1,8 @@
-# cmake -DPROGRAM= -DSOURCE= -DCONFIG= -DUNIT= -DFLOOR=MHz -DFOLDER= -DCACHE= | -DFILE= -DEXPECT= -P fmax.cmake
-# Places and routes a unit alone. Its clock must reach the floor. With EXPECT, does the same in a copy of rtl/ whose FILE is
-# changed (OLD and NEW in FOLDER, see tests/meta). The clock must then miss the floor, and the report of the slowest path must
-# contain these words.
+# cmake -DPROGRAM= -DSOURCE= -DCONFIG= -DUNIT= -DFLOOR=MHz -DFOLDER= -DCACHE= | -DFILE= -DEXPECT= -P
+# fmax.cmake
+# Places and routes a unit alone. Its clock must reach the floor. With EXPECT, does the same in a copy of rtl/
+# whose FILE is changed (OLD and NEW in FOLDER, see tests/meta). The clock must then miss the floor, and the
+# report of the slowest path must contain these words.
 include(${CMAKE_CURRENT_LIST_DIR}/faulty.cmake)
 execute_process(COMMAND ${PROGRAM} chip --config ${CONFIG} --unit ${UNIT} --json ${FOLDER}/report.json
   WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

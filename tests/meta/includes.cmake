@@ -1,11 +1,14 @@
 # cmake -DSOURCE=folder [-DPARTIAL=ON: not all rooms need be there] -P includes.cmake
-# Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower ones only, and
-# model includes nothing of sim. In model the first include of a .cpp lies in its own folder, so that a declaration lies
-# where its definition does. No folder has more than ten folders, and no room is missing here.
-set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile model/trace model/machine
-  sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study sim/app)
-# Parts of model/engine, lowest first: what engines share, then engines on which others build. Any other folder is an engine that
-# includes itself and these parts only, so a new one needs no line here. `engines` includes them all, and `check` includes `engines`.
+# Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower
+# ones only, and model includes nothing of sim. In model the first include of a .cpp lies in its own folder,
+# so that a declaration lies where its definition does. No folder has more than ten folders, and no room is
+# missing here.
+set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile
+  model/trace model/machine sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study
+  sim/app)
+# Parts of model/engine, lowest first: what engines share, then engines on which others build. Any other
+# folder is an engine that includes itself and these parts only, so a new one needs no line here. `engines`
+# includes them all, and `check` includes `engines`.
 set(shared box_ray node_answer parts cells bvh octree)
 set(faults "")
 set(files)

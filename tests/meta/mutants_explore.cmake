@@ -1,4 +1,5 @@
-# Faults of the searches (fit, stress, sweeps, balance) and in reading a routed chip. mutants_rtl.cmake explains a row.
+# Faults of the searches (fit, stress, sweeps, balance) and in reading a routed chip. mutants_rtl.cmake
+# explains a row.
 
 # ---- fit: intervals that are too small, and a search that stops early.
 mutant(fit_box_far_with_r QUICK FILE sim/explore/fit/ranges_box.cpp TEST unit "box's intervals*"
@@ -15,13 +16,15 @@ mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST unit "what fit fin
 mutant(stress_sheared_rounds_by_triangle FILE model/unit/isect/sheared.cpp TEST system "controls are noticed*"
   OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
   NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
-mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp TEST system "the exact test meets*"
+mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp
+  TEST system "the exact test meets*"
   OLD [[image.report.stack_need = nodes_[0].need;]]
   NEW [[image.report.stack_need = nodes_[0].need - 1;]])
 mutant(stress_judge_forgets_leaks FILE sim/explore/stress/judge.cpp TEST system "controls are noticed*"
   OLD [[counts.leaks += !missing.empty();]]
   NEW [[]])
-mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system "the study distinguishes a test that*"
+mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system
+  "the study distinguishes a test that*"
   OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
   NEW [[false]])
 
@@ -35,7 +38,8 @@ mutant(sweep_takes_one_clock_for_another FILE sim/explore/sweep/run.cpp TEST swe
 mutant(shard_drops_a_point FILE sim/explore/sweep/shard.cpp TEST cli "the parts of a sweep*"
   OLD [[cut(std::size_t(shard.part)));]]
   NEW [[cut(std::size_t(shard.part)) - (shard.part == 2));]])
-mutant(merge_takes_what_was_interrupted FILE sim/explore/sweep/merge.cpp TEST cli "files that are not all parts*"
+mutant(merge_takes_what_was_interrupted FILE sim/explore/sweep/merge.cpp TEST cli
+  "files that are not all parts*"
   OLD [[checked["partial"] != false]]
   NEW [[checked["partial"] == 1]])
 
@@ -43,7 +47,8 @@ mutant(merge_takes_what_was_interrupted FILE sim/explore/sweep/merge.cpp TEST cl
 mutant(balance_never_exchanges FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
   OLD [[if (up.parameter != down.parameter)]]
   NEW [[if (up.parameter == down.parameter)]])
-mutant(balance_keeps_what_brings_nothing FILE sim/explore/balance/search.cpp TEST sweep "a step is given back*"
+mutant(balance_keeps_what_brings_nothing FILE sim/explore/balance/search.cpp TEST sweep
+  "a step is given back*"
   OLD [[return gain(m) < 0;]]
   NEW [[return gain(m) < 10;]])
 
@@ -69,7 +74,8 @@ mutant(chip_anchors_pass_each_other FILE sim/silicon/chip/anchor.cpp TEST chip "
 mutant(chip_else_of_a_simulation_is_lost FILE sim/silicon/synth/yosys.cpp TEST chip "a word in a comment*"
   OLD [[(word == "`endif" || (left_out == 1 && word == "`else"))]]
   NEW [[word == "`endif"]])
-mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/silicon/chip/nextpnr.cpp TEST chip "a run's log shows its*"
+mutant(chip_takes_a_tables_head_for_no_wires_left FILE sim/silicon/chip/nextpnr.cpp TEST chip
+  "a run's log shows its*"
   OLD [[if (arcs > 0 && has_number)]]
   NEW [[if (arcs > 0 && (has_number || parts.size() >= 5))]])
 mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST chip "a run's log shows its*"

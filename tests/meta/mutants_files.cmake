@@ -1,4 +1,5 @@
-# Faults in reading and writing files, and in what the system does meanwhile. mutants_rtl.cmake explains a row.
+# Faults in reading and writing files, and in what the system does meanwhile. mutants_rtl.cmake explains a
+# row.
 
 # ---- Input of any size and any bytes.
 mutant(files_json_of_any_depth FILE sim/files/json_value.cpp TEST load "JSON nested*"
@@ -62,10 +63,12 @@ mutant(files_last_write_unseen FILE sim/files/output.cpp TEST image "a file that
 mutant(files_written_through_a_link FILE sim/files/output.cpp TEST image "links*"
   OLD [[if (S_ISLNK(itself.st_mode)) refuse_file(]]
   NEW [[if (S_ISSOCK(itself.st_mode)) refuse_file(]])
-mutant(files_picture_is_not_read_back FILE sim/files/image/write.cpp TEST image "a picture that is encoded wrongly*"
+mutant(files_picture_is_not_read_back FILE sim/files/image/write.cpp TEST image
+  "a picture that is encoded wrongly*"
   OLD [[if (!stop()) codec.check(]]
   NEW [[if (stop()) codec.check(]])
-mutant(files_film_is_not_read_back FILE sim/run/film/strip.cpp TEST cli "a film that does not show its frames*"
+mutant(files_film_is_not_read_back FILE sim/run/film/strip.cpp TEST cli
+  "a film that does not show its frames*"
   OLD [[if (!fault.empty())]]
   NEW [[if (count == 0)]])
 mutant(waveform_may_be_cut FILE sim/view/wave/fst_writer.cpp TEST cli "a waveform that the disk*"

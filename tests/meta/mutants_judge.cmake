@@ -1,6 +1,6 @@
-# Faults of the model that `rayclock simulate` alone must report as bugs, without RTL and without a golden picture.
-# TEST simulate names scenes with their options, separated by |. A picture has 48x36 pixels unless an option says
-# otherwise. docs/verdict.md lists the rules. mutants_rtl.cmake explains the rest of a row.
+# Faults of the model that `rayclock simulate` alone must report as bugs, without RTL and without a golden
+# picture. TEST simulate names scenes with their options, separated by |. A picture has 48x36 pixels unless an
+# option says otherwise. docs/verdict.md lists the rules. mutants_rtl.cmake explains the rest of a row.
 
 set(all_scenes "spheres --depth 4 | mirrors --depth 3")
 mutant(none_in_simulate QUICK FILE model/unit/shade/pass.cpp TEST simulate "${all_scenes}")
@@ -9,16 +9,19 @@ mutant(none_in_simulate QUICK FILE model/unit/shade/pass.cpp TEST simulate "${al
 mutant(judge_one_bounce_too_many QUICK FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[if (s.depth >= frame.shade.depth)]]
   NEW [[if (s.depth > frame.shade.depth)]])
-mutant(judge_weight_above_the_threshold QUICK FILE model/unit/shade/pass.cpp TEST simulate "square --depth 1 --threshold 1 | mirrors --depth 2 --threshold 0.9 | spheres --depth 1 --threshold 0.4"
+mutant(judge_weight_above_the_threshold QUICK FILE model/unit/shade/pass.cpp TEST simulate
+  "square --depth 1 --threshold 1 | mirrors --depth 2 --threshold 0.9 | spheres --depth 1 --threshold 0.4"
   OLD [[return 2 * weight + 3 * bounce >= frame.shade.threshold;]]
   NEW [[return 2 * weight > frame.shade.threshold + 0 * bounce;]])
-mutant(judge_threshold_without_slack FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 3 --threshold 0.064 | spheres --depth 2 --threshold 0.16"
+mutant(judge_threshold_without_slack FILE model/unit/shade/pass.cpp TEST simulate
+  "spheres --depth 3 --threshold 0.064 | spheres --depth 2 --threshold 0.16"
   OLD [[return 2 * weight + 3 * bounce >= frame.shade.threshold;]]
   NEW [[return 2 * weight >= frame.shade.threshold + 4 + 0 * bounce;]])
 mutant(judge_last_light_is_left_out FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 1"
   OLD [[light < frame.shade.lights ?]]
   NEW [[light + 1 < frame.shade.lights ?]])
-mutant(judge_sum_does_not_saturate FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 4 | balls:2 --depth 4 | mirrors --depth 4"
+mutant(judge_sum_does_not_saturate FILE model/unit/shade/pass.cpp TEST simulate
+  "spheres --depth 4 | balls:2 --depth 4 | mirrors --depth 4"
   OLD [[std::min(colour[k] + more[k], full_weight);]]
   NEW [[colour[k] + more[k];]])
 mutant(judge_reflected_ray_is_not_sent FILE model/unit/shade/pass.cpp TEST simulate "mirrors --depth 2"
@@ -27,7 +30,8 @@ mutant(judge_reflected_ray_is_not_sent FILE model/unit/shade/pass.cpp TEST simul
 mutant(judge_waiting_ray_is_lost FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 3"
   OLD [[    ++s.waiting;]]
   NEW [[    s.waiting = 0;]])
-mutant(judge_contrast_must_be_above FILE model/unit/shade/pass.cpp TEST simulate "square --depth 1 --aa 3 --contrast 1"
+mutant(judge_contrast_must_be_above FILE model/unit/shade/pass.cpp TEST simulate
+  "square --depth 1 --aa 3 --contrast 1"
   OLD [[s.most[k] - s.least[k] <= frame.shade.contrast;]]
   NEW [[s.most[k] - s.least[k] < frame.shade.contrast;]])
 
@@ -43,7 +47,8 @@ mutant(judge_refraction_bends_too_far FILE model/unit/shade/bounce.cpp TEST simu
 mutant(judge_ratio_of_indices_inverted FILE model/unit/shade/surf.cpp TEST simulate "spheres --depth 4"
   OLD [[state.ratio = in.hit.back ? s.leave : s.enter;]]
   NEW [[state.ratio = in.hit.back ? s.enter : s.leave;]])
-mutant(judge_origin_on_the_border FILE model/unit/isect/origin.cpp TEST simulate "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120"
+mutant(judge_origin_on_the_border FILE model/unit/isect/origin.cpp TEST simulate
+  "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120"
   OLD [[Weights w{std::max(rounded(u), 1u), std::max(rounded(v), 1u)};]]
   NEW [[Weights w{rounded(u), rounded(v)};]])
 
@@ -55,7 +60,8 @@ mutant(judge_light_rounded_down FILE model/unit/shade/light.cpp TEST simulate "s
   OLD [[rounded(
             (matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);]]
   NEW [[(matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight >> (share_bits + unit_bits);]])
-mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate "cornell --depth 1 | gears:1 --depth 1"
+mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate
+  "cornell --depth 1 | gears:1 --depth 1"
   OLD [[fixed(scene.lights[i].colour[int(k)], share_bits,]]
   NEW [[fixed(0.9 * scene.lights[0].colour[int(k)], share_bits,]])
 
@@ -77,10 +83,12 @@ mutant(judge_sphere_t_rounded_down FILE model/unit/isect/any.cpp TEST simulate "
   NEW [[return std::uint32_t(num / det);]])
 
 # ---- Planes beyond the lattice.
-mutant(judge_finite_ray_meets_planes FILE model/unit/isect/any.cpp TEST simulate "scenes/pebble.json --depth 1"
+mutant(judge_finite_ray_meets_planes FILE model/unit/isect/any.cpp TEST simulate
+  "scenes/pebble.json --depth 1"
   OLD [[if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
   NEW [[]])
-mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST simulate "scenes/pond.json --depth 2"
+mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST simulate
+  "scenes/pond.json --depth 2"
   OLD [[if (other) found.cell |= panes[i];]]
   NEW [[]])
 mutant(judge_squares_begin_at_the_corner FILE model/compile/plane.cpp TEST simulate "spheres --depth 1"
@@ -89,19 +97,22 @@ mutant(judge_squares_begin_at_the_corner FILE model/compile/plane.cpp TEST simul
 
 # ---- Two levels.
 set(gears_levels "gearbox:2 --depth 3 --set levels=2")
-mutant(none_in_simulate_of_levels FILE model/unit/xform/xform.cpp TEST simulate "${gears_levels} | gearbox:2 --set levels=2")
+mutant(none_in_simulate_of_levels FILE model/unit/xform/xform.cpp TEST simulate
+  "${gears_levels} | gearbox:2 --set levels=2")
 mutant(judge_levels_ray_rounded_down FILE model/unit/xform/xform.cpp TEST simulate "gearbox:2 --set levels=2"
   OLD [[(std::int64_t(1) << config.origin_frac()) + (std::int64_t(1) << (frac - 1));]]
   NEW [[(std::int64_t(1) << config.origin_frac());]])
 mutant(judge_levels_home_is_forgotten FILE model/unit/xform/xform.cpp TEST simulate "${gears_levels}"
   OLD [[req.home.line == p.here;]]
   NEW [[req.home.line == p.here + 1;]])
-mutant(judge_levels_shadow_ray_ends_beside_its_point FILE model/unit/shade/light.cpp TEST simulate "flight:8 --depth 2 --set levels=2"
+mutant(judge_levels_shadow_ray_ends_beside_its_point FILE model/unit/shade/light.cpp TEST simulate
+  "flight:8 --depth 2 --set levels=2"
   OLD [[state.inner[k] - home.o[k]);]]
   NEW [[state.inner[k] - home.o[k] + 1);]])
 mutant(judge_levels_map_is_cut FILE model/compile/levels/fit.cpp TEST simulate "gearbox:2 --set levels=2"
   OLD [[sum > one ? std::trunc(exact[k]) : std::round(exact[k]);]]
   NEW [[std::trunc(exact[k]);]])
-mutant(judge_levels_place_of_another_time FILE model/compile/levels/moving.cpp TEST simulate "crowd:2 --set levels=2 --frames 3 --fps 8"
+mutant(judge_levels_place_of_another_time FILE model/compile/levels/moving.cpp TEST simulate
+  "crowd:2 --set levels=2 --frames 3 --fps 8"
   OLD [[        map = map_at(places[i], map.mesh_class, levels_.maps, config_);]]
   NEW [[        if (frame_ < 2) map = map_at(places[i], map.mesh_class, levels_.maps, config_);]])

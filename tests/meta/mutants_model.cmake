@@ -1,16 +1,19 @@
-# Faults of the model: units, memory, scene compilation, and the machine in time. mutants_rtl.cmake explains a row.
+# Faults of the model: units, memory, scene compilation, and the machine in time. mutants_rtl.cmake explains a
+# row.
 
 # ---- Triangles: no tolerance, the first of equal hits, each edge exactly once.
 mutant(model_tri_epsilon QUICK FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST unit [tri]
   OLD [[return edges.num > 0;]]
   NEW [[return edges.num > edges.det >> 12;]])
-mutant(model_tri_higher_number_wins FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST unit [tri]
+mutant(model_tri_higher_number_wins FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST unit
+  [tri]
   OLD [[(mine == theirs && prim <= best.prim)]]
   NEW [[(mine == theirs && prim >= best.prim)]])
 mutant(model_tri_t_rounded_down FILE model/unit/isect/tri.hpp WITH model/unit/isect/tri.cpp TEST unit [tri]
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
-mutant(frames_tri_tie_turned FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST system "every pixel*"
+mutant(frames_tri_tie_turned FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST system
+  "every pixel*"
   OLD [[edge != 0          ? edge
                            : gradient[0] != 0 ? gradient[0]
                            :]]
@@ -30,16 +33,19 @@ mutant(sheared_seams_left_open FILE model/compile/compile.cpp TEST unit [primiti
 mutant(model_box_near_rounded_up FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit [box]
   OLD [[near_0 = round_down(]]
   NEW [[near_0 = round_up(]])
-mutant(model_box_far_rounded_down FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit [box][small]
+mutant(model_box_far_rounded_down FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit
+  [box][small]
   OLD [[far_0 = round_up(]]
   NEW [[far_0 = round_down(]])
 mutant(model_box_far_with_r FILE model/engine/bvh/slab.hpp WITH model/engine/bvh/box.cpp TEST unit [box]
   OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
   NEW [[std::int32_t(ray.recip[k]));]])
-mutant(model_box_zero_strict FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit [box][small]
+mutant(model_box_zero_strict FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit
+  [box][small]
   OLD [[n > 0.0 || f < 0.0]]
   NEW [[n >= 0.0 || f < 0.0]])
-mutant(model_box_near_from_the_point_before FILE model/engine/bvh/slab.hpp WITH model/engine/bvh/box.cpp TEST unit [box][shading]
+mutant(model_box_near_from_the_point_before FILE model/engine/bvh/slab.hpp WITH model/engine/bvh/box.cpp
+  TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
 mutant(model_child_box_rounded_inward QUICK FILE model/engine/bvh/encode.cpp TEST compile ~[none]
@@ -50,21 +56,25 @@ mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST c
   NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
 
 # ---- Traversal and lists.
-mutant(model_trav_stop_keeps_the_stack QUICK FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp TEST unit [trav][shading]
+mutant(model_trav_stop_keeps_the_stack QUICK FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp
+  TEST unit [trav][shading]
   OLD [[        if (stop) {
             height_ = 0;
             return {};]]
   NEW [[        if (stop) {
             return {};]])
-mutant(model_trav_equal_does_not_matter FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp TEST unit [trav]
+mutant(model_trav_equal_does_not_matter FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp TEST unit
+  [trav]
   OLD [[if (!(t_best < top.nearest())) {]]
   NEW [[if (top.nearest() < t_best) {]])
-mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH model/trace/record.cpp TEST system "every pixel*"
+mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH model/trace/record.cpp
+  TEST system "every pixel*"
   OLD [[if (++half_line < end) return true;]]
   NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- Answers that are wrong by a tie, judged pixel by pixel.
-mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp tests/support/machine/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
+mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp
+  tests/support/machine/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
   OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
   NEW [[return mine < theirs;]])
 
@@ -76,7 +86,8 @@ mutant(model_raygen_direction_wraps FILE model/unit/raygen/raygen.cpp TEST unit 
   OLD [[>> drop), least,
                           most);]]
   NEW [[>> drop), least, most + 1);]])
-mutant(frame_takes_a_camera_that_is_too_wide FILE model/compile/frame.cpp TEST compile "a camera that is too wide*"
+mutant(frame_takes_a_camera_that_is_too_wide FILE model/compile/frame.cpp TEST compile
+  "a camera that is too wide*"
   OLD [[if (!(scale * least - off >=]]
   NEW [[if (!(scale * std::max(m, least) - off >=]])
 mutant(model_eye_between_lattice_points FILE model/compile/lattice.cpp TEST compile ~[none]
@@ -93,7 +104,8 @@ mutant(scene_bounds_without_spheres FILE model/scene/scene.cpp TEST scene [check
 mutant(model_origin_end_counts FILE model/unit/isect/origin.cpp TEST unit [origin]
   OLD [[hit->num << frac_bits < hit->det]]
   NEW [[hit->num << frac_bits <= hit->det]])
-mutant(model_origin_low_products_alone FILE model/unit/isect/edges.hpp WITH model/unit/isect/origin.cpp TEST unit [origin]
+mutant(model_origin_low_products_alone FILE model/unit/isect/edges.hpp WITH model/unit/isect/origin.cpp
+  TEST unit [origin]
   OLD [[high = (bottom >> 64) +]]
   NEW [[high =]])
 mutant(model_origin_boxes_inward FILE model/unit/isect/origin.cpp TEST unit [origin]
@@ -104,13 +116,16 @@ mutant(model_origin_boxes_inward FILE model/unit/isect/origin.cpp TEST unit [ori
 mutant(model_any_end_of_the_way_blocks FILE model/unit/isect/any.cpp TEST unit [any]~[tri]
   OLD [[out.closer = e.num * (Wide(1) << frac) < e.det;]]
   NEW [[out.closer = e.num * (Wide(1) << frac) <= e.det;]])
-mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/any.cpp TEST unit "tri is right for every camera ray and sphere*"
+mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/any.cpp TEST unit
+  "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
   NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
-mutant(model_sphere_far_root_rounded_down FILE model/unit/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
+mutant(model_sphere_far_root_rounded_down FILE model/unit/isect/any.cpp TEST unit
+  "tri of a chip that shades decides exactly and measures within its bound - Model*"
   OLD [[Wide(r.whole + r.rest) << r.shift]]
   NEW [[Wide(r.whole) << r.shift]])
-mutant(model_sphere_light_on_it_is_inside FILE model/unit/isect/any.cpp TEST unit "tri is right for secondary rays and spheres*"
+mutant(model_sphere_light_on_it_is_inside FILE model/unit/isect/any.cpp TEST unit
+  "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
   NEW [[return end > 0;]])
 mutant(model_root_needs_a_bit FILE model/unit/isect/any.cpp TEST unit "the root is rounded down*"
@@ -127,7 +142,8 @@ mutant(model_threshold_too_much_slack FILE model/unit/shade/pass.cpp TEST unit [
 mutant(model_approach_any_slab FILE model/unit/shade/approach.cpp TEST unit [approach]
   OLD [[d[k] < 0 ? q[k] > end : q[k] < -end]]
   NEW [[d[k] < 0 ? q[k] > end : q[k] <= -end]])
-mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system "of two equal spheres the second*"
+mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system
+  "of two equal spheres the second*"
   OLD [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;]]
   NEW [[!seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second && seen.empty();]])
 mutant(host_plane_in_a_pane_is_a_pane_of_its_own FILE model/compile/surfaces.cpp TEST system [panes]
@@ -144,25 +160,31 @@ mutant(dram_hit_across_rows FILE model/mem/dram.cpp TEST unit [dram]
 mutant(dram_starves FILE model/mem/dram.cpp TEST unit [dram]
   OLD [[if (e.overtaken >= part_.age_cap) break;]]
   NEW [[if (e.overtaken > part_.age_cap) break;]])
-mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
+mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp
+  model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[(khz_ - phase_ - 1) / words_per_ms]]
   NEW [[(khz_ - phase_ - 1) / words_per_ms + 2]])
 
 # ---- The machine in time: queues, arbiter, skipped cycles, recorded rays.
-mutant(model_ring_without_a_spare_place FILE model/core/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+mutant(model_ring_without_a_spare_place FILE model/core/ring.hpp WITH tests/unit/ring_test.cpp TEST unit
+  [fifo]
   OLD [[items_.resize(std::size_t(1) << index_bits(capacity + 1))]]
   NEW [[items_.resize(std::size_t(1) << index_bits(capacity))]])
-mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit [arbiter]
+mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit
+  [arbiter]
   OLD [[if (held_) return chosen_;]]
   NEW [[if (held_ && valid == 0) return chosen_;]])
-mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
+mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp WITH tests/unit/sched_test.cpp
+  TEST unit [sched]
   OLD [[        count_ = frame.ray_count;
         select_pixel();]]
   NEW [[        count_ = frame.ray_count;]])
-mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit [shade][interval]
+mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp
+  TEST unit [shade][interval]
   OLD [[i < closest_delay_; ++i)]]
   NEW [[i < closest_delay_ && !(i == 0 && closest.valid); ++i)]])
-mutant(model_sleeps_through_an_answer QUICK FILE model/machine/machine.cpp TEST unit "idle cycles that are passed over*"
+mutant(model_sleeps_through_an_answer QUICK FILE model/machine/machine.cpp TEST unit
+  "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])
 mutant(model_sleeps_beside_an_l2 FILE model/machine/machine.cpp TEST unit "idle cycles that are passed over*"

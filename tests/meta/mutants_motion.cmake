@@ -19,7 +19,8 @@ mutant(levels_boxes_forget_where_bounces_begin FILE model/compile/levels/fit.cpp
 mutant(levels_boxes_forget_the_longest_edge FILE model/compile/levels/fit.cpp TEST compile [secondary]
   OLD [[+ 2.5 * frac * made.longest;]]
   NEW [[+ 0 * made.longest;]])
-mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST compile "two levels draw a scene without instances as one level does*"
+mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST compile
+  "two levels draw a scene without instances as one level does*"
   OLD [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};]]
   NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
 
@@ -30,10 +31,12 @@ mutant(short_refracted_ray_goes FILE model/unit/shade/bounce.cpp TEST unit [boun
 mutant(rtl_xform_rests_too_little_every_2 FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]
   OLD [[LeftW'(rc_pkg::XformInterval - 1)]]
   NEW [[LeftW'(rc_pkg::XformInterval - (rc_pkg::XformInterval == 2 ? 2 : 1))]])
-mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system "model and RTL walk two structures alike*"
+mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system
+  "model and RTL walk two structures alike*"
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
-mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike*"
+mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp
+  model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike*"
   OLD [[((box_hold_left_ == 0) | (m.lower_request != box_is_low_))]]
   NEW [[(box_hold_left_ == 0)]])
 
@@ -66,16 +69,19 @@ mutant(film_scene_lattice_of_the_first_frame FILE model/compile/levels/maps.cpp 
 mutant(film_mesh_lattices_of_the_first_frame FILE model/compile/levels/maps.cpp TEST motion [film]
   OLD [[for (std::size_t t = 1; t < times; ++t) add(own, needs_of(seen_at(i, t)));]]
   NEW [[for (std::size_t t = 1; t < 1; ++t) add(own, needs_of(seen_at(i, t)));]])
-mutant(film_has_room_for_its_first_tree FILE model/compile/levels/moving.cpp TEST motion "frames of a film write*"
+mutant(film_has_room_for_its_first_tree FILE model/compile/levels/moving.cpp TEST motion
+  "frames of a film write*"
   OLD [[for (const Places& places : times) {]]
   NEW [[for (const Places& places : times.first(1)) {]])
-mutant(film_leaves_out_lines_of_zeros FILE model/compile/refit/flat.cpp TEST motion "uploads give the chip the host's image*"
+mutant(film_leaves_out_lines_of_zeros FILE model/compile/refit/flat.cpp TEST motion
+  "uploads give the chip the host's image*"
   OLD [[{held.begin(), part(written_)}, upload);]]
   NEW [[{held.begin(), part(tree)}, upload);]])
 mutant(film_writes_one_line_less FILE model/compile/levels/moving.cpp TEST motion [film]
   OLD [[part(root_, levels_.upper_lines, nullptr);]]
   NEW [[part(root_ + 1, levels_.upper_lines - 1, nullptr);]])
-mutant(film_resets_leave_surfaces FILE model/core/config.cpp TEST motion "model and RTL draw the same finished film*"
+mutant(film_resets_leave_surfaces FILE model/core/config.cpp TEST motion
+  "model and RTL draw the same finished film*"
   OLD [[prim_sets, has_shade() ? surf_sets : 0, is_stream()]]
   NEW [[prim_sets, is_stream()]])
 

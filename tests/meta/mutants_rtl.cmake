@@ -1,8 +1,9 @@
-# Faults that the tests must notice: RTL. A row has a name, the file, the exact text (which must occur exactly once), its
-# replacement, and the test program with its arguments. QUICK rows run by default, the others have the label slow.
-# A row of the RTL changes a copy of rtl/. A row of the model or the program changes one source file of a second test
-# program. If that file is a header, the row names the sources to compile WITH it; tests among them replace the program's.
-# tests/README.md says which faults get a row. tests/meta/CMakeLists.txt defines mutant().
+# Faults that the tests must notice: RTL. A row has a name, the file, the exact text (which must occur exactly
+# once), its replacement, and the test program with its arguments. QUICK rows run by default, the others have
+# the label slow. A row of the RTL changes a copy of rtl/. A row of the model or the program changes one
+# source file of a second test program. If that file is a header, the row names the sources to compile WITH
+# it; tests among them replace the program's. tests/README.md says which faults get a row.
+# tests/meta/CMakeLists.txt defines mutant().
 
 # ---- Boxes: < for <=, and widths at their ends.
 mutant(box_near_below_far QUICK FILE rtl/engine/bvh/rc_box.sv TEST unit [box][lockstep]
@@ -16,7 +17,8 @@ mutant(small_slab_saturation_wraps FILE rtl/engine/bvh/rc_slab.sv TEST unit [box
   NEW [[over_q <= {SumW{1'b1}} << 1 << ready_move;]])
 
 # ---- Triangles: exact decisions at the corners of the lattice, and the first of equal hits.
-mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
+mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit
+  "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned EdgeCrossW  = 2 * DiffW + 1;]]
   NEW [[localparam int unsigned EdgeCrossW  = 2 * DiffW - 2;]])
 mutant(small_edges_third_tie_turned FILE rtl/unit/isect/rc_edges.sv TEST unit [tri][small]
@@ -33,13 +35,16 @@ mutant(hitdiv_t_wraps FILE rtl/unit/isect/rc_hitdiv.sv TEST unit "t ends where i
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 
 # ---- Spheres: the last bit of a root, exact contact, and the sphere that a ray leaves.
-mutant(sphere_far_root_rounded_down FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+mutant(sphere_far_root_rounded_down FILE rtl/unit/isect/rc_sphere.sv TEST unit
+  "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || r_lost) && 1'b0};]])
-mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit "a discriminant next to a square is not*"
+mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit
+  "a discriminant next to a square is not*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
-mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit
+  "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[? 2 * (M + OriginWidth) + 2 : 2 * (N + OriginWidth) + 4;]]
   NEW [[? 2 * (M + OriginWidth) + 1 : 2 * (N + OriginWidth) + 3;]])
 mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "the sphere test distinguishes inside*"
@@ -66,7 +71,8 @@ mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST u
 mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
   OLD [[if (s0_used[GuardSumW-2-i]) s0_shift = ShiftW'(i);]]
   NEW [[if (s0_used[GuardSumW-2-i]) s0_shift = i > 0 ? ShiftW'(i - 1) : '0;]])
-mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
+mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture
+  "model and RTL agree under torture"
   OLD [[assign eye    = frame_i.eye;]]
   NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
   logic is_kept_q;
@@ -98,10 +104,12 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
 mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_normal_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
   NEW [[&& sum[ProductW:0] != '1;]])
-mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
+mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture
+  "model and RTL agree under torture"
   OLD [[s1_apart <= contrast &&]]
   NEW [[s1_apart < contrast &&]])
-mutant(contexts_stack_half_as_deep FILE rtl/unit/shade/rc_contexts.sv TEST torture "model and RTL agree under torture"
+mutant(contexts_stack_half_as_deep FILE rtl/unit/shade/rc_contexts.sv TEST torture
+  "model and RTL agree under torture"
   OLD [[assign new_top_at = write_state_i.waiting - 4'd1;]]
   NEW [[assign new_top_at = (write_state_i.waiting - 4'd1) & 4'd3;]])
 
@@ -124,10 +132,12 @@ mutant(door_one_credit_more QUICK FILE rtl/cells/rc_credit_counter.sv TEST unit 
   NEW [[Full = CountW'(Credits + 1);]])
 
 # ---- Counters and the registers of the host.
-mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit "model and rtl of the machine count the same"
+mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit
+  "model and rtl of the machine count the same"
   OLD [[cause_o = node_waits_i ?]]
   NEW [[cause_o = !node_waits_i ?]])
-mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit "model and rtl of the machine count the same"
+mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit
+  "model and rtl of the machine count the same"
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
@@ -161,6 +171,7 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
   NEW [[.Stages(Own - 1)) u_early]])
 
 # ---- Random configurations are linted.
-mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system "the RTL of random configurations*"
+mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system
+  "the RTL of random configurations*"
   OLD [[logic signed [RoundW-1:0]  sum, sum_q, shifted;]]
   NEW [[logic signed [RoundW-1:0]  sum, sum_q, shifted, spare;]])

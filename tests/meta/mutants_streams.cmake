@@ -47,7 +47,8 @@ mutant(stream_scale_is_doubled FILE model/compile/stream.cpp TEST system "hits o
 mutant(stream_hit_beyond_its_end FILE sim/run/stream/stream.cpp TEST system "hits of a stream*"
   OLD [[if (t > given.t_max)]]
   NEW [[if (t > 2 * given.t_max)]])
-mutant(stream_segment_beyond_vertices_is_endless FILE model/compile/stream.cpp TEST system "a segment that ends*"
+mutant(stream_segment_beyond_vertices_is_endless FILE model/compile/stream.cpp TEST system
+  "a segment that ends*"
   OLD [[(beyond && !(x * ray.direction[k] > 0))]]
   NEW [[(beyond && x * ray.direction[k] < 0)]])
 mutant(rays_mirrored_in_the_wrong_axis FILE sim/run/stream/make_rays.cpp TEST system "mirrored rays*"
@@ -75,16 +76,19 @@ mutant(stream_file_may_be_longer FILE sim/files/npy.cpp TEST load [rays]
   OLD [[too_many || need != have]]
   NEW [[too_many || need > have]])
 # The shortest reset takes fewer cycles than rc_recip has stages.
-mutant(recip_holds_rays_after_a_reset FILE rtl/unit/raygen/rc_recip.sv TEST torture "model and RTL agree under torture"
+mutant(recip_holds_rays_after_a_reset FILE rtl/unit/raygen/rc_recip.sv TEST torture
+  "model and RTL agree under torture"
   OLD [[valid_q <= rst_ni ? valid[Stages-1:0] : '0;]]
   NEW [[valid_q <= valid[Stages-1:0];]])
 
 # ---- Streams in commands.
-mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp TEST observe "a ray alone in flight*"
+mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp TEST observe
+  "a ray alone in flight*"
   OLD [[        case Link::stream_miss: return asked_memory(p, 2);]]
   NEW [[            return asked_memory(p, 2);
         case Link::stream_miss: return;]])
-mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/run.cpp TEST cli "every point of a sweep with a stream*"
+mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/run.cpp TEST cli
+  "every point of a sweep with a stream*"
   OLD [[if (plan.stream) scene_key_ +=]]
   NEW [[if (plan.stream && plan.threads > 1000) scene_key_ +=]])
 mutant(reference_answers_beyond_the_end FILE sim/run/stream/input.cpp TEST cli "the reference's answers*"

@@ -1,7 +1,8 @@
 # Faults of the structures other than the box tree. mutants_rtl.cmake explains a row.
 
 # ---- Globes: rounded outward, in the compiler and in the unit.
-mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST compile "globes are written outward*"
+mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST compile
+  "globes are written outward*"
   OLD [[std::ceil((globe.radius + glm::length(moved)) / step)]]
   NEW [[std::floor((globe.radius + glm::length(moved)) / step)]])
 mutant(model_globe_without_slack FILE model/engine/spheres/globe.cpp TEST unit "globe is right*"
@@ -26,39 +27,48 @@ mutant(model_crossing_from_too_late FILE model/engine/bsp/slant.cpp TEST unit [s
 mutant(model_crossing_ends_at_a_plane_that_it_begins_on FILE model/engine/bsp/slant.cpp TEST unit [slant]
   OLD [[sides.near = num > 0;]]
   NEW [[sides.near = num >= 0;]])
-mutant(model_crossing_never_ends_the_near_side FILE model/engine/bsp/slant.cpp TEST system "lines meet as many cells of planes in any direction*"
+mutant(model_crossing_never_ends_the_near_side FILE model/engine/bsp/slant.cpp TEST system
+  "lines meet as many cells of planes in any direction*"
   OLD [[moved(q + 2, x, beyond - 1) + 1]]
   NEW [[beyond]])
 
 # ---- Their compilers: no primitive is lost, none is in a leaf twice, and the cheapest plane is found.
-mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/compile/emit_cells.cpp TEST system "rays of every family hit the same in every structure"
+mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/compile/emit_cells.cpp TEST system
+  "rays of every family hit the same in every structure"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/engine/cells/clip.cpp TEST compile [slant]
   OLD [[wall.at + (wall.upper ? -margin : margin)]]
   NEW [[wall.at + (wall.upper ? 40 : -40)]])
-mutant(kd_loses_what_lies_in_a_plane FILE model/engine/cells/cell.cpp TEST system "rays of every family hit the same in every structure"
+mutant(kd_loses_what_lies_in_a_plane FILE model/engine/cells/cell.cpp TEST system
+  "rays of every family hit the same in every structure"
   OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
   NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
-mutant(kd_sweep_ends_a_step_late FILE model/engine/cells/split.cpp TEST compile "no plane of a cell is cheaper*"
+mutant(kd_sweep_ends_a_step_late FILE model/engine/cells/split.cpp TEST compile
+  "no plane of a cell is cheaper*"
   OLD [[hi_[ended] <= plane) ++ended;]]
   NEW [[hi_[ended] < plane) ++ended;]])
-mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/cells/split.cpp TEST compile "no plane of a cell is cheaper*"
+mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/cells/split.cpp TEST compile
+  "no plane of a cell is cheaper*"
   OLD [[{lo(plane), hi(plane), before(plane), after(plane)}]]
   NEW [[{lo(plane), hi(plane)}]])
-mutant(treelets_have_a_primitive_twice FILE model/engine/cells/treelets.cpp TEST compile "no choice of treelets costs less*"
+mutant(treelets_have_a_primitive_twice FILE model/engine/cells/treelets.cpp TEST compile
+  "no choice of treelets costs less*"
   OLD [[cell.prims.erase(std::unique(cell.prims.begin(), cell.prims.end()), cell.prims.end());]]
   NEW [[]])
-mutant(splits_lose_the_upper_part FILE model/engine/bvh/splits.cpp TEST compile "boxes with spatial splits hold what lies in them"
+mutant(splits_lose_the_upper_part FILE model/engine/bvh/splits.cpp TEST compile
+  "boxes with spatial splits hold what lies in them"
   OLD [[upper.items.push_back({s.above, s.whole.index});]]
   NEW [[upper.box.add(s.above);]])
-mutant(octree_straddler_is_on_one_side FILE model/engine/octree/build.cpp TEST system "rays of every family hit the same in every structure"
+mutant(octree_straddler_is_on_one_side FILE model/engine/octree/build.cpp TEST system
+  "rays of every family hit the same in every structure"
   OLD [[pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);]]
   NEW [[for (const cells::Item& item : part.items)
                 (item.box.hi[axis] > cut.plane ? upper : lower).items.push_back(item);]])
 
 # ---- Lists of all primitives.
-mutant(none_page_beyond_the_last FILE rtl/engine/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
+mutant(none_page_beyond_the_last FILE rtl/engine/none/rc_none.sv TEST system
+  "model and RTL agree on a list of all primitives"
   OLD [[assign more = next < {1'b0, listed}]]
   NEW [[assign more = next <= {1'b0, listed}]])
 
@@ -66,12 +76,14 @@ mutant(none_page_beyond_the_last FILE rtl/engine/none/rc_none.sv TEST system "mo
 mutant(bih_meets_the_other_half_first FILE rtl/engine/bih/rc_bih.sv TEST unit "bih loses no exit*"
   OLD [[assign first_at   = neg ? upper_from : lower_to;]]
   NEW [[assign first_at   = neg ? lower_to : upper_from;]])
-mutant(model_bih_far_half_starts_at_the_near_plane FILE model/engine/bih/bih.cpp TEST unit "bih loses no exit*"
+mutant(model_bih_far_half_starts_at_the_near_plane FILE model/engine/bih/bih.cpp TEST unit
+  "bih loses no exit*"
   OLD [[axis, neg ? lower_to : upper_from, config);]]
   NEW [[axis, neg ? upper_from : lower_to, config);]])
 mutant(model_bih_without_a_turn FILE model/engine/bih/bih.cpp TEST unit "bih is right for every pair*"
   OLD [[const bool neg = axis < no_axis && ray.neg[axis] != 0;]]
   NEW [[const bool neg = false;]])
-mutant(model_bih_bounds_are_swapped FILE model/engine/bih/build.cpp TEST system "rays of every family hit the same*"
+mutant(model_bih_bounds_are_swapped FILE model/engine/bih/build.cpp TEST system
+  "rays of every family hit the same*"
   OLD [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left, right);]]
   NEW [[if (left->bounds.centre(cell->axis) > right->bounds.centre(cell->axis)) std::swap(left->bounds, right->bounds);]])

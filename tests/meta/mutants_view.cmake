@@ -1,5 +1,5 @@
-# Faults of observers, pages, stories and comparisons, and of the page of a divergence. mutants_rtl.cmake explains a row.
-# With TEST cli the fault is in the program itself.
+# Faults of observers, pages, stories and comparisons, and of the page of a divergence. mutants_rtl.cmake
+# explains a row. With TEST cli the fault is in the program itself.
 
 # ---- Observers, timelines and waveforms.
 mutant(observer_counts_no_merge FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
@@ -13,7 +13,8 @@ mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe 
 mutant(story_waits_for_its_own_work FILE sim/view/observe/story.cpp TEST observe "a pixel*"
   OLD [[std::uint64_t left = lookup_cycle - begin - times.before;]]
   NEW [[std::uint64_t left = lookup_cycle - begin;]])
-mutant(timeline_misses_the_first_cycle FILE sim/view/timeline/timeline.cpp TEST observe "a timeline of a whole frame*"
+mutant(timeline_misses_the_first_cycle FILE sim/view/timeline/timeline.cpp TEST observe
+  "a timeline of a whole frame*"
   OLD [[note_accounts(machine, now_ > choice_.first);]]
   NEW [[note_accounts(machine, now_ > choice_.first + 1);]])
 mutant(timeline_takes_a_pixel_more FILE sim/view/timeline/timeline.cpp TEST cli "trace writes a timeline*"
@@ -49,14 +50,17 @@ mutant(compare_lets_a_bound_pass FILE sim/view/compare/compare.cpp TEST cli "com
   NEW [[std::fabs(d.change) > 100 * share + 1]])
 
 # ---- The first divergence, and the way of a wrong value back through the RTL.
-mutant(divergence_is_a_cycle_later FILE sim/run/lockstep/lockstep.cpp TEST meta "lockstep names the first cycle*"
+mutant(divergence_is_a_cycle_later FILE sim/run/lockstep/lockstep.cpp TEST meta
+  "lockstep names the first cycle*"
   OLD [[now - watched_->cycle, same);]]
   NEW [[now - watched_->cycle + 1, same);]])
-mutant(divergence_waveform_has_the_sides_swapped FILE sim/view/divergence/waveform.cpp TEST cli "verify names the first divergence*"
+mutant(divergence_waveform_has_the_sides_swapped FILE sim/view/divergence/waveform.cpp TEST cli
+  "verify names the first divergence*"
   OLD [[                set(signals_[i].model[f], field, link.model);
                 set(signals_[i].rtl[f], field, link.rtl);]]
   NEW [[                set(signals_[i].model[f], field, link.rtl);
                 set(signals_[i].rtl[f], field, link.model);]])
-mutant(cone_goes_before_the_first_cycle FILE sim/view/divergence/cone.cpp TEST observe "a register that has held the value*"
+mutant(cone_goes_before_the_first_cycle FILE sim/view/divergence/cone.cpp TEST observe
+  "a register that has held the value*"
   OLD [[return since > 0 ? std::make_optional(since - 1) : std::nullopt;]]
   NEW [[return std::make_optional(since - 1);]])

@@ -1,12 +1,12 @@
 # cmake -DSOURCE= -DFOLDERS=a,b -P openings.cmake
-# Checks that every C and C++ file in the folders opens with a comment. A C++ header has #pragma once in its first line, and the
-# comment in its second.
+# Checks that every C and C++ file in the folders opens with a comment. A C++ header has #pragma once in its
+# first line, and the comment in its second.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(faults "")
 set(count 0)
 foreach(folder IN LISTS folders)
-  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.cpp ${SOURCE}/${folder}/*.hpp ${SOURCE}/${folder}/*.inl
-    ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)
+  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.cpp ${SOURCE}/${folder}/*.hpp
+    ${SOURCE}/${folder}/*.inl ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)
   foreach(file IN LISTS files)
     math(EXPR count "${count} + 1")
     file(READ ${SOURCE}/${file} start LIMIT 32)

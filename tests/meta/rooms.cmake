@@ -7,8 +7,9 @@ set(lines 0)
 set(files 0)
 set(found "")
 foreach(tree model rtl sim bench tests)
-  file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${SOURCE}/${tree}/*.cpp ${SOURCE}/${tree}/*.hpp ${SOURCE}/${tree}/*.inl
-    ${SOURCE}/${tree}/*.sv ${SOURCE}/${tree}/*.core ${SOURCE}/${tree}/*.js ${SOURCE}/${tree}/*.py ${SOURCE}/${tree}/CMakeLists.txt)
+  file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${SOURCE}/${tree}/*.cpp ${SOURCE}/${tree}/*.hpp
+    ${SOURCE}/${tree}/*.inl ${SOURCE}/${tree}/*.sv ${SOURCE}/${tree}/*.core ${SOURCE}/${tree}/*.js
+    ${SOURCE}/${tree}/*.py ${SOURCE}/${tree}/CMakeLists.txt)
   foreach(source IN LISTS sources)
     if(source MATCHES "/engine/${ENGINE}/|rc_pkg\\.sv$")
       continue()
@@ -24,6 +25,8 @@ foreach(tree model rtl sim bench tests)
   endforeach()
 endforeach()
 if(lines EQUAL 0 OR lines GREATER 5 OR files GREATER 5)
-  message(FATAL_ERROR "${lines} lines in ${files} files name the engine ${ENGINE} outside its rooms; the limit is 5 lines in 5 files.\n${found}")
+  message(FATAL_ERROR
+    "${lines} lines in ${files} files name the engine ${ENGINE} outside its rooms; "
+    "the limit is 5 lines in 5 files.\n${found}")
 endif()
 message("${lines} lines in ${files} files:\n${found}")

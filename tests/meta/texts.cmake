@@ -1,6 +1,6 @@
 # cmake -DFOLDER= -DSOURCE= -P texts.cmake
-# Checks that every mutant, also each slow one, still finds its text. So a change to the code shows at once which mutants must
-# follow.
+# Checks that every mutant, also each slow one, still finds its text. So a change to the code shows at once
+# which mutants must follow.
 file(STRINGS ${FOLDER}/names names)
 set(lost "")
 foreach(name IN LISTS names)
@@ -9,8 +9,9 @@ foreach(name IN LISTS names)
       continue()
     endif()
     file(READ ${FOLDER}/${name}/file${place} file)
-    execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/${name}/old${place} -DNEW=${FOLDER}/${name}/new${place} -DFROM=${SOURCE}/${file}
-      -DTO=${FOLDER}/${name}/tried -P ${CMAKE_CURRENT_LIST_DIR}/apply.cmake RESULT_VARIABLE result ERROR_VARIABLE error)
+    execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/${name}/old${place}
+      -DNEW=${FOLDER}/${name}/new${place} -DFROM=${SOURCE}/${file} -DTO=${FOLDER}/${name}/tried
+      -P ${CMAKE_CURRENT_LIST_DIR}/apply.cmake RESULT_VARIABLE result ERROR_VARIABLE error)
     file(REMOVE ${FOLDER}/${name}/tried)
     if(NOT result EQUAL 0)
       string(APPEND lost "${name}: ${error}\n")

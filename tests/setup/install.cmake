@@ -6,8 +6,8 @@ file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
 unset(ENV{RAYCLOCK_RTL})
 
 function(run result)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}/elsewhere RESULT_VARIABLE code OUTPUT_VARIABLE output
-    ERROR_VARIABLE output)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}/elsewhere RESULT_VARIABLE code
+    OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${ARGN} ended with ${code}:\n${output}")
   endif()
@@ -34,8 +34,9 @@ run(output ${program} simulate ${prefix}/share/rayclock/scenes/desk.json --size 
 if(EXISTS ${prefix}/lib/python3/dist-packages/rayclock AND PYTHON)
   execute_process(COMMAND ${PYTHON} -c "import numpy" RESULT_VARIABLE lacks_numpy ERROR_QUIET)
   if(lacks_numpy EQUAL 0)
-    run(output ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
-      ${PYTHON} -c "import rayclock; print(rayclock.simulate('gears:1', size=(8, 8), clock=66).digest)")
+    run(output ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages
+      PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
+      "import rayclock; print(rayclock.simulate('gears:1', size=(8, 8), clock=66).digest)")
   endif()
 endif()
 
@@ -62,11 +63,12 @@ ask study gig
 ask study area --no-such --uni
 ")
 run(output bash ${FOLDER}/ask.sh)
-demand("${output}" "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n<node_width= node_ways=>\n<study>\n<gigahertz>\n<--unit>")
-foreach(shell zsh=zsh/vendor-completions/_rayclock fish=fish/vendor_completions.d/rayclock.fish)
-  string(REPLACE "=" ";" shell ${shell})
-  list(GET shell 0 name)
-  list(GET shell 1 file)
+string(CONCAT completed "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n"
+  "<node_width= node_ways=>\n<study>\n<gigahertz>\n<--unit>")
+demand("${output}" "${completed}")
+set(shells zsh fish)
+set(completions zsh/vendor-completions/_rayclock fish/vendor_completions.d/rayclock.fish)
+foreach(name file IN ZIP_LISTS shells completions)
   file(READ ${prefix}/share/${file} text)
   demand("${text}" "max-other")
   find_program(${name} ${name})
@@ -79,7 +81,8 @@ endforeach()
 file(WRITE ${FOLDER}/other/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
 project(other LANGUAGES NONE)
 find_package(rayclock 0.1 REQUIRED)
-execute_process(COMMAND verilator --lint-only -Wall --top-module rc_chip \${rayclock_RTL_SOURCES} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND verilator --lint-only -Wall --top-module rc_chip \${rayclock_RTL_SOURCES}
+  COMMAND_ERROR_IS_FATAL ANY)
 get_target_property(program rayclock::rayclock IMPORTED_LOCATION)
 execute_process(COMMAND \${program} --version COMMAND_ERROR_IS_FATAL ANY)
 ")
@@ -90,7 +93,8 @@ file(COPY ${prefix}/share/doc/rayclock/docs/library DESTINATION ${FOLDER})
 run(output ${CMAKE_COMMAND} -S ${FOLDER}/library -B ${FOLDER}/library/build -DCMAKE_PREFIX_PATH=${prefix})
 run(output ${CMAKE_COMMAND} --build ${FOLDER}/library/build)
 run(output ${FOLDER}/library/build/example)
-run(expected ${program} simulate gears:4 --size 256x192 --clock 200 --set node_sets=128 --no-reference --json -)
+run(expected ${program} simulate gears:4 --size 256x192 --clock 200 --set node_sets=128 --no-reference --json
+  -)
 string(JSON cycles GET "${expected}" clocks 0 cycles)
 string(JSON triangles GET "${expected}" scene triangles)
 demand("${output}" "gears:4: ${triangles} triangles")
@@ -104,8 +108,8 @@ endif()
 file(READ ${FOLDER}/library/CMakeLists.txt project)
 string(REPLACE "rayclock 0.1" "rayclock 0.2" project "${project}")
 file(WRITE ${FOLDER}/later/CMakeLists.txt "${project}")
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${FOLDER}/later -B ${FOLDER}/later/build -DCMAKE_PREFIX_PATH=${prefix}
-  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${FOLDER}/later -B ${FOLDER}/later/build
+  -DCMAKE_PREFIX_PATH=${prefix} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
 if(code EQUAL 0 OR NOT said MATCHES "0.2")
   message(FATAL_ERROR "find_package(rayclock 0.2) ended with ${code} and said:\n${said}")
 endif()

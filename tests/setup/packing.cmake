@@ -1,5 +1,6 @@
 # cmake -DBUILD= -DFOLDER= -P packing.cmake
-# Without a program that a Debian package needs, cpack refuses in a sentence that names its package, and makes nothing.
+# Without a program that a Debian package needs, cpack refuses in a sentence that names its package, and makes
+# nothing.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/bin)
 function(check_refusal words)

@@ -8,7 +8,9 @@ foreach(name "good (one)" "good *two, three" bad)
   if(name STREQUAL "bad")
     set(result 1)
   endif()
-  string(APPEND tests "add_test([=[${name}]=] sh -c \"echo ran >> ${FOLDER}/${file}; test ${result} = 0 || test -e ${FOLDER}/mended\")\n"
+  string(APPEND tests
+    "add_test([=[${name}]=] sh -c "
+    "\"echo ran >> ${FOLDER}/${file}; test ${result} = 0 || test -e ${FOLDER}/mended\")\n"
     "set_tests_properties([=[${name}]=] PROPERTIES LABELS slow)\n")
 endforeach()
 string(APPEND tests "add_test(quick sh -c \"echo ran >> ${FOLDER}/quick\")\n")

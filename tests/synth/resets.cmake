@@ -1,5 +1,6 @@
 # cmake -DYOSYS= -DRTL= -DFOLDER= -P resets.cmake
-# A netlist has a register of reset for each unit, since the borders of rc_reset_register stay: without them Yosys makes one of two.
+# A netlist has a register of reset for each unit, since the borders of rc_reset_register stay: without them
+# Yosys makes one of two.
 file(MAKE_DIRECTORY ${FOLDER})
 file(WRITE ${FOLDER}/two.sv "module two (input clk_i, input rst_ni, output first_o, output second_o);
   rc_reset_register u_first (.clk_i(clk_i), .rst_ni(rst_ni), .rst_no(first_o));
@@ -9,7 +10,8 @@ file(READ ${RTL}/cells/rc_reset_register.sv text)
 string(REPLACE "(* keep_hierarchy *)" "" bare "${text}")
 function(expect_registers count text)
   file(WRITE ${FOLDER}/rc_reset_register.sv "${text}")
-  file(WRITE ${FOLDER}/run.ys "read_verilog -sv \"${FOLDER}/rc_reset_register.sv\" \"${FOLDER}/two.sv\"\nsynth_ecp5 -top two
+  file(WRITE ${FOLDER}/run.ys
+    "read_verilog -sv \"${FOLDER}/rc_reset_register.sv\" \"${FOLDER}/two.sv\"\nsynth_ecp5 -top two
 setattr -mod -unset keep_hierarchy *\nflatten\nopt_clean\nselect -assert-count ${count} t:TRELLIS_FF\n")
   execute_process(COMMAND ${YOSYS} -q -l ${FOLDER}/yosys.log ${FOLDER}/run.ys COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -1,7 +1,8 @@
 # cmake -DRTL=folder -P style.cmake
-# Every Verilog file begins with a comment and sets default_nettype none. It has no tab, no trailing blank, no comment
-# directly behind a comma or semicolon, no line above 100 columns, no generate block without a name, and no '1 that a
-# constant selects: Yosys 0.23 makes 1 of it. The generated package declares no nets, and its lines may be longer.
+# Every Verilog file begins with a comment and sets default_nettype none. It has no tab, no trailing blank, no
+# comment directly behind a comma or semicolon, no line above 100 columns, no generate block without a name,
+# and no '1 that a constant selects: Yosys 0.23 makes 1 of it. The generated package declares no nets, and its
+# lines may be longer.
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(LENGTH sources count)
 if(count LESS 10)
@@ -26,8 +27,10 @@ foreach(source IN LISTS sources)
   refuse(${source} "\t" "a tab")
   refuse(${source} " \n" "a blank at the end of the line")
   refuse(${source} "[,;]//" "a comment without a blank before it")
-  refuse(${source} "\n  if \\([^\n]*\\)[ \n]+\\$error" "a generate block without a name, which Verilator 5.032 refuses")
-  refuse(${source} "[^A-Za-z0-9_][A-Z][A-Za-z0-9]* *[!=<>]=? *[0-9]+ [?] '1" "'1 chosen by a constant, which Yosys 0.23 turns into 1")
+  refuse(${source} "\n  if \\([^\n]*\\)[ \n]+\\$error"
+    "a generate block without a name, which Verilator 5.032 refuses")
+  refuse(${source} "[^A-Za-z0-9_][A-Z][A-Za-z0-9]* *[!=<>]=? *[0-9]+ [?] '1"
+    "'1 chosen by a constant, which Yosys 0.23 turns into 1")
   if(NOT text MATCHES "^//")
     string(APPEND bad "${source}:1: does not begin with a comment\n")
   endif()

@@ -1,5 +1,6 @@
 # cmake -DSOURCE=folder -DFILES=list -DCOMPILER=words -DOUTPUT=file -P stamp.cmake
-# Writes program_stamp(): a hash of the sources that a sweep's figures come from and of the compiler that builds them.
+# Writes program_stamp(): a hash of the sources that a sweep's figures come from and of the compiler that
+# builds them.
 set(all "${COMPILER}\n")
 separate_arguments(files UNIX_COMMAND "${FILES}")
 foreach(file IN LISTS files)

@@ -1,6 +1,6 @@
 # cmake -DBUILD= -DSOURCE= -P run.cmake
-# A campaign from its beginning, or on from where it was stopped: 180 faults of the RTL and 120 of the model, drawn from one seed,
-# and the rows of the tables. The torture set first, then the tests, quick and slow.
+# A campaign from its beginning, or on from where it was stopped: 180 faults of the RTL and 120 of the model,
+# drawn from one seed, and the rows of the tables. The torture set first, then the tests, quick and slow.
 set(folder ${BUILD}/campaign)
 set(campaign ${BUILD}/tests/meta/rc_campaign)
 set(page ${SOURCE}/tests/meta/campaign/RESULTS.md)
@@ -10,10 +10,12 @@ function(run)
 endfunction()
 run(${CMAKE_COMMAND} --build ${BUILD} --target rc_campaign rc_unit_tests rc_system_tests)
 run(${campaign} rtl ${folder}/rtl 20261122 180 ${rows})
-run(${CMAKE_COMMAND} -E env RAYCLOCK_CACHE=${BUILD}/rtl ${campaign} model ${folder}/model 20261122 120 ${BUILD} ${rows})
+run(${CMAKE_COMMAND} -E env RAYCLOCK_CACHE=${BUILD}/rtl ${campaign} model ${folder}/model 20261122 120
+  ${BUILD} ${rows})
 foreach(part rtl model)
   foreach(speed quick slow)
-    run(${CMAKE_COMMAND} -E env RAYCLOCK_CACHE=${BUILD}/rtl ${campaign} tests ${folder}/${part} ${BUILD} ${page} ${speed})
+    run(${CMAKE_COMMAND} -E env RAYCLOCK_CACHE=${BUILD}/rtl ${campaign} tests ${folder}/${part} ${BUILD}
+      ${page} ${speed})
   endforeach()
   run(${campaign} report ${folder}/${part} ${page} 98)
 endforeach()
