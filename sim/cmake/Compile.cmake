@@ -34,4 +34,4 @@ endfunction()
 # it.
 set(rc_less_optimised $<$<CONFIG:Release>:-O1>)
 
-include(Jumbo)
+include(Unity)

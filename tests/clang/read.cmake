@@ -1,27 +1,27 @@
-# cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] [-DUNITS=file] -P read.cmake
+# cmake -DCLANG= -DSOURCE= -DFOLDER=model -DSTRICT=[-Werror] [-DBATCHES=file] -P read.cmake
 # Every source below the folder is parsed and checked by Clang with the project's warnings; nothing is
-# generated. UNITS lists sources to read instead; each source must be in this list or be included by a source
-# of the list.
+# generated. BATCHES lists sources to read instead; each source must be in this list or be included by a
+# source of the list.
 file(GLOB_RECURSE files ${SOURCE}/${FOLDER}/*.cpp)
 list(LENGTH files count)
 if(count LESS 2)
   message(FATAL_ERROR "no sources below ${FOLDER}")
 endif()
-if(UNITS)
-  file(STRINGS ${UNITS} units)
-  set(text "${units}")
-  foreach(unit IN LISTS units)
-    file(STRINGS ${unit} included REGEX "^#include \"")
+if(BATCHES)
+  file(STRINGS ${BATCHES} batches)
+  set(text "${batches}")
+  foreach(batch IN LISTS batches)
+    file(STRINGS ${batch} included REGEX "^#include \"")
     string(APPEND text "${included}")
   endforeach()
   foreach(file IN LISTS files)
     file(RELATIVE_PATH part ${SOURCE} ${file})
     string(FIND "${text}" "${part}" there)
     if(there EQUAL -1)
-      message(FATAL_ERROR "${part} is in no unit of ${UNITS}")
+      message(FATAL_ERROR "${part} is in no batch of ${BATCHES}")
     endif()
   endforeach()
-  set(files "${units}")
+  set(files "${batches}")
 endif()
 string(REPLACE ";" "\n" list "${files}")
 string(RANDOM LENGTH 8 name)

@@ -1,16 +1,16 @@
 # Compiling several sources as one. tests/fuzz/program, a project of its own, includes this file too.
-cmake_path(SET rc_jumbo_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
+cmake_path(SET rc_unity_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 
-# rc_jumbo(NAME): compiles sixteen sources of a target as one, so that headers are parsed and templates
+# rc_unity_build(NAME): compiles sixteen sources of a target as one, so that headers are parsed and templates
 # instantiated once for all of them. Sources with options of their own (rc_define, SKIP_UNITY_BUILD_INCLUSION)
-# and generated sources stay alone. The sources of a unit share file-local names. A unit includes its sources
-# by their path in the project, so that the compiler cache serves other clones too, which the units of CMake's
-# own UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The global
-# property rc_jumbo_PATH lists the sources that are compiled together with PATH. tests/meta builds a mutant of
-# PATH from this list.
-function(rc_jumbo name)
+# and generated sources stay alone. The sources of a batch share file-local names. A batch includes its
+# sources by their path in the project, so that the compiler cache serves other clones too, which the units of
+# CMake's own UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The
+# global property rc_batch_PATH lists the sources that are compiled together with PATH. tests/meta builds a
+# mutant of PATH from this list.
+function(rc_unity_build name)
   get_target_property(sources ${name} SOURCES)
-  set(units)
+  set(batches)
   set(members)
   set(folders)
   foreach(source IN LISTS sources)
@@ -23,19 +23,19 @@ function(rc_jumbo name)
       list(APPEND folders ${folder})
     endif()
     if(defined OR alone OR generated)
-      list(APPEND units ${source})
+      list(APPEND batches ${source})
       continue()
     endif()
-    file(RELATIVE_PATH part ${rc_jumbo_root} ${source})
+    file(RELATIVE_PATH part ${rc_unity_root} ${source})
     list(APPEND members ${part})
     list(LENGTH members length)
     if(length EQUAL 16)
-      rc_jumbo_unit(${name})
+      rc_unity_batch(${name})
     endif()
   endforeach()
-  rc_jumbo_unit(${name})
+  rc_unity_batch(${name})
   list(REMOVE_DUPLICATES folders)
-  set_target_properties(${name} PROPERTIES SOURCES "${units}" rc_folders "${folders}")
+  set_target_properties(${name} PROPERTIES SOURCES "${batches}" rc_folders "${folders}")
 endfunction()
 
 # rc_folders(NAME RESULT): lists the folders that hold the sources of a library and of all libraries of the
@@ -61,24 +61,24 @@ function(rc_folders name result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# Writes the unit of the sources in `members`, lists it in `units`, and empties `members`.
-macro(rc_jumbo_unit name)
+# Writes the batch of the sources in `members`, lists it in `batches`, and empties `members`.
+macro(rc_unity_batch name)
   if(members)
-    list(LENGTH units number)
-    set(unit ${CMAKE_CURRENT_BINARY_DIR}/jumbo/${name}_${number}.cpp)
-    rc_write_unit(${unit} ${members})
-    list(APPEND units ${unit})
+    list(LENGTH batches number)
+    set(batch ${CMAKE_CURRENT_BINARY_DIR}/unity/${name}_${number}.cpp)
+    rc_write_batch(${batch} ${members})
+    list(APPEND batches ${batch})
     foreach(member IN LISTS members)
-      set_property(GLOBAL PROPERTY rc_jumbo_${member} ${members})
+      set_property(GLOBAL PROPERTY rc_batch_${member} ${members})
     endforeach()
     set(members)
   endif()
 endmacro()
 
-# rc_write_unit(UNIT SOURCE...): writes a source that includes the others.
-function(rc_write_unit unit)
+# rc_write_batch(BATCH SOURCE...): writes a source that includes the others.
+function(rc_write_batch batch)
   list(TRANSFORM ARGN PREPEND "#include \"")
   list(TRANSFORM ARGN APPEND "\"\n")
   list(JOIN ARGN "" text)
-  file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
+  file(CONFIGURE OUTPUT ${batch} CONTENT "${text}" @ONLY)
 endfunction()
