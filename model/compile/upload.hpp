@@ -77,7 +77,7 @@ struct UploadTiming {
 /// necessary. Then it begins the writes of the next frame, if they overlap this one. `upload_of(f)` is a
 /// frame's upload, null beyond the last. Returns the time taken.
 template <class Machine, class UploadOf>
-UploadTiming bring(Machine& machine, std::size_t f, const UploadOf& upload_of) {
+UploadTiming prepare_frame(Machine& machine, std::size_t f, const UploadOf& upload_of) {
     UploadTiming timing;
     const Upload& own = *upload_of(f);
     const std::uint64_t begin = machine.cycle();

@@ -10,7 +10,7 @@
 
 namespace rayclock {
 
-Scene folded(PlacedScene scene) {
+Scene keep_instances(PlacedScene scene) {
     Scene own = scene.own;
     own.placed = std::make_shared<const PlacedScene>(std::move(scene));
     return own;
@@ -25,7 +25,7 @@ std::uint64_t numbered_primitives(const Scene& scene) {
     return is_folded(scene) ? primitive_count(*scene.placed) : primitive_count(scene);
 }
 
-PlacedTriangle Unfolder::operator()(std::uint32_t primitive) const {
+PlacedTriangle InstancedTriangles::operator()(std::uint32_t primitive) const {
     PlacedTriangle out;
     const auto take = [&](const auto& mesh, const Triangle& triangle) {
         out.is_smooth = !mesh.normals.empty();

@@ -9,7 +9,7 @@ namespace rayclock {
 constexpr std::uint64_t most_unfolded = 100'000'000;
 
 /// Returns the scene with only its own triangles, and the instances in `placed`.
-Scene folded(PlacedScene scene);
+Scene keep_instances(PlacedScene scene);
 /// True if the scene has instances that are not written out.
 bool is_folded(const Scene& scene);
 /// Returns the number of all primitives, including those of instances.
@@ -29,9 +29,9 @@ struct PlacedTriangle {
 };
 
 /// Finds triangles of a folded scene by their numbers. The scene must outlive it.
-class Unfolder {
+class InstancedTriangles {
 public:
-    explicit Unfolder(const PlacedScene& scene) : scene_(scene), instances_(scene) {}
+    explicit InstancedTriangles(const PlacedScene& scene) : scene_(scene), instances_(scene) {}
     PlacedTriangle operator()(std::uint32_t primitive) const;
 
 private:

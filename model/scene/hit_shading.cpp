@@ -95,9 +95,9 @@ PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
     return out;
 }
 
-ShadedPoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit, const glm::dvec3& eye,
-                          const glm::dvec3& direction) {
-    if (unfolder) return on_triangle(scene, (*unfolder)(hit.primitive), hit, eye);
+ShadedPoint surface_point(const Scene& scene, const InstancedTriangles* instanced, const Hit& hit,
+                          const glm::dvec3& eye, const glm::dvec3& direction) {
+    if (instanced) return on_triangle(scene, (*instanced)(hit.primitive), hit, eye);
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
     if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
     if (hit.primitive < triangles + spheres)
@@ -127,8 +127,8 @@ glm::dvec3 colour_at(const Scene& scene, const ShadedPoint& point) {
 Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progress) {
     if (!scene.camera) throw std::logic_error("shade() needs scene.camera: highlights depend on the eye");
     const glm::dvec3 eye = scene.camera->eye;
-    const std::optional<Unfolder> unfolder =
-        is_folded(scene) ? std::make_optional<Unfolder>(*scene.placed) : std::nullopt;
+    const std::optional<InstancedTriangles> instanced =
+        is_folded(scene) ? std::make_optional<InstancedTriangles>(*scene.placed) : std::nullopt;
     const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
     Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
     std::mutex reporting;
@@ -139,8 +139,8 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
             const Hit& hit = frame.hits[i];
             if (hit.primitive == no_primitive) continue;
             const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
-            picture.pixels[i] = glm::vec3(
-                colour_at(scene, surface_point(scene, unfolder ? &*unfolder : nullptr, hit, eye, direction)));
+            picture.pixels[i] = glm::vec3(colour_at(
+                scene, surface_point(scene, instanced ? &*instanced : nullptr, hit, eye, direction)));
         }
         if (!progress) return;
         const std::lock_guard lock(reporting);

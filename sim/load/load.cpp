@@ -52,7 +52,7 @@ Scene folded_scene(JsonLoad load, const std::string& where) {
         throw UserError(
             where + ": " + std::to_string(primitive_count(load.scene)) +
             " placed triangles are too many to find lights for them; the scene must have a list of them");
-    Scene scene = folded(std::move(load.scene));
+    Scene scene = keep_instances(std::move(load.scene));
     check_folded(scene, where);
     return scene;
 }

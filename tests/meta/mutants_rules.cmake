@@ -63,8 +63,9 @@ mutant(rule_camera_rays_rounded_down FILE model/unit/raygen/raygen.cpp TEST simu
 mutant(rule_eye_one_step_aside FILE model/compile/frame.cpp TEST simulate "gears:1"
   OLD [[frame.eye = lattice.snap(rays.eye);]]
   NEW [[frame.eye = lattice.snap(rays.eye + lattice.pitch);]])
-mutant(rule_excess_from_the_smaller_weight FILE model/unit/isect/origin.cpp TEST simulate
-  "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120 | cornell --depth 1 --size 160x120 | gears:2 --depth 1 --size 320x240"
+string(CONCAT origin_scenes "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120 | "
+  "cornell --depth 1 --size 160x120 | gears:2 --depth 1 --size 320x240")
+mutant(rule_excess_from_the_smaller_weight FILE model/unit/isect/origin.cpp TEST simulate "${origin_scenes}"
   OLD [[(w.u > w.v ? w.u : w.v) -= excess;]]
   NEW [[(w.u > w.v && w.v > excess ? w.v : w.u > excess ? w.u : w.v) -= excess;]])
 

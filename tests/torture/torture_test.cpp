@@ -61,7 +61,7 @@ TEST_CASE("every count in a report is that of the transfers in a trace") {
         const Config& config = torture.job.config;
         const std::vector<RecordedFrame> frames = record_torture(torture);
         Machine machine(config, torture.job.khz, torture.traffic);
-        bring(machine, 0, std::span(frames));
+        prepare_frame(machine, 0, std::span(frames));
         std::array<std::uint64_t, link_count> moved{};
         machine.start(frames[0].frame, frames[0].trace);
         while (!machine.done()) machine.step([&](const Move& move) { ++moved[index(move.link)]; });

@@ -55,8 +55,8 @@ Scene corners_of(const Lattice& lattice) {
     return scene;
 }
 
-std::optional<Unfolder> unfolder_of(const Scene& scene) {
-    return is_folded(scene) ? std::make_optional<Unfolder>(*scene.placed) : std::nullopt;
+std::optional<InstancedTriangles> triangles_of(const Scene& scene) {
+    return is_folded(scene) ? std::make_optional<InstancedTriangles>(*scene.placed) : std::nullopt;
 }
 
 }   // namespace
@@ -72,12 +72,13 @@ CameraStageCheck::CameraStageCheck(const FrameInputs& inputs, const Scene& steps
       bound_(inputs, rays_),
       light_space_(corners_of(inputs.lattice)),
       scale_(inputs.frame, inputs.lattice, inputs.config),
-      given_unfolder_(unfolder_of(inputs.scene)),
-      steps_unfolder_(unfolder_of(steps)) {}
+      given_triangles_(triangles_of(inputs.scene)),
+      steps_triangles_(triangles_of(steps)) {}
 
-PlacedTriangle CameraStageCheck::triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
+PlacedTriangle CameraStageCheck::triangle(const Scene& scene,
+                                          const std::optional<InstancedTriangles>& instanced,
                                           std::uint32_t i) const {
-    if (unfolder) return (*unfolder)(i);
+    if (instanced) return (*instanced)(i);
     PlacedTriangle out;
     out.is_smooth = !scene.normals.empty();
     out.material = scene.triangles[i].material;
@@ -162,7 +163,7 @@ double CameraStageCheck::instance_error(std::uint32_t place, double t) const {
 /// to floats.
 bool CameraStageCheck::holds_point(int x, int y, const Vec3i& d, const Closest& answer) const {
     const std::uint32_t place = placed_ ? placed_->place_of(answer.prim) : oracle::PlacedRay::nowhere;
-    const PlacedTriangle t = triangle(steps_, steps_unfolder_, answer.prim);
+    const PlacedTriangle t = triangle(steps_, steps_triangles_, answer.prim);
     Hit hit = scale_({std::uint32_t(x), std::uint32_t(y), answer});
     if (placed_ && placed_->is_mirrored(place))
         std::swap(hit.u, hit.v);   // the flat scene's order of corners
@@ -185,7 +186,7 @@ bool CameraStageCheck::holds_point(int x, int y, const Vec3i& d, const Closest& 
 /// Uses a scene of that one triangle. LocalLight gives the hit to the tracer, which does not search for one.
 std::optional<glm::dvec3> CameraStageCheck::local_light(const Hit& hit, int x, int y) const {
     if (hit.primitive == no_primitive) return inputs_.scene.background;
-    const PlacedTriangle t = triangle(inputs_.scene, given_unfolder_, hit.primitive);
+    const PlacedTriangle t = triangle(inputs_.scene, given_triangles_, hit.primitive);
     Scene scene;
     scene.materials = {inputs_.scene.materials[t.material]}, scene.lights = inputs_.scene.lights;
     scene.background = inputs_.scene.background;

@@ -44,7 +44,7 @@ public:
     std::optional<glm::dvec3> local_light(const Hit& hit, int x, int y) const;
 
 private:
-    PlacedTriangle triangle(const Scene& scene, const std::optional<Unfolder>& unfolder,
+    PlacedTriangle triangle(const Scene& scene, const std::optional<InstancedTriangles>& instanced,
                             std::uint32_t i) const;
     bool is_tie(const glm::dvec3& from, const glm::dvec3& d, const Closest& answer, const Hit& own) const;
     /// Returns true if the machine's ray passes through the point that the answer's weights give, at the
@@ -61,7 +61,7 @@ private:
     CameraBound bound_;
     RefGeometry light_space_;   ///< the space in which local_light() computes
     HitScale scale_;
-    std::optional<Unfolder> given_unfolder_, steps_unfolder_;
+    std::optional<InstancedTriangles> given_triangles_, steps_triangles_;
 };
 
 }   // namespace rayclock

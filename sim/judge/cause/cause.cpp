@@ -100,7 +100,7 @@ private:
         world_.emplace(inputs_, image_);
         exact_.emplace(*world_, inputs_.config);
         seams_.emplace(*world_, inputs_.config);
-        steps_ = is_folded(inputs_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
+        steps_ = is_folded(inputs_.scene) ? keep_instances(world_->snapped()) : flat_copy(world_->snapped());
         for (const std::string& sentence : world_->faults()) report(0, sentence);
     }
     void report(std::size_t pixel, const std::string& sentence) {

@@ -86,7 +86,7 @@ private:
     void run_model_frame(std::size_t f, Script& script, const Progress& progress) {
         const RecordedFrame& frame = frames_[f];
         const Stopwatch watch;
-        const UploadTiming upload = bring(model_, f, std::span(frames_));
+        const UploadTiming upload = prepare_frame(model_, f, std::span(frames_));
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
@@ -112,7 +112,7 @@ private:
         const Stopwatch watch;
         const std::uint64_t pixels = script.size();
         UploadTiming upload;
-        guarded([&] { upload = bring(rtl_, f, std::span(frames_)); });
+        guarded([&] { upload = prepare_frame(rtl_, f, std::span(frames_)); });
         const std::uint64_t first = rtl_.cycle();
         begins_ = first;
         const MemoryStats memory = rtl_.memory().stats();

@@ -115,7 +115,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
     for (std::size_t f = 0; f < frames.size(); ++f) {
         const RecordedFrame& frame = frames[f];
         const Stopwatch watch;
-        const UploadTiming upload = bring(machine, f, std::span(frames));
+        const UploadTiming upload = prepare_frame(machine, f, std::span(frames));
         const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
         const Accounts accounts = machine.accounts();
         const MemoryStats memory = machine.memory().stats();
@@ -253,7 +253,7 @@ std::vector<FrameResult> run_rtl(const Job& job, int khz, std::span<const Record
     std::vector<FrameResult> runs;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         machine.change(frames[f].upload);
-        const UploadTiming upload = bring(machine, f, frames);
+        const UploadTiming upload = prepare_frame(machine, f, frames);
         runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic),
                                      upload, progress));
         if (runs.back().partial) break;

@@ -83,10 +83,11 @@ struct RecordedFrame {
     Trace trace;
     Upload upload{};
 };
-/// Calls bring() for one frame of a sequence.
+/// Calls prepare_frame() for one frame of a sequence.
 template <class Machine>
-UploadTiming bring(Machine& machine, std::size_t f, std::span<const RecordedFrame> frames) {
-    return bring(machine, f, [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
+UploadTiming prepare_frame(Machine& machine, std::size_t f, std::span<const RecordedFrame> frames) {
+    return prepare_frame(machine, f,
+                         [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
 }
 /// Records the work of a frame's rays. `threads` 0 means all cores.
 RecordedFrame record_frame(const Job& job, const Frame& frame, int threads = 0,

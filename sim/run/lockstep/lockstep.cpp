@@ -97,8 +97,8 @@ private:
             payloads_.emplace(image_, job_.config);
             rtl_.change(upload);
         }
-        upload_ = bring(model_, f, std::span(frames_));
-        const UploadTiming other = bring(rtl_, f, std::span(frames_));
+        upload_ = prepare_frame(model_, f, std::span(frames_));
+        const UploadTiming other = prepare_frame(rtl_, f, std::span(frames_));
         if (upload_.cycles != other.cycles || upload_.reset != other.reset)
             throw std::runtime_error("model and RTL do not take the same time for what the host writes");
     }

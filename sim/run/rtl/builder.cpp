@@ -61,7 +61,7 @@ void take(BuildLock& lock, Report& report) {
 
 /// Returns the beginning of an entry's name, a hash of the inputs. A hash of the tools follows it.
 std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
-    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves, form)));
+    return fmt::format("{}-{:016x}-", module, hash_of(build_inputs(config, module, waves, form)));
 }
 
 std::string made_by() {
@@ -117,7 +117,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
     const std::uint64_t tools = hash_of(made_by());
     const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, tools),
                    support = rtl_cache() / fmt::format("{}{:016x}-{:016x}", support_begin,
-                                                       hash_of(support_ingredients(waves)), tools);
+                                                       hash_of(support_inputs(waves)), tools);
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
     const std::string form_name = form == Form::rtl ? "the RTL" : "the netlist";
@@ -134,7 +134,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
     if (form == Form::netlist) {
         const fs::path gates =
             rtl_cache() / fmt::format("{}{:016x}-{:016x}", netlist_begin,
-                                      hash_of(gates_ingredients(config, module)), hash_of(gates_tool()));
+                                      hash_of(gates_inputs(config, module)), hash_of(gates_tool()));
         provide(gates, report, [&](const fs::path& folder) { make_gates(folder, config, module, update); });
         netlist = library_of(gates);
     }

@@ -162,7 +162,7 @@ void link(const fs::path& folder, const std::vector<Source>& sources, const std:
 
 }   // namespace
 
-std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form) {
+std::string build_inputs(const Config& config, const std::string& module, Waves waves, Form form) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
     const auto add = [&](const std::vector<Arguments>& flags) {
@@ -171,9 +171,9 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
     };
     add({verilator_flags, compiler_flags(), start_flags});
     if (form == Form::rtl) {
-        all += source_ingredients();
+        all += source_inputs();
     } else {
-        all += gates_ingredients(config, module) + gates_vlt();
+        all += gates_inputs(config, module) + gates_vlt();
         add({netlist_verilator_flags, netlist_compiler_flags});
     }
     if (waves == Waves::no) return all;
@@ -182,7 +182,7 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
     return all;
 }
 
-std::string support_ingredients(Waves waves) {
+std::string support_inputs(Waves waves) {
     std::string all;
     for (const Arguments& flags : {compiler_flags(), support_source(waves).flags})
         for (const std::string& flag : flags) all += " " + flag;

@@ -18,11 +18,11 @@ enum class Waves : bool { no, yes };
 enum class Form : bool { rtl, netlist };
 
 /// Returns all inputs of a library except the tools, as one text: any change of it means another library.
-std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form);
+std::string build_inputs(const Config& config, const std::string& module, Waves waves, Form form);
 
 /// Verilator's own sources, which all modules need, in a version with and one without waveforms. The function
-/// support_ingredients() returns their inputs, and make_support() compiles them in an empty folder.
-std::string support_ingredients(Waves waves);
+/// support_inputs() returns their inputs, and make_support() compiles them in an empty folder.
+std::string support_inputs(Waves waves);
 void make_support(const std::filesystem::path& folder, Waves waves, const Working& working);
 
 /// Makes module.so in an empty folder, and leaves nothing else in it. `support` is the result of

@@ -90,8 +90,8 @@ const std::string& gates_tool() {
     return version;
 }
 
-std::string gates_ingredients(const Config& config, const std::string& module) {
-    std::string all = rc_package(config) + source_ingredients() + script(module) + own_cells();
+std::string gates_inputs(const Config& config, const std::string& module) {
+    std::string all = rc_package(config) + source_inputs() + script(module) + own_cells();
     for (const std::string& name : modelled_by_yosys) all += " " + name;
     return all;
 }

@@ -12,7 +12,7 @@ namespace rayclock {
 const std::string& gates_tool();
 
 /// Returns all inputs of a netlist except Yosys, as one text.
-std::string gates_ingredients(const Config& config, const std::string& module);
+std::string gates_inputs(const Config& config, const std::string& module);
 
 /// Makes netlist.v in an empty folder, and leaves nothing else in it. It holds the module, with the same
 /// ports as in the RTL, and the models of all cells. Each unit is synthesised by itself, as `rayclock chip`

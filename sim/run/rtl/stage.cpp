@@ -49,7 +49,7 @@ std::string added_flags() {
     return added ? added : "";
 }
 
-std::string source_ingredients() {
+std::string source_inputs() {
     std::string all;
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
     return all;

@@ -19,7 +19,7 @@ using Working = std::function<void(const char* stage, std::optional<double> left
 std::string added_flags();
 
 /// Returns the sources and waivers, but not the package, as one text.
-std::string source_ingredients();
+std::string source_inputs();
 
 /// Copies the sources to a folder in which tools run, under names that all tools can handle. So tools see no
 /// path of the user. Returns the names there: the waivers, the package, all others. Throws UserError.

@@ -47,8 +47,8 @@ public:
                     payloads_.emplace(image_, job_.config);
                     rtl_.change(frames[f].upload);
                 }
-                bring(model_, f, std::span(frames));
-                bring(rtl_, f, std::span(frames));
+                prepare_frame(model_, f, std::span(frames));
+                prepare_frame(rtl_, f, std::span(frames));
                 if (!run_frame(frames[f], progress)) break;
             }
         } catch (const RtlAssertion&) {   // the previous run has reported it

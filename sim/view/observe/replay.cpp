@@ -42,14 +42,14 @@ FrameCosts observe(const Config& config, int khz, std::span<const RecordedFrame>
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     for (std::size_t f = 0; f + 1 < frames.size(); ++f) {
-        bring(machine, f, frames);
+        prepare_frame(machine, f, frames);
         machine.start(frames[f].frame, frames[f].trace);
         while (!machine.done() && !interrupted()) {
             machine.run(machine.cycle() + cycles_between_reports);
             check_moving(machine, limit);
         }
     }
-    bring(machine, frames.size() - 1, frames);
+    prepare_frame(machine, frames.size() - 1, frames);
     return observe_frame(machine, frames.back().frame, frames.back().trace, limit, window, sink, progress);
 }
 
