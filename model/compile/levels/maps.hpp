@@ -51,10 +51,10 @@ struct MeshClass {
     Lattice lattice;
     std::vector<glm::dvec3> corners;   ///< for a chip that shades: the mesh's corners, as
                                        ///< align_large_triangles() moves them
-    std::vector<Vec3i> points;   ///< its corners on the lattice, each once
-    std::int32_t longest = 0;    ///< longest component of an edge, in steps
-    CornerReach reach;           ///< of `points`
-    bool deforms = false;        ///< fields that depend on the mesh's corners belong to one frame
+    std::vector<Vec3i> points;         ///< its corners on the lattice, each once
+    std::int32_t longest = 0;          ///< longest component of an edge, in steps
+    CornerReach reach;                 ///< of `points`
+    bool deforms = false;              ///< fields that depend on the mesh's corners belong to one frame
     /// The members' stretch of normals, up to a rotation and a factor: the cofactors of the first member's
     /// place.
     glm::dmat3 normal_map{1};
