@@ -21,10 +21,10 @@ using namespace rayclock;
 
 namespace {
 
-using Kind = OriginScheme::Kind;
-const std::vector<OriginScheme> schemes{{Kind::excluded, 0}, {Kind::pushed, 0},  {Kind::epsilon, 16},
-                                        {Kind::surface, 4},  {Kind::surface, 6}, {Kind::surface, 8},
-                                        {Kind::surface, 12}, {Kind::surface, 16}};
+using Method = OriginScheme::Method;
+const std::vector<OriginScheme> schemes{{Method::excluded, 0}, {Method::pushed, 0},  {Method::epsilon, 16},
+                                        {Method::surface, 4},  {Method::surface, 6}, {Method::surface, 8},
+                                        {Method::surface, 12}, {Method::surface, 16}};
 constexpr std::array bits{12, 14, 16, 18, 20};
 
 /// counts[scheme][scene][width]
@@ -94,7 +94,7 @@ std::string measured(const Counts& counts) {
     for (std::size_t s = 0; s < schemes.size(); ++s) {
         ShadowCounts sum;
         for (const auto& scene : counts[s]) sum += sum_of(scene);
-        by_scheme.add(row(schemes[s].name(), sum, schemes[s].kind == Kind::surface));
+        by_scheme.add(row(schemes[s].name(), sum, schemes[s].method == Method::surface));
     }
     for (std::size_t i = 0; i < scenes.size(); ++i)
         by_scene.add(row(scenes[i].name, sum_of(counts[6][i]), true));

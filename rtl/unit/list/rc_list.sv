@@ -248,10 +248,10 @@ module rc_list (
     next_offset = '0;
     s1_near     = '0;
     for (int i = 0; i < NodeWidth; i++) begin
-      if (cursor_leaf == SlotBits'(i)) begin
-        leaf_count  = leaf_count | group_count[i*CountBits +: CountBits];
+      if (cursor_leaf == SlotBits'(i))
+        leaf_count = leaf_count | group_count[i*CountBits +: CountBits];
+      if (cursor_leaf == SlotBits'(i))
         this_offset = this_offset | group_offset[i*OffsetBits +: OffsetBits];
-      end
       if (at_next == SlotBits'(i))
         next_offset = next_offset | group_offset[i*OffsetBits +: OffsetBits];
       if (s1_next == SlotBits'(i)) s1_near = s1_near | group_near[i*TBits +: TBits];
