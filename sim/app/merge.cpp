@@ -26,7 +26,11 @@ void declare_merge(Parser& parser, MergeOptions& o) {
 int run_merge(const MergeOptions& o) {
     check_outputs(o.outputs);
     const sweep::MergedSweep merged = sweep::merge(o.reports, axis_clock);
-    check_plots(o.outputs, merged.settings.axes, merged.settings.is_stream());
+    const sweep::SweepSettings& settings = merged.settings;
+    check_plots(o.outputs, settings.axes,
+                settings.is_stream()     ? Drawn::stream
+                : settings.has_picture() ? Drawn::picture
+                                         : Drawn::sample);
     write_sweep(o.outputs, merged,
                 fmt::format("{} points from {} file{}", merged.outcome.results.size(), o.reports.size(),
                             o.reports.size() == 1 ? "" : "s"),

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/parts/stream_commands.hpp"
+#include "sim/app/run/sample_run.hpp"
 #include "sim/app/run/sweep_run.hpp"
 #include "sim/app/parts/sweep_outputs.hpp"
 #include "sim/files/image/image.hpp"
@@ -28,7 +30,7 @@ struct SweepOptions {
     bool fresh = false, no_netlist = false;
     int threads = 0;
     std::optional<int> cache_bytes;
-    std::optional<std::string> shard;
+    std::optional<std::string> shard, sample;
     StreamChoice stream;
     SweepOutputs outputs;
 };
@@ -38,7 +40,7 @@ void declare_sweep(Parser& parser, SweepOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     frames_options(parser, o.frames);
-    parser.option("--seed", o.seed, "seed of --jittered").within(1, 1 << 30);
+    parser.option("--seed", o.seed, "seed of --jittered and --sample").within(1, 1 << 30);
     parser
         .option("--axis", o.axes,
                 "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; a/b=1/8,2/4 changes "
@@ -62,10 +64,28 @@ void declare_sweep(Parser& parser, SweepOptions& o) {
     netlist_option(parser, o.no_netlist);
     threads_option(parser, o.threads);
     stream_options(parser, o.stream, false);
+    parser.option("--sample", o.sample,
+                  "estimate each point from this share of its frame, for example 2%; draws no pictures");
     sweep_outputs(parser, o.outputs);
 }
 
+/// Returns the request for samples. Throws UserError if an option was given that has no meaning for them.
+std::optional<sample::Ask> sample_of(const SweepOptions& o) {
+    if (!o.sample) return std::nullopt;
+    const auto refuse = [](bool is_given, const char* option, const char* why) {
+        if (is_given) throw UserError(fmt::format("--sample: {}; leave out {}", why, option));
+    };
+    const LimitsChoice& limits = o.outputs.limits;
+    refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
+    refuse(o.frames.is_given(), "--frames and its group",
+           "a sample covers one frame, at the scene's first moment");
+    refuse(limits.max_other || limits.max_depth_error || limits.min_psnr,
+           "--max-other, --max-depth-error and --min-psnr", "a sample has no picture to compare");
+    return sample::Ask{parse_share(*o.sample), o.seed};
+}
+
 int run_sweep_command(const SweepOptions& o) {
+    const std::optional<sample::Ask> sample = sample_of(o);
     const bool is_stream =
         traces_stream(o.stream, {o.size, o.finish, o.view, o.frames, o.outputs.limits, {}});
     sweep::parse_cost(o.cost);   // refused before the scene is loaded
@@ -78,7 +98,7 @@ int run_sweep_command(const SweepOptions& o) {
     std::vector<sweep::Axis> axes;
     for (const std::string& text : o.axes) axes.push_back(sweep::parse_axis(text));
     check_outputs(o.outputs);
-    check_plots(o.outputs, axes, is_stream);
+    check_plots(o.outputs, axes, is_stream ? Drawn::stream : sample ? Drawn::sample : Drawn::picture);
     const Progress progress = terminal_progress();
     StreamRequest stream;
     Request request;
@@ -88,10 +108,12 @@ int run_sweep_command(const SweepOptions& o) {
         request.scene = stream.input->scene();
     } else {
         request = request_of(o.scene, o.config, o.finish, o.seed, size, stopping(progress), o.view);
+        if (sample && moves(request.scene))
+            throw UserError("--sample: " + printable(o.scene) + " moves, and a film is simulated as a whole");
     }
     const SweepResult run = run_sweep(
         {request, is_stream ? FrameSize{0, 0} : size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
-         !o.no_netlist, o.fresh, o.threads, o.frames, o.view, stream.input.get()},
+         !o.no_netlist, o.fresh, o.threads, o.frames, o.view, stream.input.get(), sample},
         progress);
     const sweep::Outcome& outcome = run.swept.outcome;
 

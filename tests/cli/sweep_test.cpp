@@ -363,3 +363,59 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     CHECK(without.code == 0);
     CHECK(without.out.find("Yosys is not installed") != std::string::npos);
 }
+
+TEST_CASE("a sweep of samples has the estimates of simulate, their half-widths, and no pictures") {
+    const Folder folder;
+    const std::vector<std::string> sweep{"sweep",          "gears:4",  "--size", "512x384", "--axis",
+                                         "node_sets=4,64", "--sample", "10%",    "--seed",  "3",
+                                         "--no-netlist",   "--clock",  "66"};
+    const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    };
+    const Outcome outcome =
+        run_program(with(sweep, {"--json", folder.name("all.json"), "-o", folder.name("all.csv"), "--plot",
+                                 "cycles,fps=" + folder.name("plot")}));
+    INFO(outcome.err << outcome.out);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.find("512x384, samples of 10 %") != std::string::npos);
+    const json report = json::parse(bytes_of(folder.name("all.json")));
+    CHECK(report["sweep"]["sample"] == json({{"share", 0.1}, {"seed", 3}}));
+    CHECK(report["front"]["speed"] == "fps");
+    for (const json& point : report["points"]) {
+        const std::string sets = "node_sets=" + std::to_string(point["node_sets"].get<int>());
+        INFO(sets);
+        const Outcome single =
+            run_program({"simulate", "gears:4", "--size", "512x384", "--set", sets, "--sample", "10%",
+                         "--seed", "3", "--clock", "66", "--json", "-"});
+        const json one = json::parse(single.out);
+        CHECK(point["clock"]["cycles"] == one["clocks"][0]["cycles"]);
+        CHECK(point["rays"] == one["rays"]);
+        CHECK(point["error"].is_null());
+        const double half_width = point["clock"]["sample"]["cycles_half_width"];
+        CHECK(half_width > 0);
+        CHECK(half_width < 0.1 * point["clock"]["cycles"].get<double>());
+    }
+    CHECK(report["points"][0]["clock"]["cycles"] > report["points"][1]["clock"]["cycles"]);
+    for (const char* part : {"1/2", "2/2"}) {
+        const std::string file = folder.name(std::string("part") + part[0] + ".json");
+        REQUIRE(run_program(with(sweep, {"--shard", part, "--json", file})).code == 0);
+    }
+    REQUIRE(run_program({"merge", folder.name("part1.json"), folder.name("part2.json"), "--json",
+                         folder.name("merged.json")})
+                .code == 0);
+    CHECK(json::parse(bytes_of(folder.name("merged.json")))["points"] == report["points"]);
+
+    const auto refused = [&](const std::vector<std::string>& more, const std::vector<std::string>& words) {
+        check_refused(run_program(with(sweep, more)), words);
+    };
+    refused({"--frames", "2"}, {"--sample", "--frames"});
+    refused({"--rays", "r.npy"}, {"--sample", "--rays"});
+    refused({"--min-psnr", "30"}, {"--sample", "--min-psnr"});
+    refused({"--report", folder.name("page.html")}, {"--report", "a sample has no picture"});
+    refused({"--plot", "psnr_db,cycles"}, {"psnr_db", "a sample has no picture"});
+    check_refused(run_program({"sweep", "gears:4", "--axis", "node_sets=4,64", "--sample", "50%"}),
+                  {"--sample", "30 %"});
+    check_refused(run_program({"sweep", "crowd:2", "--axis", "node_sets=4,64", "--sample", "10%"}),
+                  {"--sample", "moves"});
+}

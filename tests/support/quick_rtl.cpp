@@ -1,9 +1,12 @@
-// Compiles the RTL of tests with -Og unless RAYCLOCK_CXXFLAGS is set, because it runs for less time than it
-// takes to compile. Users' RTL is compiled with -O2.
+// Sets the compiler's flags for the RTL of tests, unless RAYCLOCK_CXXFLAGS is set: -Og, and Verilator's header
+// precompiled. Users' RTL is compiled with -O2.
 #include <cstdlib>
+#include <string>
 
 namespace {
 
-[[maybe_unused]] const int chosen = setenv("RAYCLOCK_CXXFLAGS", "-Og", 0);
+const std::string header = RAYCLOCK_RTL_HEADER;
+[[maybe_unused]] const int chosen =
+    setenv("RAYCLOCK_CXXFLAGS", (header.empty() ? "-Og" : "-Og -include " + header).c_str(), 0);
 
 }   // namespace

@@ -57,9 +57,11 @@ Plot plot_of(const std::string& typed) {
 
 }   // namespace
 
-void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, bool is_stream) {
-    if (is_stream && !o.report.empty())
-        throw UserError("--report shows the errors of pictures, and a stream of rays has no picture");
+void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, Drawn drawn) {
+    const bool has_picture = drawn == Drawn::picture;
+    const char* const what = drawn == Drawn::stream ? "a stream of rays" : "a sample";
+    if (!has_picture && !o.report.empty())
+        throw UserError(fmt::format("--report shows the errors of pictures, and {} has no picture", what));
     const std::vector<std::string> known = sweep::column_names(axes);
     for (const std::string& typed : o.plots)
         if (const Plot plot = plot_of(typed); plot.columns)
@@ -67,9 +69,9 @@ void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, bo
                 if (std::find(known.begin(), known.end(), column) == known.end())
                     throw UserError("--plot: the table has no column " + shown(column) +
                                     did_you_mean(column, known));
-                if (is_stream && sweep::is_of_picture(column))
-                    throw UserError("--plot: the column " + shown(column) +
-                                    " is empty, because a stream of rays has no picture");
+                if (!has_picture && sweep::is_of_picture(column))
+                    throw UserError(fmt::format("--plot: the column {} is empty, because {} has no picture",
+                                                shown(column), what));
                 if (sweep::has_words(axes, column))
                     throw UserError("--plot: the column " + shown(column) + " holds words, not numbers");
             }
@@ -100,7 +102,11 @@ void write_sweep(const SweepOutputs& o, const sweep::MergedSweep& swept, const s
             swept.settings.is_stream()
                 ? fmt::format("{} rays of {}", grouped(stream.at("rays").get<std::uint64_t>()),
                               printable(stream.at("file").get<std::string>()))
-                : fmt::format("{}x{}", swept.size.width, swept.size.height);
+                : fmt::format("{}x{}", swept.size.width, swept.size.height) +
+                      (swept.settings.has_picture()
+                           ? ""
+                           : fmt::format(", samples of {:g} %",
+                                         100 * swept.settings.sample.at("share").get<double>()));
         write_output(fmt::format("{}, {}: {}\n{}", printable(scene), traced, how,
                                  sweep::text(axes, swept.outcome, front)));
         if (swept.outcome.partial)

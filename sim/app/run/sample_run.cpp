@@ -32,16 +32,8 @@ double parse_seconds(const std::string& typed) {
     return value;
 }
 
-double share_of(const SampleChoice& choice) {
-    if (!choice.share) return 0;   // the smallest sample
-    const double percent = parse_percent("--sample", *choice.share, false);
-    if (percent > 100 * sample::most_share)
-        throw UserError(
-            fmt::format("--sample: {} is more than {:g} %, where simulating the whole frame is "
-                        "faster",
-                        shown(*choice.share), 100 * sample::most_share));
-    return percent / 100;
-}
+/// Returns the requested share; 0 is the smallest sample.
+double share_of(const SampleChoice& choice) { return choice.share ? parse_share(*choice.share) : 0; }
 
 sample::Estimate cycles_of(const sample::Sampled& sampled) {
     return sampled.total([](const FrameTiming& t) { return double(t.cycles); });
@@ -55,6 +47,16 @@ double widest_of(const std::vector<sample::Sampled>& clocks) {
 }
 
 }   // namespace
+
+double parse_share(const std::string& typed) {
+    const double percent = parse_percent("--sample", typed, false);
+    if (percent > 100 * sample::most_share)
+        throw UserError(
+            fmt::format("--sample: {} is more than {:g} %, where simulating the whole frame is "
+                        "faster",
+                        shown(typed), 100 * sample::most_share));
+    return percent / 100;
+}
 
 void check_sample(const SampleChoice& choice) {
     if (int(choice.share.has_value()) + int(choice.error.has_value()) + int(choice.within.has_value()) > 1)

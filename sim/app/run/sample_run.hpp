@@ -16,6 +16,9 @@ struct SampleChoice {
 /// Throws UserError if the choice makes no sense for any frame.
 void check_sample(const SampleChoice& choice);
 
+/// Parses the share of --sample, in percent.
+double parse_share(const std::string& typed);
+
 /// Samples one frame. If the choice is an error or a time, measures a small sample first, and repeats it with
 /// more parts if that is necessary or possible. `ask` receives the share and seed of the last sample.
 std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& clocks,

@@ -49,12 +49,14 @@ SweepResult run_sweep(SweepRequest ask, const Progress& progress) {
                              ask.size,
                              {std::move(ask.axes), ask.clock, ask.cost, ask.cache_bytes, ask.netlists,
                               ask.stream ? nlohmann::ordered_json() : sweep::picture_json(picture),
-                              ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json()},
+                              ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json(),
+                              ask.sample ? sweep::sample_json(*ask.sample) : nlohmann::ordered_json()},
                              {}};
     sweep::Outcome& outcome = swept.outcome;
     const bool netlists = ask.netlists && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
-    outcome = sweep::run({scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream},
-                         cache, progress);
+    outcome = sweep::run(
+        {scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream, ask.sample}, cache,
+        progress);
     if (sweep::needs_area(cost) && !outcome.partial) {
         jobs::Cache areas(rtl_cache() / "area", ask.fresh);
         sweep::count_areas(outcome, ask.threads, areas, progress);

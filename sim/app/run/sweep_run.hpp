@@ -28,6 +28,7 @@ struct SweepRequest {
     FramesOptions frames{};
     ViewChoice view{};
     const StreamInput* stream = nullptr;   ///< traced in place of a picture
+    std::optional<sample::Ask> sample{};   ///< estimates each point from a sample of its frame
 };
 
 /// The results of a sweep.

@@ -30,9 +30,13 @@ std::optional<double> speed_of(const Result& r) {
 std::optional<double> ray_speed_of(const Result& r) {
     return r.complete() ? std::optional(r.mrays_per_s()) : std::nullopt;
 }
-bool is_stream(const std::vector<Result>& results) {
+/// True for a stream of rays, and for samples.
+bool has_no_picture(const std::vector<Result>& results) {
     return std::any_of(results.begin(), results.end(),
                        [](const Result& r) { return r.complete() && !r.picture->has_error(); });
+}
+bool is_sampled(const std::vector<Result>& results) {
+    return std::any_of(results.begin(), results.end(), [](const Result& r) { return r.sampled(); });
 }
 std::optional<double> film_speed_of(const Result& r) {
     return r.complete() ? std::optional(r.film_fps()) : std::nullopt;
@@ -157,12 +161,12 @@ std::vector<Figures> figures_in(const std::vector<Result>& results, const std::v
 
 Front front_of(const std::vector<Result>& results, Cost cost) {
     Front f;
-    f.has_error = !is_stream(results);
+    f.has_error = !has_no_picture(results);
     f.measures = {{"pixels_other_primitive", 1, error_of},
                   cost == Cost::automatic ? automatic_cost(results, f.why) : measure_of(cost, results),
-                  !f.has_error       ? Measure{"mrays_per_s", -1, ray_speed_of}
-                  : is_film(results) ? Measure{"film_fps", -1, film_speed_of}
-                                     : Measure{"fps", -1, speed_of}};
+                  is_film(results)                     ? Measure{"film_fps", -1, film_speed_of}
+                  : f.has_error || is_sampled(results) ? Measure{"fps", -1, speed_of}
+                                                       : Measure{"mrays_per_s", -1, ray_speed_of}};
     const std::vector<Figures> all = figures_in(results, f.measures);
     f.pareto = front(all);
     constexpr std::array<std::array<std::size_t, 2>, 3> planes{{{0, 1}, {0, 2}, {1, 2}}};

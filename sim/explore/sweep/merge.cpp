@@ -58,6 +58,8 @@ void check_form(const JsonValue& in) {
             if (in.at("frame").at(key).whole(max_frame_side + 1) == 0)
                 in.at("frame").at(key).expected("above 0");
     }
+    const auto sample = sweep.find("sample");
+    if (sample && !sample->raw().is_null()) sample->at("share").number();
     for (std::size_t a = 0; a < axes.size(); ++a) {
         axes[a].at("key").string();
         for (std::size_t v = 0; v < axes[a].at("values").array().size(); ++v)

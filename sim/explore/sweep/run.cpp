@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/run/memory/memory_file.hpp"
@@ -26,6 +27,19 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+RayCounts ray_counts_of(const ordered_json& rays) {
+    RayCounts counts;
+    rays.at("primary").get_to(counts.primary);
+    rays.at("shadow").get_to(counts.shadow);
+    rays.at("reflection").get_to(counts.reflection);
+    rays.at("refraction").get_to(counts.refraction);
+    return counts;
+}
+
+}   // namespace
+
 PictureFigures picture_figures_from_json(const ordered_json& json) {
     PictureFigures p;
     if (json.contains("pixels")) {
@@ -39,11 +53,7 @@ PictureFigures picture_figures_from_json(const ordered_json& json) {
     }
     if (!json.at("cracks").is_null()) p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
-    const ordered_json& rays = json.at("rays");
-    rays.at("primary").get_to(p.rays.primary);
-    rays.at("shadow").get_to(p.rays.shadow);
-    rays.at("reflection").get_to(p.rays.reflection);
-    rays.at("refraction").get_to(p.rays.refraction);
+    p.rays = ray_counts_of(json.at("rays"));
     return p;
 }
 
@@ -72,12 +82,18 @@ synth::Netlist netlist_of(const ordered_json& json) {
     return {json.at("multipliers").get<std::uint64_t>(), json.at("flip_flops").get<std::uint64_t>()};
 }
 
+/// Sets the figures of the format. A sample counts the rays of its own point.
+void set_picture(Result& r, const PictureFigures& picture) {
+    r.picture = picture;
+    if (r.sampled()) r.picture->rays = ray_counts_of(r.clock.at("sample").at("rays"));
+}
+
 /// Returns a frame's figures, or the reason why it has none.
 std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
     if (json.contains("refused")) return json.at("refused").get<std::string>();
     Result r;
     r.clock = json;
-    r.picture.emplace();
+    set_picture(r, {});
     table_cells(r, false, false);   // check that a table can read every value
     return json;
 }
@@ -117,6 +133,7 @@ public:
         scene_key_ = fmt::format("program {} scene {} {}x{} {}", program_stamp(), scene_digest(plan.scene),
                                  plan.size.width, plan.size.height, picture_text(plan.scene, plan.picture));
         if (plan.stream) scene_key_ += "rays " + plan.stream->digest() + " ";
+        if (plan.sample) scene_key_ += fmt::format("sample {} {} ", plan.sample->share, plan.sample->seed);
         cores_ = jobs::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
         if (plan.stream)
@@ -166,7 +183,7 @@ private:
         for (auto& [format, group] : groups_)
             if (const auto picture = cache_.find("picture", group.key, picture_figures_from_json)) {
                 group.picture_known = true;
-                for (Result* r : group.results) r->picture = *picture;
+                for (Result* r : group.results) set_picture(*r, *picture);
             }
         for (const auto& [format, group] : groups_)
             for (const Result* r : group.results) ++(r->refused() || r->complete() ? outcome_.known : all_);
@@ -249,6 +266,7 @@ private:
         config.own_dram.reset();
         config.dram = DramName::ideal;
         config.scan_out = config.pixel_writes = false;
+        if (plan_.sample) return sample_points(group, config);
         const std::vector<RecordedFrame> frames =
             plan_.stream ? record_stream(group, config) : record_film(group, config);
         jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
@@ -259,6 +277,39 @@ private:
             else
                 report_progress(1);
         });
+    }
+
+    /// Estimates each point of a group. The points share the scene's memory image.
+    void sample_points(Group& group, const Config& config) {
+        Film film = film_of(plan_.scene, plan_.size, plan_.picture, config, stop_);
+        film.next();
+        Job job = film.job();
+        if (!group.picture_known) keep_picture(group, {{}, std::nullopt, job.image.report.bytes, {}});
+        for (Result* r : group.results) {
+            check_memory(*r, job.image);
+            if (r->refused() || !r->clock.is_null()) continue;
+            if (stopped()) return;
+            job.config = r->point.config;
+            try {
+                keep_sample(*r,
+                            sample::run(job, {r->point.khz}, *plan_.sample, {}, inner_threads_, stop_)[0]);
+            } catch (const Interrupted&) {
+                stopped();
+                return;
+            } catch (const UserError& e) {
+                refuse(*r, e.what());
+            }
+        }
+    }
+
+    void keep_sample(Result& r, const sample::Sampled& sampled) {
+        const FrameResult frame = sampled.frame(r.point.config);
+        r.clock = clock_json(r.point.config, {r.point.khz, {frame}});
+        const sample::Estimate cycles = sampled.total([](const FrameTiming& t) { return double(t.cycles); });
+        r.clock["sample"] = {{"cycles_half_width", cycles.half_width}, {"rays", rays_json(frame.rays)}};
+        set_picture(r, *r.picture);
+        cache_.keep("frame", frame_key(r), r.clock);
+        report_progress(1);
     }
 
     std::vector<RecordedFrame> record_film(Group& group, const Config& config) {
@@ -285,7 +336,7 @@ private:
 
     void keep_picture(Group& group, const PictureFigures& picture) {
         cache_.keep("picture", group.key, picture_figures_json(picture));
-        for (Result* r : group.results) r->picture = picture;
+        for (Result* r : group.results) set_picture(*r, picture);
     }
 
     /// The reference's last frame, equal for every configuration.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/run/film/choice.hpp"
+#include "sim/run/sample/sample.hpp"
 #include "sim/run/stream/input.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/explore/sweep/axes.hpp"
@@ -13,7 +14,7 @@ namespace rayclock::sweep {
 
 /// The errors of the last frame against the reference, and its needs. Depends only on the format.
 struct PictureFigures {
-    FrameError error;   ///< for a stream of rays it has 0 pixels
+    FrameError error;   ///< 0 pixels for a stream of rays and for a sample
     /// Only for triangles that camera rays meet, in scenes without instances.
     std::optional<std::uint64_t> cracks;
     std::uint64_t memory_bytes = 0;   ///< size of the memory image
@@ -30,7 +31,9 @@ PictureFigures picture_figures_from_json(const nlohmann::ordered_json& json);
 /// it.
 struct Result {
     Point point;
-    nlohmann::ordered_json clock;   ///< clock_json() of the last frame, or null
+    /// clock_json() of the last frame, or null. For a sample the key `sample` has its half-width and its
+    /// rays.
+    nlohmann::ordered_json clock;
     std::optional<PictureFigures> picture;
     std::optional<std::uint64_t> multipliers, flip_flops;   ///< of all pipelines
     std::optional<synth::Count> area;                       ///< of the chip, if requested
@@ -40,6 +43,7 @@ struct Result {
     double cycles() const { return clock.at("cycles").get<double>(); }
     double fps() const { return clock.at("fps").get<double>(); }
     double mrays_per_s() const { return clock.at("mrays_per_s").get<double>(); }
+    bool sampled() const { return clock.is_object() && clock.contains("sample"); }
     double cycles_per_ray() const {
         return cycles() / double(std::max<std::uint64_t>(1, picture->rays.all()));
     }
@@ -59,6 +63,7 @@ struct Plan {
     bool netlists = true;   ///< count multipliers and flip-flops
     PictureChoice picture{};
     const StreamInput* stream = nullptr;   ///< traced in place of a picture; `scene` is its scene
+    std::optional<sample::Ask> sample{};   ///< estimates each point from a sample of this size
 };
 
 /// The result of a run.

@@ -44,7 +44,8 @@ ordered_json settings_json(const SweepSettings& settings) {
         {"cache_bytes", settings.cache_bytes ? ordered_json(*settings.cache_bytes) : ordered_json(nullptr)},
         {"netlists", settings.netlists},
         {"picture", settings.picture},
-        {"stream", settings.stream}};
+        {"stream", settings.stream},
+        {"sample", settings.sample}};
 }
 
 ordered_json picture_json(const PictureChoice& choice) {
@@ -65,6 +66,8 @@ ordered_json stream_json(const StreamInput& stream) {
     return {{"file", stream.rays().name()}, {"rays", stream.rays().size()}, {"digest", stream.digest()}};
 }
 
+ordered_json sample_json(const sample::Ask& ask) { return {{"share", ask.share}, {"seed", ask.seed}}; }
+
 SweepSettings settings_of(const ordered_json& json) {
     SweepSettings settings;
     for (const ordered_json& axis : json.at("axes"))
@@ -76,6 +79,7 @@ SweepSettings settings_of(const ordered_json& json) {
     settings.netlists = json.at("netlists").get<bool>();
     settings.picture = json.at("picture");
     settings.stream = json.value("stream", ordered_json());
+    settings.sample = json.value("sample", ordered_json());
     return settings;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/scene/whitted.hpp"
 #include "sim/run/film/choice.hpp"
+#include "sim/run/sample/sample.hpp"
 #include "sim/run/stream/input.hpp"
 #include "sim/explore/sweep/axes.hpp"
 
@@ -24,11 +25,14 @@ struct SweepSettings {
     bool netlists = true;
     nlohmann::ordered_json picture;   ///< picture_json(): settings beyond the scene at rest
     nlohmann::ordered_json stream;    ///< stream_json(): the rays in place of a picture; else null
+    nlohmann::ordered_json sample;    ///< sample_json(): size and seed of the samples; null: whole frames
 
     bool is_stream() const { return !stream.is_null(); }
+    bool has_picture() const { return stream.is_null() && sample.is_null(); }
 };
 /// Returns the finished picture's settings, or null, and the frames.
 nlohmann::ordered_json picture_json(const PictureChoice& choice);
+nlohmann::ordered_json sample_json(const sample::Ask& ask);
 /// Returns the name, the number and the digest of a stream's rays.
 nlohmann::ordered_json stream_json(const StreamInput& stream);
 nlohmann::ordered_json settings_json(const SweepSettings& settings);

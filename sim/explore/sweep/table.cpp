@@ -23,7 +23,7 @@ struct Column {
     const char* name;
     std::string (*cell)(const Result& r);
     bool has_words = false;
-    bool of_picture = false;   ///< empty for a stream of rays
+    bool of_picture = false;   ///< empty for a stream of rays and for a sample
 };
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : ""; }
@@ -78,6 +78,10 @@ const Column more_columns[] = {
     {"film_cycles", [](const Result& r) { return std::to_string(r.film_cycles()); }},
     {"film_fps", [](const Result& r) { return fmt::format("{:.3f}", r.film_fps()); }},
     {"mrays_per_s", [](const Result& r) { return fmt::format("{:.3f}", r.mrays_per_s()); }},
+    {"cycles_half_width",
+     [](const Result& r) {
+         return r.sampled() ? fixed<0>(r.clock.at("sample").at("cycles_half_width")) : std::string();
+     }},
 };
 
 std::string cell_text(const Column& column, const Result& r) {

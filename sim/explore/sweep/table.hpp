@@ -13,7 +13,7 @@ std::vector<std::string> table_cells(const Result& result, bool pareto, bool kne
 std::vector<std::string> column_names(const std::vector<Axis>& axes);
 /// Returns true for a column whose cells are words such as "memory", not numbers.
 bool has_words(const std::vector<Axis>& axes, const std::string& column);
-/// Returns true if a column compares pictures, so that it is empty for a stream of rays.
+/// Returns true if a column compares pictures, so that it is empty for a stream of rays and for a sample.
 bool is_of_picture(const std::string& column);
 /// Returns a column's numbers; empty cells have none.
 std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
