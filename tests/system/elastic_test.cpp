@@ -189,6 +189,36 @@ TEST_CASE("transfers after the frame, early signals and invented requests are no
     CHECK_FALSE(run_unit_alone(job, record_frame(job, job.frame), "tri").agrees());
 }
 
+TEST_CASE("an offer that is withdrawn or changes before it is accepted is named", "[slow]") {
+    const Job job = small_job();
+    const std::string begin = "  rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (",
+                      output = ".valid_o(ray_valid_o), .ready_i(ray_ready_i)",
+                      data = "assign ray_o = ray_data;";
+    const auto first_with = [&](const std::vector<std::pair<std::string, std::string>>& changes) {
+        const OtherUnit other("raygen", changes);
+        const ElasticResult result = run_elastic(job);
+        CHECK(result.rtl.hits.hits == result.model.hits.hits);
+        REQUIRE(result.first);
+        CHECK(result.first->unit == "raygen");
+        CHECK(result.first->link == "ray");
+        return *result.first;
+    };
+    const Divergence withdrawn =
+        first_with({{begin,
+                     "  logic kept, stalled_q;\n  assign ray_valid_o = kept && !stalled_q;\n"
+                     "  always_ff @(posedge clk_i) stalled_q <= rst_ni && ray_valid_o && !ray_ready_i;\n" +
+                         begin},
+                    {output, ".valid_o(kept), .ready_i(ray_ready_i && !stalled_q)"}});
+    CHECK_THAT(withdrawn.got, Contains("valid is 0"));
+    const Divergence changed = first_with({{data, "assign ray_o = ray_ready_i ? ray_data : ~ray_data;"}});
+    CHECK_THAT(changed.got, Contains("another payload"));
+
+    const OtherUnit other("tri", rtl_folder + "restless_tri.sv");
+    const UnitAlone alone = run_unit_alone(job, record_frame(job, job.frame), "tri");
+    REQUIRE(alone.first);
+    CHECK_THAT(alone.first->expected, Contains("valid stays 1"));
+}
+
 TEST_CASE("counters that are off by one cycle are noticed", "[slow]") {
     const Job job = small_job();
     const auto first_with = [&](const std::string& unit, const std::string& text, const std::string& other) {

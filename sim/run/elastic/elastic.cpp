@@ -14,6 +14,7 @@
 #include "model/machine/stuck_rays.hpp"
 #include "sim/run/elastic/line_judge.hpp"
 #include "sim/run/elastic/ray_judge.hpp"
+#include "sim/run/elastic/steady_offers.hpp"
 #include "sim/run/gen/registers.hpp"
 #include "sim/run/lockstep/ray_end.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
@@ -35,7 +36,8 @@ public:
           rtl_(job.image, job.config, job.khz, traffic, seed),
           image_(job.image),
           rays_(job_.config, rtl_, free, findings_),
-          lines_(job_.config, rtl_, findings_) {
+          lines_(job_.config, rtl_, findings_),
+          offers_(job_.config, rtl_, findings_) {
         lines_.start(image_, true);
         rtl_.watch([this] { judge(rtl_.cycle()); });
     }
@@ -112,6 +114,7 @@ private:
         const Stopwatch watch;
         const std::uint64_t pixels = script.size();
         UploadTiming upload;
+        offers_.forget();   // the cycles between two frames are not watched
         guarded([&] { upload = prepare_frame(rtl_, f, std::span(frames_)); });
         const std::uint64_t first = rtl_.cycle();
         begins_ = first;
@@ -166,6 +169,7 @@ private:
         if (interrupted()) return;   // the frame ends early
         if (has_begun_) rays_.cycle(now);
         lines_.cycle(now);
+        offers_.cycle(now);
     }
 
     /// Clocks the RTL on after the last frame: nothing may follow a frame's last pixel.
@@ -262,6 +266,7 @@ private:
     Findings findings_;
     RayJudge rays_;
     LineJudge lines_;
+    SteadyOffers offers_;
     std::uint64_t begins_ = 0;
     bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
     bool face_told_ = false;               // a wrong signal was reported in this frame

@@ -1,6 +1,7 @@
 // Drives the unit's ports, and compares its answers.
 #include "sim/run/elastic/unit_alone.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <random>
 #include <string>
@@ -152,6 +153,7 @@ private:
                 offer_ = nullptr;
                 ++in_flight_, ++next, ++result_.requests;
             }
+            check_offer();
             const bool answers = *rsp_.valid && (!rsp_.ready || *rsp_.ready);
             if (answers) check();
             quiet = answers ? 0 : quiet + 1;
@@ -181,6 +183,25 @@ private:
         set_ray(shape_.rsp, pair.answer, ray, config_);
         copy_words(req_, pair.request);
         offer_ = &pair;
+    }
+
+    /// Checks that an answer stays unchanged until it is accepted.
+    void check_offer() {
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(rsp_.data);
+        if (held_ && !*rsp_.valid)
+            findings_.add([&] {
+                return at(held_ray_, "valid stays 1 until the answer is accepted",
+                          "valid is 0, and the answer was not accepted");
+            });
+        else if (held_ && !std::equal(held_payload_.begin(), held_payload_.end(), bytes))
+            findings_.add([&] {
+                return at(held_ray_, "the payload stays unchanged until it is accepted",
+                          "another payload: " + text(rsp_.data));
+            });
+        held_ = *rsp_.valid && rsp_.ready && !*rsp_.ready;
+        if (!held_) return;
+        held_ray_ = ray_in(shape_.rsp, rsp_.data, config_);
+        held_payload_.assign(bytes, bytes + rsp_.bytes);
     }
 
     void check() {
@@ -239,6 +260,9 @@ private:
     Pair* offer_ = nullptr;
     std::uint32_t ray_ = 0;   // of the offer
     std::size_t in_flight_ = 0;
+    bool held_ = false;   // an answer was offered and not accepted in the last cycle
+    std::uint32_t held_ray_ = 0;
+    std::vector<unsigned char> held_payload_;
     std::mt19937_64 random_;
     Findings findings_;
     UnitAlone result_;

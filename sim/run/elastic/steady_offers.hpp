@@ -1,0 +1,37 @@
+#pragma once
+// Checks the handshake of the RTL's links: an offer stays unchanged until it is accepted.
+#include <vector>
+
+#include "sim/run/elastic/findings.hpp"
+
+namespace rayclock {
+
+/// Watches the links of every pipeline and those that pipelines share. Reports a source that withdraws its
+/// offer, or that changes the payload of an offer, before the receiver accepts it.
+class SteadyOffers {
+public:
+    SteadyOffers(const Config& config, const RtlMachine& rtl, Findings& findings);
+
+    /// Forgets all offers: the chip was reset, or cycles have passed unseen.
+    void forget();
+    /// Checks the offers of a cycle, after RtlMachine::settle().
+    void cycle(std::uint64_t now);
+
+private:
+    using Bytes = std::vector<unsigned char>;
+    /// The links of a pipeline, or the shared ones: offers that were not accepted in the last cycle.
+    struct Held {
+        LinkMask links = 0;
+        std::vector<Bytes> payloads;   ///< [link]
+    };
+    void check(std::uint64_t now, int pipeline, Held& held, LinkMask valid, LinkMask fires);
+    void report(std::uint64_t now, int pipeline, Link c, const char* expected, std::string got);
+
+    const Config& config_;
+    const RtlMachine& rtl_;
+    Findings& findings_;
+    std::vector<Held> pipelines_;
+    Held shared_;
+};
+
+}   // namespace rayclock
