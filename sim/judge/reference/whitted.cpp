@@ -194,8 +194,8 @@ double schlick(double index, double cosine) {
     return r0 + (1 - r0) * std::pow(1 - cosine, 5);
 }
 
-/// A total reflection counts as a refracted ray where a refracted ray would have been sent (spd.md 6.2, rule
-/// 6).
+/// A total reflection counts as a refracted ray where a refracted ray would have been sent, as Haines
+/// counts it.
 void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth) {
     const Material& m = *surface.material;
     // Near its outline a smooth surface may show its back. Then it counts as seen edge-on.
