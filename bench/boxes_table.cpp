@@ -1,5 +1,5 @@
 // Measures how rounding and quantising child boxes increases node visits: the tables at the end of
-// docs/boxes.md.
+// docs/proofs/boxes.md.
 //
 // rc_boxes PAGE: replaces everything after the page's line `<!-- measured -->` with the tables.
 #include <fstream>

@@ -1,5 +1,5 @@
 // Measures how often each scheme of secondary-ray origins errs, and the bits it needs: the tables at the end
-// of docs/origins.md.
+// of docs/proofs/origins.md.
 //
 // rc_origins PAGE [rays per scheme, scene and width]: replaces everything after the page's line `<!--
 // measured -->` with the tables.

@@ -1,5 +1,5 @@
 // Measures how long a host takes to refit and to rebuild a tree, and how refits degrade it: the tables of
-// docs/motion.md, Trees that follow.
+// docs/machine/motion.md, Trees that follow.
 //
 // rc_refit prints them. Times are the least of several runs on one thread.
 #include <cmath>

@@ -433,7 +433,7 @@ package rc_pkg;
     10'h11f, 10'h11d, 10'h11b, 10'h119, 10'h117, 10'h116, 10'h114, 10'h112,
     10'h110, 10'h10e, 10'h10c, 10'h10a, 10'h108, 10'h106, 10'h104, 10'h102};
 
-  // The host's registers: sim/run/gen/registers.hpp, docs/chip.md.
+  // The host's registers: sim/run/gen/registers.hpp, docs/machine/chip.md.
   localparam int unsigned Magic = 1380142155;
   localparam int unsigned Version = 1;
   localparam int unsigned RegMagic = 0;
@@ -1139,7 +1139,7 @@ package rc_pkg;
   } material_t;
   localparam int unsigned MaterialW = 141;
 
-  // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/chip.md.
+  // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/machine/chip.md.
 
   typedef struct packed {
     logic [53:0] org;

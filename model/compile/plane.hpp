@@ -8,8 +8,8 @@ namespace rayclock {
 /// A point a of the plane and two sides b - a, c - a, which are the units of a hit's u and v. The sides are
 /// those of the checkers' squares, halved or doubled until they lie between a 32nd and a 16th of the
 /// lattice's reach. So u and v reach at least half of 2^light_reach times as far as the lattice, for every
-/// size of a square. docs/verdict.md bounds the turn of the plane by rounding. a lies whole sides from the
-/// plane's own point, as near as possible to the lattice's middle.
+/// size of a square. docs/proofs/who-checks-the-rules.md bounds the turn of the plane by rounding. a lies
+/// whole sides from the plane's own point, as near as possible to the lattice's middle.
 struct PlaneOnLattice {
     Vec3i a{}, b{}, c{};
     std::array<int, 2> level{};   ///< a square's u is 2^level[0] (b - a), its v 2^level[1] (c - a)

@@ -1,5 +1,5 @@
 #pragma once
-// Converts rays from any program to records in the chip's memory: docs/streams.md.
+// Converts rays from any program to records in the chip's memory: docs/guide/streams.md.
 #include <limits>
 #include <optional>
 #include <span>
@@ -25,9 +25,9 @@ struct StreamRay {
 /// to nearest. A direction of whole numbers in that range does not change.
 ///
 /// A request for any hit up to a t_max within the lattice becomes a ray in the opposite direction. It begins
-/// at the lattice point nearest to the segment's end. Like a shadow ray (docs/origins.md), it leads exactly
-/// to the rounded origin. Vertices do not reach the border of the lattice: a segment that ends beyond them
-/// needs no end, and meets nothing if it lies beyond them.
+/// at the lattice point nearest to the segment's end. Like a shadow ray (docs/proofs/origins.md), it leads
+/// exactly to the rounded origin. Vertices do not reach the border of the lattice: a segment that ends beyond
+/// them needs no end, and meets nothing if it lies beyond them.
 struct LatticeRay {
     RayRecord record;
     double begin = 0, scale = 1;

@@ -20,7 +20,7 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
 
 /// Removes each sphere with the centre and radius of an earlier one, and returns how many it removed. The
 /// machine excludes the sphere that a ray leaves by its number, so the ray would meet the other one there
-/// (docs/verdict.md, Two spheres at one place).
+/// (docs/proofs/who-checks-the-rules.md, Two spheres at one place).
 std::size_t drop_coincident_spheres(std::vector<PrimData>& prims);
 
 /// Returns the surface of primitive number i: the primitive itself, corner normals if the scene has some,

@@ -1,5 +1,5 @@
 #pragma once
-// The host's writes into the chip's memory for a frame of a moving scene: docs/motion.md.
+// The host's writes into the chip's memory for a frame of a moving scene: docs/machine/motion.md.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// Returns the cycles of a chip's reset. The caches are emptied, and the counters take sixteen cycles more
-/// (docs/chip.md).
+/// (docs/machine/chip.md).
 inline int reset_cycles(const Config& c) { return c.clear_cycles() + 16; }
 
 /// Lines that differ from the memory's content, and the host's work to find them. Applied in order, uploads

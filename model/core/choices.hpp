@@ -68,7 +68,7 @@ RAYCLOCK_CHOICE(Straddlers, leaves, inner, stop)
 /// Whether the builder of boxes may cut primitives.
 RAYCLOCK_CHOICE(Splits, off, on)
 
-/// The source of rays: the camera and shade, or records in memory (docs/streams.md).
+/// The source of rays: the camera and shade, or records in memory (docs/guide/streams.md).
 RAYCLOCK_CHOICE(RaySource, camera, stream)
 
 /// The length of paths in the RTL: model/core/stages.hpp.

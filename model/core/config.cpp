@@ -32,7 +32,7 @@ int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
 int Config::edge_bits() const {
     if (is_sheared()) return 2 * coord_bits + 3;
     const int plain = 2 * coord_bits + dir_bits + 2;
-    // A bounce is the first of these, a shadow ray the second: docs/origins.md.
+    // A bounce is the first of these, a shadow ray the second: docs/proofs/origins.md.
     return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;
 }
 int Config::ray_bits() const { return index_bits(contexts); }
@@ -136,7 +136,7 @@ const std::vector<std::string>& config_names() {
     return names;
 }
 
-// docs/configurations.md gives the sources of the figures.
+// docs/guide/configurations.md gives the sources of the figures.
 Config named_config(const std::string& name) {
     Config c;
     c.name = name;

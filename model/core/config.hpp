@@ -51,7 +51,7 @@ constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
 constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv
 constexpr int power_stages = 7;     ///< latency of rc_power.sv
 
-/// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/origins.md.
+/// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/proofs/origins.md.
 constexpr int far_drop = light_reach + 1;
 constexpr int most_dram_channels = 4;   ///< maximum of Config::dram_channels
 constexpr int max_panes = 4;            ///< maximum of Config::panes
@@ -150,7 +150,7 @@ struct Config {
     int tri_latency() const;
     int pass_latency() const;     ///< of a pass alone, rtl/unit/shade/rc_pass.sv
     int shade_latency() const;    ///< of a pass, and of reading its context's state
-    int clear_cycles() const;     ///< of a reset, which empties all caches: docs/chip.md
+    int clear_cycles() const;     ///< of a reset, which empties all caches: docs/machine/chip.md
     int node_miss_bits() const;   ///< id of the node cache's request to memory: MSHR, and word of the line
     int prim_miss_bits() const;
     int surf_miss_bits() const;

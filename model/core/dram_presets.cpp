@@ -46,13 +46,13 @@ DramPart sdr() {
 
 // The same chip behind a controller that a small FPGA can hold, with logic at half the memory's clock.
 // Simulated lone reads of LiteDRAM 2024.12 at half rate (71/143 MHz) take 378 ns from a closed bank and 392
-// ns with another row open. Both are 56 ns more than with `sdr`; docs/silicon.md, Memory.
+// ns with another row open. Both are 56 ns more than with `sdr`; docs/measured/silicon.md, Memory.
 DramPart sdr_half() {
     DramPart p = sdr();
     p.name = "sdr_half";
     p.description =
         "SDR SDRAM of the ULX3S board, behind a controller at half its clock: 16 bits at 142.9 MHz";
-    p.source += ", measured: LiteDRAM 2024.12 at half rate under Verilator, docs/silicon.md";
+    p.source += ", measured: LiteDRAM 2024.12 at half rate under Verilator, docs/measured/silicon.md";
     p.request_ps = 3 * 14'000;   // three clocks of the controller
     p.answer_ps = 3 * 14'000;
     return p;

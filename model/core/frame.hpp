@@ -11,7 +11,7 @@ namespace rayclock {
 using Vec3i = std::array<std::int32_t, 3>;
 using Vec3l = std::array<std::int64_t, 3>;
 
-/// The origin of a ray (docs/origins.md):
+/// The origin of a ray (docs/proofs/origins.md):
 /// - camera: from the eye;
 /// - bounce: reflected or refracted, from a point of a surface;
 /// - shadow: from the light to such a point, which it would reach at t = 2^-B;

@@ -75,7 +75,7 @@ struct PrimData {
 
 /// A ray of a stream in 32 bytes of memory (right-aligned). Its kind is bounce for a closest hit, away for
 /// any hit, and shadow for any hit up to a point: this ray begins at that point, a lattice point
-/// (docs/streams.md).
+/// (docs/guide/streams.md).
 struct RayRecord {
     std::uint32_t kind = 0;   ///< RayKind
     Vec3i o{}, d{};           ///< as in Ray

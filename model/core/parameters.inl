@@ -1,7 +1,8 @@
 // clang-format off
 // Every parameter of a machine, one row each: the one place where a parameter is declared. From these rows follow
 // the members of Config and their defaults, the keys of files and of --set with their checks of range, the notes on
-// settings without effect, and the tables of docs/configurations.md. config.hpp and parameters.cpp include this file.
+// settings without effect, and the tables of docs/guide/configurations.md. config.hpp and parameters.cpp include
+// this file.
 //
 //   NUMBER(key, user, default, least, most, unit, effect, "sentence")    int
 //   POWER(key, user, default, least, most, unit, effect, "sentence")     int, a power of two (0 if `least` is 0)
@@ -21,7 +22,7 @@ NUMBER(t_frac_bits, rtl, 4, 0, 8, "bits", always, "F: fraction bits of a distanc
 NUMBER(recip_bits, rtl, 16, 8, 24, "bits", always, "R: precision of a reciprocal direction component")
 NUMBER(box_bits, rtl, 8, 4, 8, "bits", boxes, "width of a child's box plane relative to its node")
 NUMBER(bary_bits, rtl, 16, 4, 24, "bits", always, "fraction bits of the barycentric coordinates u and v of a hit")
-NUMBER(origin_bits, host, 12, 2, 16, "bits", shading, "B: fraction bits of a secondary ray's origin (docs/origins.md)")
+NUMBER(origin_bits, host, 12, 2, 16, "bits", shading, "B: fraction bits of a secondary ray's origin (docs/proofs/origins.md)")
 NUMBER(addr_bits, rtl, 24, 8, max_addr_bits, "bits", always, "width of a memory address, in lines of 64 bytes")
 NUMBER(prim_bits, rtl, 32, 1, max_prim_bits, "bits", always, "width of a primitive's number")
 NUMBER(pixel_bits, rtl, 14, 7, max_pixel_bits, "bits", always, "width of a pixel coordinate")

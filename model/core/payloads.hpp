@@ -42,7 +42,7 @@ struct Slot {
 
 /// The home of a ray, with two levels: the instance from whose triangle the ray starts, or at which a shadow
 /// ray ends, and the ray in the space of the instance's mesh. That ray is not computed from o and d, which
-/// are rounded: it begins, or ends, exactly in the triangle (docs/motion.md). Camera rays and
+/// are rounded: it begins, or ends, exactly in the triangle (docs/machine/motion.md). Camera rays and
 /// rays of a stream have no home.
 struct Home {
     std::uint32_t line = 0;   ///< Placement::here; 0 without a home

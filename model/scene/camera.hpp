@@ -27,8 +27,8 @@ struct PixelRays {
 };
 
 /// Returns the map of a camera: w = unit(at - eye), r = unit(w x up), v = r x w; half height tan(fov / 2),
-/// square pixels (spd.md 2.1, with the angle measured to the picture's edges). Throws UserError if the camera
-/// or the size is not valid.
+/// square pixels (as in Haines' SPD, with the angle measured to the picture's edges). Throws UserError if the
+/// camera or the size is not valid.
 PixelRays pixel_rays(const Camera& camera, FrameSize size);
 
 }   // namespace rayclock

@@ -1,6 +1,6 @@
 #pragma once
 // Meshes whose corners move: keyed shapes, morph targets, skins. scenes/README.md has their form in files,
-// docs/motion.md their use by a machine.
+// docs/machine/motion.md their use by a machine.
 #include <array>
 #include <cstdint>
 #include <optional>

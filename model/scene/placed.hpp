@@ -1,6 +1,6 @@
 #pragma once
 // A scene that places meshes without copying them. The machine's second level walks it; everything else gets
-// a flat scene (docs/motion.md).
+// a flat scene (docs/machine/motion.md).
 #include <optional>
 #include <string>
 #include <vector>

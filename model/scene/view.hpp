@@ -11,7 +11,7 @@ namespace rayclock {
 // A camera's axes, and helpers for finite vectors and their text, shared by checks, cameras, motion and
 // make_frame().
 
-/// The camera's axes (spd.md 2.1: w, r, v), orthonormal, and the tangent of half its angle.
+/// The camera's axes (w, r, v), orthonormal, and the tangent of half its angle.
 struct View {
     glm::dvec3 forward{0}, right{0}, up{0};
     double half_height = 0;

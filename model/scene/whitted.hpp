@@ -29,8 +29,8 @@ inline bool weighs_enough(double weight, double threshold) { return weight >= th
 enum class RayPurpose : std::uint8_t { camera, shadow, reflection, refraction };
 constexpr std::array<const char*, 4> purpose_names{"camera", "shadow", "reflection", "refraction"};
 
-/// Numbers of rays sent, with and without hits. A total reflection counts as a refracted ray (spd.md 6.2,
-/// rule 6).
+/// Numbers of rays sent, with and without hits. A total reflection counts as a refracted ray, as
+/// Haines counts it.
 struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t primary_hits = 0;

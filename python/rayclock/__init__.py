@@ -5,7 +5,7 @@
     report.clocks[0]["fps"], report.digest
 
 simulate() draws a picture or traces an array of rays, and returns a report with the keys and the digest of
-`rayclock simulate --json`. docs/python.md is the guide.
+`rayclock simulate --json`. docs/guide/python.md is the guide.
 """
 from . import unit
 from ._rayclock import Config, Error, __version__, config_names, scene_names

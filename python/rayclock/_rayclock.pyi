@@ -33,7 +33,7 @@ class Config:
     bary_bits: int
     """Widths: fraction bits of the barycentric coordinates u and v of a hit."""
     origin_bits: int
-    """Widths: B: fraction bits of a secondary ray's origin (docs/origins.md)."""
+    """Widths: B: fraction bits of a secondary ray's origin (docs/proofs/origins.md)."""
     addr_bits: int
     """Widths: width of a memory address, in lines of 64 bytes."""
     prim_bits: int

@@ -1,4 +1,4 @@
-"""Reports: dataclasses whose fields are the keys of the program's JSON. docs/report.md explains every key."""
+"""Reports: dataclasses whose fields are the keys of the program's JSON. docs/guide/report.md explains them."""
 from __future__ import annotations
 
 import dataclasses

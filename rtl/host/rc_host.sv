@@ -1,5 +1,5 @@
 // The chip's host interface: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
-// addresses). docs/chip.md describes the registers bit by bit; sim/run/gen/registers.hpp lists
+// addresses). docs/machine/chip.md describes the registers bit by bit; sim/run/gen/registers.hpp lists
 // them.
 //
 // Every access is answered two cycles after it is seen: with ack, or with err. err means that the

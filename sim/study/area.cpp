@@ -1,4 +1,4 @@
-// Writes docs/area.md from Yosys's counts and from measurements. All numbers are computed.
+// Writes docs/measured/area.md from Yosys's counts and from measurements. All numbers are computed.
 #include "sim/study/area.hpp"
 
 #include <algorithm>

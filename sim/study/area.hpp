@@ -1,5 +1,5 @@
 #pragma once
-// The page docs/area.md, and the same data as a table and as JSON.
+// The page docs/measured/area.md, and the same data as a table and as JSON.
 #include "sim/silicon/area/run.hpp"
 #include "sim/silicon/area/speed.hpp"
 

@@ -1,4 +1,4 @@
-// Writes docs/hard-cases.md from a stress run.
+// Writes docs/measured/hard-cases.md from a stress run.
 #include "sim/study/hard_cases.hpp"
 
 #include <algorithm>
@@ -43,11 +43,11 @@ fractions judge the oracle in turn.
 - **oracle mismatch**: a decision about a triangle that differs from the exact one, or (every 16th ray)
   another closest hit at the end of the machine's own walk through the tree.
 - **false shadow, light leak**: a secondary ray from the surface, by the machine's scheme of origins, that is
-  blocked although its way is free, or the reverse. There is one for every 64 rays. [origins.md](origins.md)
+  blocked although its way is free, or the reverse. There is one for every 64 rays. [origins.md](../proofs/origins.md)
   has the scheme and its proof.
 - **extra boxes**: child boxes that a walk visits although the ray misses them, divided by those that the ray
   meets; for rays whose direction fills its bits. A walk must not leave out a box that the ray meets.
-  [boxes.md](boxes.md) has the proof and the cost on real scenes.
+  [boxes.md](../proofs/boxes.md) has the proof and the cost on real scenes.
 
 In integers a zero component of a direction has no sign, so -0 gives the same ray as 0.
 
@@ -145,8 +145,9 @@ std::string command_of(const Plan& plan) {
     for (const int b : plan.bits) bits += (bits.empty() ? "" : ",") + std::to_string(b);
     std::string tests;
     for (const std::string& t : plan.tests) tests += (tests.empty() ? "" : ",") + t;
-    return fmt::format("rayclock stress --test {} --bits {} --rays {} --seed {} -o docs/hard-cases.md",
-                       plan.tests.size() == named_tests().size() ? "all" : tests, bits, plan.rays, plan.seed);
+    return fmt::format(
+        "rayclock stress --test {} --bits {} --rays {} --seed {} -o docs/measured/hard-cases.md",
+        plan.tests.size() == named_tests().size() ? "all" : tests, bits, plan.rays, plan.seed);
 }
 
 }   // namespace

@@ -4,8 +4,8 @@
 
 namespace rayclock::stress {
 
-/// Writes docs/hard-cases.md: the families, their pictures in a folder next to the page, and the results of
-/// the run. Throws UserError if a file cannot be written.
+/// Writes docs/measured/hard-cases.md: the families, their pictures in a folder next to the page, and the
+/// results of the run. Throws UserError if a file cannot be written.
 void write_page(const std::string& path, const Plan& plan, const Outcome& outcome);
 
 }   // namespace rayclock::stress

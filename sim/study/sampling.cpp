@@ -135,12 +135,12 @@ double coverage(const std::vector<FrameRows>& frames) {
 
 std::string page(const std::vector<FrameRows>& frames, const Study& study, const std::string& command) {
     std::string text = fmt::format(
-        "# Samples against whole frames\n\nMade by `{}`. Do not edit. [sampling.md](sampling.md) explains "
-        "the design.\n\nEach row has {} samples of a frame, with the seeds 1 to {}. The clock is {:g} MHz, "
-        "and the share is {:g} %. In a small frame the smallest sample exceeds this share. Coverage is the "
-        "share of the 95 % intervals that contain the figure of the whole frame. Bias is the mean error of "
-        "the estimates, and deviation is their standard deviation. Half-widths are medians. Time is "
-        "processor time without scene compilation.\n\n## Cycles\n\n",
+        "# Samples against whole frames\n\nMade by `{}`. Do not edit. [sampling.md](../guide/sampling.md) "
+        "explains the design.\n\nEach row has {} samples of a frame, with the seeds 1 to {}. The clock is "
+        "{:g} MHz, and the share is {:g} %. In a small frame the smallest sample exceeds this share. "
+        "Coverage is the share of the 95 % intervals that contain the figure of the whole frame. Bias is the "
+        "mean error of the estimates, and deviation is their standard deviation. Half-widths are medians. "
+        "Time is processor time without scene compilation.\n\n## Cycles\n\n",
         command, study.seeds, study.seeds, study.khz / 1e3, 100 * study.share);
     Table cycles({"frame", "cycles", "measured", "replayed", "coverage", "half-width", "bias", "deviation",
                   "speed-up"});

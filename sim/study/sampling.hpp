@@ -1,6 +1,6 @@
 #pragma once
-// The study of docs/sampling.md: how often the intervals of samples contain the figures of whole frames, how
-// wide they are, how large the bias is, and how much time samples save.
+// The study of docs/guide/sampling.md: how often the intervals of samples contain the figures of whole
+// frames, how wide they are, how large the bias is, and how much time samples save.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Traces Haines' scenes and writes docs/spd.md.
+// Traces Haines' scenes and writes docs/measured/ray-counts.md.
 #include "sim/study/spd.hpp"
 
 #include <algorithm>

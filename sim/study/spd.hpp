@@ -1,6 +1,6 @@
 #pragma once
-// The page docs/spd.md: rays of Haines' Standard Procedural Databases, traced by reference and model, with
-// the published counts.
+// The page docs/measured/ray-counts.md: rays of Haines' Standard Procedural Databases, traced by reference
+// and model, with the published counts.
 #include <array>
 #include <optional>
 #include <string>

@@ -109,7 +109,7 @@ std::string page(const std::vector<Row>& rows, const Study& study, const std::st
 
 Made by `{}`. Do not edit.
 
-A chip with `source=stream` traces rays from memory ([streams.md](streams.md)). `rayclock rays` made these
+A chip with `source=stream` traces rays from memory ([streams.md](../guide/streams.md)). `rayclock rays` made these
 streams: it followed the camera rays of {}x{} pictures. The machine is `{}` at {:.0f} MHz, with the memory
 {}. The chip `ulx3s` was routed at this clock; a chip for streams was not routed. The exact judge judged
 {} rays and found {} wrong.

@@ -1,6 +1,6 @@
 #pragma once
-// The page docs/stream-figures.md: streams of rays of many kinds, on every acceleration structure and in
-// three orders.
+// The page docs/measured/stream-figures.md: streams of rays of many kinds, on every acceleration structure
+// and in three orders.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The study for docs/speed-against-error.md: one width at a time around a configuration, and a grid of two
-// widths.
+// The study for docs/measured/speed-against-error.md: one width at a time around a configuration, and a grid
+// of two widths.
 #include "sim/explore/sweep/plot.hpp"
 
 namespace rayclock::sweep {

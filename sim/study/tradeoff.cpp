@@ -1,4 +1,4 @@
-// Writes docs/speed-against-error.md. All numbers are computed.
+// Writes docs/measured/speed-against-error.md. All numbers are computed.
 #include "sim/study/tradeoff.hpp"
 
 #include <algorithm>
@@ -221,7 +221,7 @@ private:
 constexpr const char* what_counts = R"(
 - **Pixels with another primitive**, **PSNR**, **depth error**: compared with the double-precision reference
   on the scene as given, not snapped to the lattice. A dagger (†) marks a picture beyond a limit
-  ([report.md](report.md#limits)), and the sentence below the table names the farthest.
+  ([report.md](../guide/report.md#limits)), and the sentence below the table names the farthest.
 - **Cracks**: pixels whose ray slips through a surface. The exact oracle finds the first triangle of the same
   snapped scene and quantised ray. A crack is a miss, or a hit farther away on a triangle that shares no
   corner with it. With the exact test the count must be 0. The sheared test moves corners by up to a lattice

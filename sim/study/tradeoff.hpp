@@ -1,5 +1,5 @@
 #pragma once
-// The page docs/speed-against-error.md: the cost and the gain of each bit.
+// The page docs/measured/speed-against-error.md: the cost and the gain of each bit.
 #include "sim/study/study.hpp"
 #include "sim/view/report/limits.hpp"
 

@@ -1,4 +1,5 @@
-// Writes docs/yardstick.md: simulated frames next to published figures of SaarCOR and RPU.
+// Writes docs/measured/comparison-with-other-chips.md: simulated frames next to published figures of SaarCOR
+// and RPU.
 #include "sim/study/yardstick.hpp"
 
 #include <fmt/format.h>
@@ -175,9 +176,10 @@ std::string vortex_table(int threads, const Progress& progress) {
     return table.markdown();
 }
 
-constexpr const char* intro = R"(# Yardstick: comparison with SaarCOR, RPU and Vortex
+constexpr const char* intro = R"(# Comparison with SaarCOR, RPU and Vortex
 
-Made by `rayclock study yardstick -o docs/yardstick.md`. All figures of this machine are simulated.
+Made by `rayclock study yardstick -o docs/measured/comparison-with-other-chips.md`. All figures of
+this machine are simulated.
 
 **The scenes differ**, except in the section on Vortex. The scenes of SaarCOR and RPU cannot be shipped. This
 page replaces them by procedural scenes with about the same number of triangles, each with its own camera. The
@@ -188,7 +190,7 @@ is faster.
 **The machines differ.** Both chips computed in 24-bit floating point with packets of four rays. This machine
 computes in fixed point, ray by ray. The class is the same: one node and
 one triangle a cycle, and the clock, rays in flight, cache sizes and memory speed of the chip
-([configurations](configurations.md)). The tree is a kd-tree with one plane a node (`structure=kd` with
+([configurations](../guide/configurations.md)). The tree is a kd-tree with one plane a node (`structure=kd` with
 `node_width=2`). With `references=5` the image of gears:8 fits 64 MB. A second table has the same machine with a tree of boxes, two children
 a node, which the program's `saarcor` and `rpu` walk by default.
 )";
@@ -248,11 +250,11 @@ std::string yardstick_page(const RoutedBoard& board, int threads, const Progress
         "figures compare systems, not units.\n\n";
     page += vortex_table(threads, progress);
     page += fmt::format(
-        "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes in both, camera rays, 512x384; "
-        "means of {} frames after the first, {:g} in a second of the scene's time. For every frame the host "
-        "rebuilds the scene's tree and writes it into the chip's memory; fps includes these writes. In "
-        "SaarCOR a unit transforms each ray into an object's space, as in this machine; the D-RPU refitted "
-        "trees of moving vertices. The papers have no figures for these scenes.\n\n",
+        "\n## Scenes that move\n\nTwo levels ([motion.md](../machine/motion.md)), boxes in both, camera "
+        "rays, 512x384; means of {} frames after the first, {:g} in a second of the scene's time. For every "
+        "frame the host rebuilds the scene's tree and writes it into the chip's memory; fps includes these "
+        "writes. In SaarCOR a unit transforms each ray into an object's space, as in this machine; "
+        "the D-RPU refitted trees of moving vertices. The papers have no figures for these scenes.\n\n",
         moving_frames, usual_fps);
     page += moving_table(threads, progress);
     const auto cycles_per_pixel = [](double mhz, double fps) { return 1e6 * mhz / fps / (512 * 384); };

@@ -15,8 +15,8 @@ struct RoutedBoard {
 constexpr int moving_frames = 3;
 /// Returns the table of scenes that move. Throws Interrupted after Ctrl-C.
 std::string moving_table(int threads, const Progress& progress);
-/// Returns docs/yardstick.md as Markdown: simulated figures next to published ones. Throws
-/// Interrupted after Ctrl-C.
+/// Returns docs/measured/comparison-with-other-chips.md as Markdown: simulated figures next to published
+/// ones. Throws Interrupted after Ctrl-C.
 std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress);
 
 }   // namespace rayclock

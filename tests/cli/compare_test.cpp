@@ -27,7 +27,7 @@ json compared(std::vector<std::string> arguments, int code) {
     return json::parse(outcome.out);
 }
 
-/// Returns 0 for key figures, as listed in docs/report.md.
+/// Returns 0 for key figures, as listed in docs/guide/report.md.
 int rank_of(const std::string& figure, const json& verdict) {
     const std::vector<std::string> first{
         "clocks.66.cycles", "clocks.66.fps",         "clocks.66.dram_bytes", "clocks.200.cycles",

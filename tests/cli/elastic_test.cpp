@@ -1,4 +1,5 @@
-// verify --elastic, --unit and template from the command line, and the walk through docs/elastic.md.
+// verify --elastic, --unit and template from the command line, and the walk through
+// docs/machine/unit-of-your-own.md.
 #include <filesystem>
 #include <sstream>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string page = "docs/elastic.md";
+const std::string page = "docs/machine/unit-of-your-own.md";
 
 /// Returns the texts of the page's blocks in a language.
 std::vector<std::string> blocks(const std::string& language) {
@@ -29,7 +30,7 @@ std::vector<std::string> blocks(const std::string& language) {
 
 }   // namespace
 
-TEST_CASE("the steps in docs/elastic.md give the results that it states") {
+TEST_CASE("the steps in docs/machine/unit-of-your-own.md give the results that it states") {
     const Folder folder;
     const std::vector<std::string> commands = blocks("sh"), modules = blocks("systemverilog");
     REQUIRE(commands.size() == 3);

@@ -188,7 +188,7 @@ void check_merged(const SharedFolder& p, int parts) {
     REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
     CHECK(bytes_of(p.folder.name("merged.json")) == bytes_of(p.folder.name("whole.json")));
 }
-const std::string sbatch_file = source_folder() + "/docs/sweep.sbatch";
+const std::string sbatch_file = source_folder() + "/docs/examples/sweep.sbatch";
 
 }   // namespace
 

@@ -1,7 +1,7 @@
 # cmake -DSOURCE= -DFOLDER= -DPATCH= -DPROGRAM= -P prefetch.cmake
-# Lays the experiment of docs/extending.md, a prefetch in the model alone, over a copy of the tree, builds the
-# program, and runs it. Without the switch digest, cycles and the units' accounts do not change. With it the
-# picture's errors and rays are the same, and the primitive cache misses less often.
+# Lays the experiment of docs/machine/extending.md, a prefetch in the model alone, over a copy of the tree,
+# builds the program, and runs it. Without the switch digest, cycles and the units' accounts do not change.
+# With it the picture's errors and rays are the same, and the primitive cache misses less often.
 cmake_policy(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
 include(${here}/copy.cmake)

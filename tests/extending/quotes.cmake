@@ -1,4 +1,4 @@
-# cmake -DSOURCE= -DPAGE=docs/extending.md -P quotes.cmake
+# cmake -DSOURCE= -DPAGE=docs/machine/extending.md -P quotes.cmake
 # Checks that the sources contain each code block of the page. A block marked `cpp` must occur word for word
 # in model/. The lines that a block marked `diff` removes must occur there too.
 cmake_policy(VERSION 3.25)

@@ -55,7 +55,7 @@ TEST_CASE("Embree's hits, shaded alike, give the golden pictures", "[image][gold
 // For tests/setup/release: the demo's pictures are in out/, those of `verify gears:4 --size 128x96` in
 // out/golden/.
 TEST_CASE("the files of the demo and of a golden scene show what they should", "[.left]") {
-    const Picture demo = read_picture("docs/gears8.png");   // made on Debian 12
+    const Picture demo = read_picture("docs/images/gears8.png");   // made on Debian 12
     for (const std::string name : {"reference.png", "model.png", "rtl.png"}) {
         CAPTURE(name);
         CHECK(compare(read_picture("out/" + name), demo).psnr_db > 30);

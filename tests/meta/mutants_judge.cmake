@@ -1,6 +1,7 @@
 # Faults of the model that `rayclock simulate` alone must report as bugs, without RTL and without a golden
 # picture. TEST simulate names scenes with their options, separated by |. A picture has 48x36 pixels unless an
-# option says otherwise. docs/verdict.md lists the rules. mutants_rtl.cmake explains the rest of a row.
+# option says otherwise. docs/proofs/who-checks-the-rules.md lists the rules. mutants_rtl.cmake explains
+# the rest of a row.
 
 set(all_scenes "spheres --depth 4 | mirrors --depth 3")
 mutant(none_in_simulate QUICK FILE model/unit/shade/pass.cpp TEST simulate "${all_scenes}")

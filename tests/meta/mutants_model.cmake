@@ -29,7 +29,7 @@ mutant(sheared_seams_left_open FILE model/compile/compile.cpp TEST unit [primiti
   OLD [[return config.is_sheared() ?]]
   NEW [[return config.is_sheared() && !has_area(t) ? false : config.is_sheared() ?]])
 
-# ---- Boxes: what docs/boxes.md says must not happen.
+# ---- Boxes: what docs/proofs/boxes.md says must not happen.
 mutant(model_box_near_rounded_up FILE model/engine/bvh/slab.inl WITH model/engine/bvh/box.cpp TEST unit [box]
   OLD [[near_0 = round_down(]]
   NEW [[near_0 = round_up(]])

@@ -17,7 +17,8 @@ class Example(Case):
         # ./bootstrap test puts cocotb into an environment of its own.
         places = [str(p) for p in SOURCE.glob("build/cocotb/lib/python3*/site-packages")]
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, SOURCE / "docs/cocotb/run.py", folder], capture_output=True, text=True,
+            example = SOURCE / "docs/examples/cocotb/run.py"
+            done = subprocess.run([sys.executable, example, folder], capture_output=True, text=True,
                                   env={**os.environ, "COUNT": "200", "RTL": str(rtl),
                                        "PYTHONPATH": os.pathsep.join([os.environ["PYTHONPATH"], *places])})
         if done.returncode == 77:

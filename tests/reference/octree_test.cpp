@@ -63,7 +63,7 @@ TEST_CASE("a shadow ray ends at the first test of what is in its way") {
 }
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999: inner nodes, leaves, empty leaves,
-// references. docs/spd.md explains the deviations.
+// references. docs/measured/ray-counts.md explains the deviations.
 TEST_CASE("octrees of Haines' scenes are those that were published") {
     struct Published {
         const char* scene;

@@ -1,5 +1,5 @@
-// Rays of Haines' scenes, counted by his rules and compared with the table that these rules reproduce (spd.md
-// 6.2 and 6.3). 513 x 513 rays go through the corners of pixels. Eye rays have depth 1 and the deepest has
+// Rays of Haines' scenes, counted by his rules and compared with the table that these rules reproduce.
+// 513 x 513 rays go through the corners of pixels. Eye rays have depth 1 and the deepest has
 // depth 5, which is 4 bounces here.
 #include <cmath>
 #include <numbers>

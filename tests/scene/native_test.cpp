@@ -1,5 +1,5 @@
-// Scenes with true spheres: exact counts, the positions of the reference generator (spd.md section 7), and no
-// other changes. Also the scenes that exist only in this form.
+// Scenes with true spheres: exact counts, the positions of the reference generator, and no other changes.
+// Also the scenes that exist only in this form.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -150,7 +150,7 @@ TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
         const char* material;
         double mirror, transmit, index;
     };
-    // spd.md 2.4. The index of opaque materials is never used and is 1 here.
+    // Haines' materials. The index of opaque materials is never used and is 1 here.
     const auto c = GENERATE(values<Case>({
         {"balls:1", "floor", 0, 0, 1},
         {"balls:1", "balls", 0.5, 0, 1},

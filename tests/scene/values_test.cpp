@@ -1,5 +1,5 @@
-// Compares positions with the values and sums that the scene description lists for the reference generator
-// (spd.md section 7). Centres and axis ends of tessellated shapes are the means of their vertices.
+// Compares positions with the values and sums that the scene description lists for the reference
+// generator. Centres and axis ends of tessellated shapes are the means of their vertices.
 #include <cmath>
 
 #include <catch2/catch.hpp>

@@ -88,8 +88,8 @@ execute_process(COMMAND \${program} --version COMMAND_ERROR_IS_FATAL ANY)
 ")
 run(output ${CMAKE_COMMAND} -S ${FOLDER}/other -B ${FOLDER}/other/build -DCMAKE_PREFIX_PATH=${prefix})
 
-# Another project builds on the library: the example of docs/library.md, copied to a folder of its own.
-file(COPY ${prefix}/share/doc/rayclock/docs/library DESTINATION ${FOLDER})
+# Another project builds on the library: the example of docs/guide/library.md, copied to a folder of its own.
+file(COPY ${prefix}/share/doc/rayclock/docs/examples/library DESTINATION ${FOLDER})
 run(output ${CMAKE_COMMAND} -S ${FOLDER}/library -B ${FOLDER}/library/build -DCMAKE_PREFIX_PATH=${prefix})
 run(output ${CMAKE_COMMAND} --build ${FOLDER}/library/build)
 run(output ${FOLDER}/library/build/example)

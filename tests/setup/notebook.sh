@@ -25,7 +25,7 @@ text = "".join("".join(o.get("text", [])) for o in outputs)
 assert sum("image/png" in o.get("data", {}) for o in outputs) == 2, "two figures"
 table = next("".join(o["data"]["text/plain"]) for o in outputs if "text/html" in o.get("data", {}))
 assert "NaN" not in table, table
-if sys.argv[2] == "notebook.ipynb":
+if sys.argv[2] == "sweep.ipynb":
     assert "32 points of gears:8 at 64x48" in text, text
     assert "ddr3" in table and len(table.splitlines()) == 9, table
 else:

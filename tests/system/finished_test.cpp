@@ -111,7 +111,8 @@ TEST_CASE("a finished picture is the reference's except for the cost of bits, an
     CHECK(
         compare(picture_from_colours(size, frame.trace.colours), picture_from_reference(reference)).psnr_db >=
         least);
-    // A ray from a plane's point beyond the lattice that misses the lattice is not sent (docs/shading.md).
+    // A ray from a plane's point beyond the lattice that misses the lattice is not sent
+    // (docs/machine/shading.md).
     const double fewer = scene.planes.empty() ? 0.01 : 0.4;
     const auto near = [fewer](std::uint64_t mine, std::uint64_t theirs) {
         const double more = double(mine) - double(theirs);

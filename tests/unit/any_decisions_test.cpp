@@ -6,7 +6,7 @@
 using namespace rayclock;
 using namespace rayclock::test;
 
-TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[any]") {
+TEST_CASE("a bounce and a shadow ray are decided as docs/proofs/origins.md has it", "[any]") {
     const Config config = any_format(GENERATE("default", "small", "wide"), "");
     Draw draw{unsigned(config.coord_bits)};
     int hits = 0, blocked = 0;

@@ -62,7 +62,7 @@ Config wide_fields(Config c) {
     return c;
 }
 
-/// The goal as stated in docs/report.md.
+/// The goal as stated in docs/guide/report.md.
 bool keeps(const Scene& scene, FrameSize size, const HitFrame& reference, const Config& config,
            const Goal& goal) {
     const Plain now = plain(scene, size, reference, config);

@@ -22,8 +22,8 @@ TEST_CASE("generated_package_is_current", "[package]") {
     REQUIRE((text.str() == rc_package(named_config("default"))));
 }
 
-TEST_CASE("the tables of docs/chip.md are current", "[package]") {
-    std::ifstream file(rtl_sources().parent_path() / "docs/chip.md");
+TEST_CASE("the tables of docs/machine/chip.md are current", "[package]") {
+    std::ifstream file(rtl_sources().parent_path() / "docs/machine/chip.md");
     std::ostringstream text;
     text << file.rdbuf();
     REQUIRE(file);
@@ -33,8 +33,8 @@ TEST_CASE("the tables of docs/chip.md are current", "[package]") {
         REQUIRE_THAT(text.str(), Catch::Contains(std::string("<!-- made: ") + table + " -->"));
 }
 
-TEST_CASE("docs/configurations.md has every parameter as the table of parameters has it", "[package]") {
-    std::ifstream file(rtl_sources().parent_path() / "docs/configurations.md");
+TEST_CASE("docs/guide/configurations.md has every parameter as the table of parameters has it", "[package]") {
+    std::ifstream file(rtl_sources().parent_path() / "docs/guide/configurations.md");
     std::ostringstream text;
     text << file.rdbuf();
     REQUIRE(file);

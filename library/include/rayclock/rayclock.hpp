@@ -1,6 +1,6 @@
 #pragma once
-// The simulator as a C++ library: scenes, configurations, simulated frames, traced rays. docs/library.md is
-// the guide. Link it with find_package(rayclock) and rayclock::library.
+// The simulator as a C++ library: scenes, configurations, simulated frames, traced rays.
+// docs/guide/library.md is the guide. Link it with find_package(rayclock) and rayclock::library.
 //
 // Objects may be used by several threads as long as none changes them. All functions throw Error for input
 // that makes no sense, and std::bad_alloc if memory runs out.

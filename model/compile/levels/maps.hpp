@@ -1,5 +1,5 @@
 #pragma once
-// The lattices of a scene of instances, and their maps. docs/motion.md has the rules and the proofs.
+// The lattices of a scene of instances, and their maps. docs/machine/motion.md has the rules and the proofs.
 #include <optional>
 #include <span>
 #include <vector>

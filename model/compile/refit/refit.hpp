@@ -10,8 +10,8 @@
 
 namespace rayclock {
 
-/// The usual ratio of the cost to the cost when built, above which a tree is rebuilt. docs/motion.md has
-/// measurements.
+/// The usual ratio of the cost to the cost when built, above which a tree is rebuilt. docs/machine/motion.md
+/// has measurements.
 constexpr double usual_rebuild = 1.5;
 
 /// Requires a machine with nodes of boxes and without spatial splits.

@@ -22,7 +22,7 @@ struct SlantRay {
 /// that its scale does not depend on the ray's kind. A shadow ray's direction already has ray_dir_bits.
 Vec3i slant_direction(const Ray& ray, const Config& config);
 
-/// Returns the position of a ray relative to the plane n . x = at, conservatively (docs/bsp.md).
+/// Returns the position of a ray relative to the plane n . x = at, conservatively (docs/proofs/bsp.md).
 ///
 /// `num` = at - n . o, with the origin's fraction bits, and `den` = n . d are both whole numbers. So the
 /// origin's side, and the side towards which the ray goes, are exact. A ray that moves and starts on the near

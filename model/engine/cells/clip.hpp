@@ -27,7 +27,8 @@ constexpr std::size_t most_walls = 40;
 /// than that.
 ///
 /// A sphere's surface counts unless the cell lies a step outside its radius, or two steps inside it. For a
-/// full box the result is the intersection of both boxes; walls never cut it. docs/bsp.md covers walls.
+/// full box the result is the intersection of both boxes; walls never cut it. docs/proofs/bsp.md covers
+/// walls.
 class Clipper {
 public:
     /// `margin`: most steps between a hit and its primitive.

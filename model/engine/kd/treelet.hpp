@@ -15,7 +15,7 @@ WideTreelet widen(const Treelet& treelet, int node_width);
 
 /// Returns the exits of a treelet that a ray meets, conservatively. It never leaves out an exit in whose
 /// closed cell the ray has a point o + s d with s > 0, and the exit's t_near is never beyond that point
-/// (docs/planes.md).
+/// (docs/proofs/planes.md).
 ///
 /// With r and x as in the box test (bvh/box.hpp), let w be the way from the origin to a plane, along the ray
 /// and in lattice steps. It is rounded down to w_lo and up to w_hi. The ray enters the far side at f =

@@ -28,8 +28,8 @@ struct WideGlobes {
 WideGlobes widen(const GlobeNode& node, int node_width);
 
 /// Returns the globes of a node that a ray meets, conservatively. It never leaves out a globe that holds a
-/// point o + s d, s > 0, of the ray, and the globe's t_near is never beyond that point. docs/globes.md has
-/// the proof.
+/// point o + s d, s > 0, of the ray, and the globe's t_near is never beyond that point. docs/proofs/globes.md
+/// has the proof.
 ///
 /// Let o be rounded down to the lattice, D = org - o, e the direction (GlobeRay::toward) and q a centre, both
 /// integers. The moment (D + 2^exp q) x e has |e| times the length of the centre's distance from the ray's

@@ -1,4 +1,4 @@
-// Haines' "balls": the sphereflake (spd.md 3.1). Every sphere has nine spheres of a third its size around it.
+// Haines' "balls": the sphereflake. Every sphere has nine spheres of a third its size around it.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

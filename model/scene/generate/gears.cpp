@@ -1,4 +1,4 @@
-// Haines' "gears": n^3 interlocked gears (spd.md 3.2), each a closed prism over a 144-gon with 36 teeth.
+// Haines' "gears": n^3 interlocked gears, each a closed prism over a 144-gon with 36 teeth.
 //
 // The 144-gon is not convex. It is cut into the 36 teeth, four corners each, and the convex 72-gon between
 // them. The 72-gon is halved again and again, because a fan would give long thin triangles, which suit a

@@ -1,4 +1,4 @@
-// Tessellation as in spd.md section 5. The unit sphere is cut once; copies are scaled and moved.
+// Tessellation as in Haines' package. The unit sphere is cut once; copies are scaled and moved.
 #include "model/scene/generate/mesh_writer.hpp"
 
 #include <cmath>

@@ -43,7 +43,7 @@ public:
     /// Writes a planar convex polygon, cut as a fan, with its face normal at every corner.
     void flat(std::initializer_list<glm::dvec3> corners);
 
-    /// Writes one native sphere, or a closed equal-angle cube grid with radial normals (spd.md 5).
+    /// Writes one native sphere, or a closed equal-angle cube grid with radial normals.
     void sphere(const glm::dvec3& centre, double radius);
 
     /// Writes a side without caps: base ring first, then apex ring.
@@ -74,11 +74,10 @@ Instance ball_at(const glm::dvec3& centre, double radius, std::uint32_t mesh);
 /// Returns a pseudo-random number in [0, 1), the same on every machine.
 double chance(std::uint32_t i);
 
-/// Returns white lights of strength 1/sqrt(n) each (spd.md 2.2).
+/// Returns white lights of strength 1/sqrt(n) each.
 std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions);
 
-/// Returns Phong's exponent for a highlight that falls to one half at `degrees` (spd.md 2.4),
-/// 0 < degrees < 90.
+/// Returns Phong's exponent for a highlight that falls to one half at `degrees`, 0 < degrees < 90.
 double shine_of(double degrees);
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// Haines' "mount": a fractal mountain and four glass spheres (spd.md 3.3).
+// Haines' "mount": a fractal mountain and four glass spheres.
 //
 // The published recursion evaluates the noise of every inner edge twice. Here a grid of heights is refined
 // level by level, with the same sums, so the heights have the same bits. The terrain is flat-shaded. Since

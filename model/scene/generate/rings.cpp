@@ -1,4 +1,4 @@
-// Haines' "rings": chains of six interlocked pentagonal rings of cylinders and spheres (spd.md 3.4).
+// Haines' "rings": chains of six interlocked pentagonal rings of cylinders and spheres.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

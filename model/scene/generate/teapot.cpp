@@ -1,4 +1,4 @@
-// Haines' "teapot": Newell's teapot on a checkerboard (spd.md 3.5).
+// Haines' "teapot": Newell's teapot on a checkerboard.
 //
 // Patches that share a row of control points, in either direction, get bitwise equal vertices along it. The
 // weights and the sums below are symmetric under reversal of a parameter, and exact at its ends.

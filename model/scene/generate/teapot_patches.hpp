@@ -10,8 +10,8 @@ namespace rayclock {
 /// Sixteen control points of a bicubic Bezier patch, row by row.
 using TeapotPatch = std::array<glm::dvec3, 16>;
 
-/// Returns the 32 patches of Martin Newell's teapot of 1975, as in Haines' package (spd.md 3.5): rim and
-/// body, handle, spout, lid, bottom.
+/// Returns the 32 patches of Martin Newell's teapot of 1975, as in Haines' package: rim and body,
+/// handle, spout, lid, bottom.
 std::vector<TeapotPatch> teapot_patches();
 
 }   // namespace rayclock

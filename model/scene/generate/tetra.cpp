@@ -1,5 +1,4 @@
-// Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). Neighbours that touch at a corner do not share its
-// vertex.
+// Haines' "tetra": Sierpinski's tetrahedron. Neighbours that touch at a corner do not share its vertex.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

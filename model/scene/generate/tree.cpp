@@ -1,4 +1,4 @@
-// Haines' "tree": cones that fork in two, with a sphere at every fork (spd.md 3.7).
+// Haines' "tree": cones that fork in two, with a sphere at every fork.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

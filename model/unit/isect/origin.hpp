@@ -1,6 +1,6 @@
 #pragma once
-// Origins of secondary rays, exactly on the surface, so that rays need no epsilon. docs/origins.md has the
-// proofs.
+// Origins of secondary rays, exactly on the surface, so that rays need no epsilon. docs/proofs/origins.md has
+// the proofs.
 //
 // The point O lies strictly inside the triangle that was hit, exactly in its plane, and has B fraction bits.
 // From there every decision is exact, as for camera rays. The triangle itself and all triangles in its plane

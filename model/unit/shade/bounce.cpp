@@ -47,8 +47,8 @@ std::int64_t refracted_cosine(const ShadeState& state) {
 }
 
 /// True if, with two levels, the direction is long enough for the instances' boxes to hold the ray
-/// (docs/motion.md, Secondary rays). A refracted direction is shorter than others if a corner normal faces
-/// away from the viewer.
+/// (docs/machine/motion.md, Secondary rays). A refracted direction is shorter than others if a corner normal
+/// faces away from the viewer.
 bool is_held(const Config& c, const Vec3i& d) {
     const std::int32_t least = shortest_held(c);
     return !c.has_homes() ||

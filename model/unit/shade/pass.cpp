@@ -23,8 +23,8 @@ void add(Colour& colour, const Colour& more) {
 }
 
 /// True if the threshold lets a ray pass that is its camera ray's `bounce`th. Rounding of shares and weights
-/// lowers a weight by less than 3/2 units of 2^-16 per bounce (docs/shading.md, Numbers). The test forgives
-/// that much, so a weight that is not below the threshold, as both were written, always passes.
+/// lowers a weight by less than 3/2 units of 2^-16 per bounce (docs/machine/shading.md, Numbers). The test
+/// forgives that much, so a weight that is not below the threshold, as both were written, always passes.
 bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
     return 2 * weight + 3 * bounce >= frame.shade.threshold;
 }
@@ -108,9 +108,9 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
 }
 
 /// Sends a ray that tests a light. From a light within the lattice to a point in the lattice it is a shadow
-/// ray, and exact (docs/origins.md). To or from a place beyond the lattice it is a ray without end, cut to
-/// the lattice, which holds everything that has an end. That ray tests planes only if a plane lies between
-/// the light and the path. Otherwise no plane hides the light.
+/// ray, and exact (docs/proofs/origins.md). To or from a place beyond the lattice it is a ray without end,
+/// cut to the lattice, which holds everything that has an end. That ray tests planes only if a plane lies
+/// between the light and the path. Otherwise no plane hides the light.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const LightOut found = light(frame, c, s, in.placement);

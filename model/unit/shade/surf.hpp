@@ -6,8 +6,8 @@ namespace rayclock {
 
 /// Handles a surface's arrival in a pass: fills the state's fields about the surface that the ray hit, and
 /// returns the ambient contribution. Mirror of rtl/unit/shade/rc_surf.sv.
-/// - Triangle: o = a + u (b - a) + v (c - a), exactly in its plane and strictly inside (docs/origins.md). u
-///   and v have B + fine fraction bits, and o has B.
+/// - Triangle: o = a + u (b - a) + v (c - a), exactly in its plane and strictly inside
+///   (docs/proofs/origins.md). u and v have B + fine fraction bits, and o has B.
 /// - Plane: the same, with u and v rounded to B fraction bits. `far` is set if o lies beyond the lattice.
 ///   `lost` is set if u, v or o do not fit; o is then the nearest value that does.
 /// - Sphere: o is the ray at t, rounded to nearest.

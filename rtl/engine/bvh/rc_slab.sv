@@ -6,7 +6,7 @@
 //
 // An origin with fraction bits lies between two lattice points. Near planes are measured from the
 // point that lies further along the ray, far planes from the other one. This costs at most one
-// lattice step (docs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
+// lattice step (docs/proofs/origins.md, Boxes). Model: model/engine/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
   localparam int unsigned Lanes       = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // of a beat

@@ -1,6 +1,6 @@
 // Rays from memory: an rc_cache of the two halves of a memory word, with the context as the id. A
 // context that gets the number of a ray from sched requests the ray's record. It exists only in a
-// chip whose rays come from a stream (docs/streams.md).
+// chip whose rays come from a stream (docs/guide/streams.md).
 //
 // Latency 3 for a hit, one request per cycle. A line of the cache is one burst of the memory.
 // rc_cache.sv has the other latencies and the rules for the user. Model: model/mem/cache.hpp with

@@ -31,10 +31,10 @@ void explain_pixel(Film& film, std::size_t pixel, const ExplainSettings& how, co
 void explain_ray(const StreamInput& input, const Config& config, std::size_t ray, const ExplainSettings& how,
                  const Progress& progress,
                  const std::function<void(const Explanation&, const StreamJob&)>& use);
-/// Returns the report of `explain --rays --json`: docs/report.md.
+/// Returns the report of `explain --rays --json`: docs/guide/report.md.
 nlohmann::ordered_json explained_ray_json(const StreamJob& stream, const Explanation& e);
 
-/// Returns the report of `explain --json`: docs/report.md.
+/// Returns the report of `explain --json`: docs/guide/report.md.
 nlohmann::ordered_json explanation_json(const Request& request, const FrameSize& size, const Explanation& e,
                                         const nlohmann::ordered_json& limits);
 

@@ -82,7 +82,7 @@ void compare_frames(SimulateResult& s, const SimulateSettings& how, const Simula
 Totals totals_of(const SimulateResult& s);
 /// Returns the last frame's picture, from the comparison if there is one.
 Picture last_frame_picture(const SimulateInput& work, const SimulateResult& s);
-/// Returns the report of `simulate --json`: docs/report.md.
+/// Returns the report of `simulate --json`: docs/guide/report.md.
 nlohmann::ordered_json simulation_json(const SimulateSettings& how, const SimulateInput& work,
                                        const SimulateResult& s, const Limits& limits, const Totals& totals);
 

@@ -37,7 +37,7 @@ nlohmann::ordered_json stream_json(const StreamJob& stream);
 nlohmann::ordered_json stream_run_json(const StreamJob& stream, const std::vector<Closest>& answers,
                                        const std::vector<FramesAtClock>& runs, bool partial,
                                        const std::optional<StreamJudgement>& judged);
-/// Returns the report of `simulate --rays --json`: docs/streams.md.
+/// Returns the report of `simulate --rays --json`: docs/guide/streams.md.
 nlohmann::ordered_json simulated_stream_json(const StreamJob& stream, const StreamResult& run, bool partial,
                                              double seconds);
 

@@ -43,7 +43,7 @@ SweepResult run_sweep(SweepRequest ask, const Progress& progress);
 /// Parses a value of the axis `clock` to kHz. Throws UserError.
 int axis_clock(const std::string& value);
 
-/// Returns the report of `sweep --json`: docs/report.md.
+/// Returns the report of `sweep --json`: docs/guide/report.md.
 nlohmann::ordered_json sweep_json(const sweep::MergedSweep& swept, const Limits& limits,
                                   const nlohmann::ordered_json& shard);
 

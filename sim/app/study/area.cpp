@@ -1,4 +1,5 @@
-// rayclock study area: makes docs/area.md, the ECP5 resources of each unit with and without optional units.
+// rayclock study area: makes docs/measured/area.md, the ECP5 resources of each unit with and without optional
+// units.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -84,8 +85,8 @@ int run_area(const AreaOptions& o) {
 }   // namespace
 
 Command area_command() {
-    return command("area", "docs/area.md: the ECP5 resources of each unit",
-                   "rayclock study area -o docs/area.md", declare_area, run_area);
+    return command("area", "docs/measured/area.md: the ECP5 resources of each unit",
+                   "rayclock study area -o docs/measured/area.md", declare_area, run_area);
 }
 
 }   // namespace rayclock

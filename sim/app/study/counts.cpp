@@ -56,8 +56,9 @@ int run_counts(const CountsOptions& o) {
 }   // namespace
 
 Command counts_command() {
-    return command("counts", "docs/spd.md: rays of Haines' scenes, compared with the published counts",
-                   "rayclock study counts -o docs/spd.md", declare_counts, run_counts);
+    return command("counts",
+                   "docs/measured/ray-counts.md: rays of Haines' scenes, compared with the published counts",
+                   "rayclock study counts -o docs/measured/ray-counts.md", declare_counts, run_counts);
 }
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// rayclock study figures: makes docs/figures.md with its pictures and plots.
+// rayclock study figures: makes docs/measured/figures.md with its pictures and plots.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -79,8 +79,8 @@ int run_figures(const FiguresOptions& o) {
 }   // namespace
 
 Command figures_command() {
-    return command("figures", "docs/figures.md: the classic figures, drawn by all engines",
-                   "rayclock study figures -o docs", declare_figures, run_figures);
+    return command("figures", "docs/measured/figures.md: the classic figures, drawn by all engines",
+                   "rayclock study figures -o docs/measured", declare_figures, run_figures);
 }
 
 }   // namespace rayclock

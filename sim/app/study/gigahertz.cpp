@@ -1,4 +1,4 @@
-// rayclock study gigahertz: makes docs/gigahertz.md with its picture.
+// rayclock study gigahertz: makes docs/measured/gigahertz.md with its picture.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -63,8 +63,8 @@ int run_gigahertz(const GigahertzOptions& o) {
 }   // namespace
 
 Command gigahertz_command() {
-    return command("gigahertz", "docs/gigahertz.md: this machine at the clocks of processors",
-                   "rayclock study gigahertz -o docs", declare_gigahertz, run_gigahertz);
+    return command("gigahertz", "docs/measured/gigahertz.md: this machine at the clocks of processors",
+                   "rayclock study gigahertz -o docs/measured", declare_gigahertz, run_gigahertz);
 }
 
 }   // namespace rayclock

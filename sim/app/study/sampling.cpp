@@ -1,4 +1,4 @@
-// rayclock study sampling: makes docs/sampling-figures.md.
+// rayclock study sampling: makes docs/measured/sampling-figures.md.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
@@ -56,8 +56,9 @@ int run_sampling(const SamplingOptions& o) {
 }   // namespace
 
 Command sampling_command() {
-    return command("sampling", "docs/sampling-figures.md: samples of frames against whole frames",
-                   "rayclock study sampling -o docs/sampling-figures.md", declare_sampling, run_sampling);
+    return command("sampling", "docs/measured/sampling-figures.md: samples of frames against whole frames",
+                   "rayclock study sampling -o docs/measured/sampling-figures.md", declare_sampling,
+                   run_sampling);
 }
 
 }   // namespace rayclock

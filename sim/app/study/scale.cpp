@@ -1,4 +1,4 @@
-// rayclock study scale: makes docs/scale.md with its picture.
+// rayclock study scale: makes docs/measured/scale.md with its picture.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -77,8 +77,9 @@ int run_scale(const ScaleOptions& o) {
 }   // namespace
 
 Command scale_command() {
-    return command("scale", "docs/scale.md: the cost of a frame against the size of scene and picture",
-                   "rayclock study scale -o docs", declare_scale, run_scale);
+    return command("scale",
+                   "docs/measured/scale.md: the cost of a frame against the size of scene and picture",
+                   "rayclock study scale -o docs/measured", declare_scale, run_scale);
 }
 
 }   // namespace rayclock

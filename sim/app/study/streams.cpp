@@ -1,4 +1,4 @@
-// rayclock study streams: makes docs/stream-figures.md.
+// rayclock study streams: makes docs/measured/stream-figures.md.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -67,8 +67,9 @@ int run_streams(const StreamsOptions& o) {
 }   // namespace
 
 Command streams_command() {
-    return command("streams", "docs/stream-figures.md: rays of many kinds from memory, on every structure",
-                   "rayclock study streams -o docs", declare_streams, run_streams);
+    return command("streams",
+                   "docs/measured/stream-figures.md: rays of many kinds from memory, on every structure",
+                   "rayclock study streams -o docs/measured", declare_streams, run_streams);
 }
 
 }   // namespace rayclock

@@ -1,4 +1,4 @@
-// rayclock study structures: makes docs/structures.md with its picture.
+// rayclock study structures: makes docs/measured/structures.md with its picture.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -112,8 +112,8 @@ int run_structures(const StructuresOptions& o) {
 }   // namespace
 
 Command structures_command() {
-    return command("structures", "docs/structures.md: all acceleration structures on one machine",
-                   "rayclock study structures -o docs", declare_structures, run_structures);
+    return command("structures", "docs/measured/structures.md: all acceleration structures on one machine",
+                   "rayclock study structures -o docs/measured", declare_structures, run_structures);
 }
 
 }   // namespace rayclock

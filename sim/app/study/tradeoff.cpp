@@ -1,4 +1,4 @@
-// rayclock study tradeoff: makes docs/speed-against-error.md with its plots.
+// rayclock study tradeoff: makes docs/measured/speed-against-error.md with its plots.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
@@ -55,8 +55,9 @@ int run_tradeoff(const TradeoffOptions& o) {
 }   // namespace
 
 Command tradeoff_command() {
-    return command("tradeoff", "docs/speed-against-error.md: the cost and the effect of each bit",
-                   "rayclock study tradeoff -o docs/speed-against-error.md", declare_tradeoff, run_tradeoff);
+    return command("tradeoff", "docs/measured/speed-against-error.md: the cost and the effect of each bit",
+                   "rayclock study tradeoff -o docs/measured/speed-against-error.md", declare_tradeoff,
+                   run_tradeoff);
 }
 
 }   // namespace rayclock

@@ -1,4 +1,5 @@
-// rayclock study yardstick: makes docs/yardstick.md, simulated figures next to published ones.
+// rayclock study yardstick: makes docs/measured/comparison-with-other-chips.md, simulated figures next to
+// published ones.
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
@@ -39,8 +40,10 @@ int run_yardstick(const YardstickOptions& o) {
 
 Command yardstick_command() {
     return command("yardstick",
-                   "docs/yardstick.md: this machine compared with published figures of SaarCOR and RPU",
-                   "rayclock study yardstick -o docs/yardstick.md", declare_yardstick, run_yardstick);
+                   "docs/measured/comparison-with-other-chips.md: this machine compared with published "
+                   "figures of SaarCOR and RPU",
+                   "rayclock study yardstick -o docs/measured/comparison-with-other-chips.md",
+                   declare_yardstick, run_yardstick);
 }
 
 }   // namespace rayclock

@@ -1,5 +1,6 @@
 #pragma once
-// The result of a search for the fastest machine, as text and as JSON. docs/report.md explains every key.
+// The result of a search for the fastest machine, as text and as JSON. docs/guide/report.md explains every
+// key.
 #include <nlohmann/json.hpp>
 
 #include "sim/explore/balance/search.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Results of fit as text and as JSON. docs/report.md explains every key.
+// Results of fit as text and as JSON. docs/guide/report.md explains every key.
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The families of hard cases: a surface and its rays. docs/hard-cases.md shows them.
+// The families of hard cases: a surface and its rays. docs/measured/hard-cases.md shows them.
 #include <functional>
 #include <optional>
 #include <string>

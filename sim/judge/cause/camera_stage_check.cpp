@@ -145,7 +145,7 @@ bool CameraStageCheck::is_tie(const glm::dvec3& from, const glm::dvec3& d, const
 }
 
 /// Returns the largest distance at t between an instance's ray and the scene's ray, in steps of the scene:
-/// rho (docs/motion.md, Boxes) on each axis of the mesh, mapped back to the scene.
+/// rho (docs/machine/motion.md, Boxes) on each axis of the mesh, mapped back to the scene.
 double CameraStageCheck::instance_error(std::uint32_t place, double t) const {
     if (!placed_ || placed_->is_same(place)) return 0;
     glm::dmat3 map(1);

@@ -40,7 +40,7 @@ public:
 
     /// Returns the colour of a hit on the given scene by the reference's rules, without using shade().
     /// Returns nothing where a smooth normal points away from the viewer, because the rules of the two differ
-    /// there (docs/shading.md).
+    /// there (docs/machine/shading.md).
     std::optional<glm::dvec3> local_light(const Hit& hit, int x, int y) const;
 
 private:

@@ -18,8 +18,8 @@ namespace rayclock {
 namespace {
 
 /// The largest distance of a point from its triangle in an instance that turns rays, in steps of the scene:
-/// rho plus 3/4 of a step of the mesh (docs/motion.md, Boxes). A step of the mesh is at most most_stretch
-/// steps of the scene.
+/// rho plus 3/4 of a step of the mesh (docs/machine/motion.md, Boxes). A step of the mesh is at most
+/// most_stretch steps of the scene.
 constexpr double most_turned = (8.5 + 0.75) * most_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
@@ -455,7 +455,7 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
 
 /// Returns true if the machine may miss a light because the point lies beyond the lattice. For such a point
 /// the machine stores only the eye's side of each plane, and for a pane the path's side. Behind another
-/// transmitting plane a point may get different light (docs/origins.md, Points of a plane beyond the
+/// transmitting plane a point may get different light (docs/proofs/origins.md, Points of a plane beyond the
 /// lattice).
 bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, double distance,
                                      const MachineVisit& at) const {
@@ -577,7 +577,7 @@ bool Guide::goes(RefBounce& bounce) {
     if (!at) return own;
     const int child = is_reflected ? at->reflected : at->refracted;
     const double error = direction_error(bounce, *at);
-    const bool is_weight_close =   // docs/shading.md, Weights and threshold
+    const bool is_weight_close =   // docs/machine/shading.md, Weights and threshold
         std::abs(bounce.weight - rules_.inputs.frame.shade.threshold * std::exp2(-unit_bits - 1)) <=
         (4 * double(at_.size()) + 1) * unit_step;
     const bool is_side_close = std::abs(side) <= error;

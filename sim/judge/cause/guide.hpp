@@ -13,8 +13,8 @@
 //   tie      a ray moved by 2^-34 of its length, or a quantity within its stated bound, gives the machine's
 //            answer
 //   horizon  a bounce from a point of a plane beyond the lattice meets another plane before it comes into
-//            the lattice, or the point is too far away for the machine's numbers (docs/origins.md, Points
-//            of a plane beyond the lattice)
+//            the lattice, or the point is too far away for the machine's numbers (docs/proofs/origins.md,
+//            Points of a plane beyond the lattice)
 //   seam     two levels: the instance sees a ray that was rounded for it (seam.hpp)
 // Anything else is a fault.
 #include <optional>

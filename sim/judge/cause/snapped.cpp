@@ -30,7 +30,7 @@ double rounded(double value, int bits) { return std::ldexp(std::round(std::ldexp
 double share(double value) { return rounded(std::clamp(value, 0.0, 1.0), share_bits); }
 glm::dvec3 shares(const glm::dvec3& v) { return {share(v.x), share(v.y), share(v.z)}; }
 
-/// A weight of 0 stays 0, and no other weight becomes 0 (docs/shading.md, Weights and threshold).
+/// A weight of 0 stays 0, and no other weight becomes 0 (docs/machine/shading.md, Weights and threshold).
 double weight(double value) {
     return value > 0 ? std::max(rounded(std::min(value, 1.0), unit_bits), std::ldexp(1.0, -unit_bits)) : 0;
 }
@@ -120,8 +120,8 @@ private:
     }
 
     /// A plane's sides may change by half a step. Its lattice point may lie half a step from a point that is
-    /// whole sides away from the scene's. docs/verdict.md derives how far the plane may turn, how far its
-    /// points may lie from the given plane, and where squares begin.
+    /// whole sides away from the scene's. docs/proofs/who-checks-the-rules.md derives how far the plane may
+    /// turn, how far its points may lie from the given plane, and where squares begin.
     void demand_plane(const Plane& given, const Plane& machine) {
         const Lattice& lattice = inputs_.lattice;
         const PlaneOnLattice on = plane_on_lattice(given, lattice);

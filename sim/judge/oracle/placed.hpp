@@ -2,10 +2,10 @@
 // Exact truth about rays in a scene of two levels: placed meshes, each hit by the ray that was rounded for
 // it.
 //
-// The rule (docs/motion.md) is o' = round(A o + b), d' = round(A d), round(y) = floor(y + 1/2), once for each
-// ray and instance. In the instance that a ray leaves, o' and d' are given. Solids decides in integers what
-// the ray meets in an instance. Instances are compared by t as exact fractions. It shares this rule with the
-// unit that transforms rays, but none of the unit's formulas.
+// The rule (docs/machine/motion.md) is o' = round(A o + b), d' = round(A d), round(y) = floor(y + 1/2), once
+// for each ray and instance. In the instance that a ray leaves, o' and d' are given. Solids decides in
+// integers what the ray meets in an instance. Instances are compared by t as exact fractions. It shares this
+// rule with the unit that transforms rays, but none of the unit's formulas.
 //
 // The search for instances is conservative. Let r be the largest row sum of magnitudes of the map's inverse.
 // If a ray meets a mesh at o' + s d', consider o + s d. It lies in the image of the mesh's bounds under the

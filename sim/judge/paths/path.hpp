@@ -3,10 +3,10 @@
 //
 // There are three kinds of judgement. *Exact*: which primitive a ray meets, where a secondary ray begins, on
 // which side it leaves, whether a light or a bounce is requested, sums and their saturation. These are
-// integers of 128 bits. *Rounded as documented*: products that docs/shading.md rounds to nearest, computed
-// from the chip's own factors. *Within a proven bound*: unit vectors, powers, directions of bounces and
-// colours, compared with doubles that follow from the same hit. Each contribution to the pixel has its own
-// range, and the pixel must lie within the sum of these ranges.
+// integers of 128 bits. *Rounded as documented*: products that docs/machine/shading.md rounds to nearest,
+// computed from the chip's own factors. *Within a proven bound*: unit vectors, powers, directions of bounces
+// and colours, compared with doubles that follow from the same hit. Each contribution to the pixel has its
+// own range, and the pixel must lie within the sum of these ranges.
 #include <optional>
 #include <string>
 #include <vector>

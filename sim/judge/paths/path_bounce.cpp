@@ -21,8 +21,8 @@ struct Bend {
     Int128 cosine_squared;   ///< 2 unit_bits of fraction; negative: total reflection
     Int128 along;            ///< share of the normal in the direction; unit_bits of fraction
 };
-/// Rounds as docs/shading.md states: the square of the refracted sine down, the root down, the product to
-/// nearest.
+/// Rounds as docs/machine/shading.md states: the square of the refracted sine down, the root down, the
+/// product to nearest.
 Bend promised_bend(const ShadeState& s) {
     const Int128 sine_squared = wide_unit * wide_unit - Int128(s.cosine) * s.cosine;
     const Int128 refracted = floor_of(Int128(s.ratio) * s.ratio * sine_squared, Int128(1) << 2 * index_frac);
@@ -94,7 +94,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     judge_refracted(d);
     if (dot(s.n, is_turned() ? home_of(s, d).d : d) >= 0)
         return demand(!out.push, "a refracted ray leaves on the side from which it came");
-    // The boxes of instances are proven only for longer directions: docs/motion.md, Secondary rays.
+    // The boxes of instances are proven only for longer directions: docs/machine/motion.md, Secondary rays.
     const std::int32_t quarter = std::int32_t(std::exp2(config_.dir_bits - 2)) / 4;
     if (rules_.placed && std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < quarter)
         return demand(!out.push, "a refracted ray is sent that is too short");
@@ -145,8 +145,8 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
            "a bounce that was sent is not waited for");
 }
 
-/// Returns true if a bounce must be sent: its weight is not below the threshold (docs/shading.md, Weights and
-/// threshold). Judges the rounded rule against the bound that is proven there.
+/// Returns true if a bounce must be sent: its weight is not below the threshold (docs/machine/shading.md,
+/// Weights and threshold). Judges the rounded rule against the bound that is proven there.
 bool PathJudge::follows(const Weight& weight) {
     const auto bounce = std::int64_t(branch_.depth) + 1;
     const double threshold = std::clamp(rules_.settings.threshold, 0.0, 1.0);

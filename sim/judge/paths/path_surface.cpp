@@ -111,7 +111,7 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
 }
 
 /// Judges that the point lies exactly on the surface, and strictly inside a triangle. Its weights are the
-/// hit's, rounded, and moved off the border by the rule in docs/origins.md.
+/// hit's, rounded, and moved off the border by the rule in docs/proofs/origins.md.
 void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& toward) {
     const Surface& surface = place_.surface;
     const bool is_plane = PrimKind(surface.kind) == PrimKind::plane;
@@ -311,8 +311,8 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
 }
 
 /// Returns the origin of a ray from the surface along d. From a point beyond the lattice the ray takes the
-/// fewest whole steps of 2^s d that bring it past the near side of every slab (docs/origins.md). Returns
-/// nothing if it then lies outside the lattice.
+/// fewest whole steps of 2^s d that bring it past the near side of every slab (docs/proofs/origins.md).
+/// Returns nothing if it then lies outside the lattice.
 std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) const {
     if (place_.is_lost) return std::nullopt;
     const Int128 end = ((Int128(1) << (config_.coord_bits - 1)) - 1) << config_.origin_bits;

@@ -3,8 +3,8 @@
 // every instance in its place.
 //
 // The judge takes these lattices, and the maps in memory, from the host. It judges the maps: each number must
-// be the one that docs/motion.md states for the instance's place in the scene. It computes corners, normals
-// and materials from the scene. Memory must contain each instance that is not empty exactly once.
+// be the one that docs/machine/motion.md states for the instance's place in the scene. It computes corners,
+// normals and materials from the scene. Memory must contain each instance that is not empty exactly once.
 #include <string>
 #include <unordered_map>
 #include <vector>

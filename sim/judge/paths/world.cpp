@@ -94,8 +94,8 @@ bool is_shut_in(const FrameInputs& inputs, const Vec3i& point) {
     return false;
 }
 
-/// Returns the largest sine by which a plane may turn on the lattice: T of docs/verdict.md, Planes on the
-/// lattice.
+/// Returns the largest sine by which a plane may turn on the lattice: T of
+/// docs/proofs/who-checks-the-rules.md, Planes on the lattice.
 double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& lattice) {
     const glm::dvec3 p = std::ldexp(1.0, -on.level[0]) * plane.u / lattice.pitch,
                      q = std::ldexp(1.0, -on.level[1]) * plane.v / lattice.pitch;
@@ -120,7 +120,7 @@ bool is_between_as_stated(const FrameInputs& inputs, const glm::dvec3& light, bo
         const PlaneOnLattice on = plane_on_lattice(plane, inputs.lattice);
         const double turn = most_turn(plane, on, inputs.lattice), step = inputs.lattice.coarsest();
         const glm::dvec3 a = inputs.lattice.centre + inputs.lattice.pitch * vector_of(on.a);
-        // The bound of docs/verdict.md.
+        // The bound of docs/proofs/who-checks-the-rules.md.
         const auto is_open = [&](double height, const glm::dvec3& point) {
             return std::abs(height) <= glm::length(n) * ((2 + turn) * step + turn * glm::length(point - a));
         };

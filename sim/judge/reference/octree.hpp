@@ -35,7 +35,7 @@ struct OctreeWork {
 ///
 /// Two rules are missing from his text and follow from his counts. The box of a polygon is widened by 0.02 on
 /// both sides of an axis on which it is thinner than 0.02. The root is enlarged by 0.001 on all sides. Both
-/// are in the scene's units. With them, most of his trees are matched exactly (docs/spd.md).
+/// are in the scene's units. With them, most of his trees are matched exactly (docs/measured/ray-counts.md).
 ///
 /// An object is a sphere, or a polygon as the scene's generator cut it into triangles. In scenes without
 /// vertex normals, consecutive triangles of one material form a polygon if they lie in one plane and are

@@ -171,7 +171,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
 
     const glm::dvec3 mirrored = 2 * std::max(lambert, 0.0) * side * surface.normal - l;
     double along = -glm::dot(mirrored, path.direction);
-    if (steer_ && glm::dot(surface.normal, path.direction) > 0)   // the machine's rule: docs/shading.md
+    if (steer_ && glm::dot(surface.normal, path.direction) > 0)   // as docs/machine/shading.md has it
         along = glm::dot(l, path.direction);
     const double phong = std::pow(std::max(0.0, along), m.shine);
     return light.colour * (m.diffuse * std::max(lambert, 0.0) * surface.colour + m.highlight * phong);
@@ -194,8 +194,8 @@ double schlick(double index, double cosine) {
     return r0 + (1 - r0) * std::pow(1 - cosine, 5);
 }
 
-/// A total reflection counts as a refracted ray where a refracted ray would have been sent (spd.md 6.2, rule
-/// 6).
+/// A total reflection counts as a refracted ray where a refracted ray would have been sent, as Haines
+/// counts it.
 void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth) {
     const Material& m = *surface.material;
     // Near its outline a smooth surface may show its back. Then it counts as seen edge-on.

@@ -62,8 +62,8 @@ private:
     bool any_hit_;
 };
 
-/// The rays of a file. It keeps the file's bytes, and converts one ray at a time. docs/streams.md describes
-/// the formats:
+/// The rays of a file. It keeps the file's bytes, and converts one ray at a time. docs/guide/streams.md
+/// describes the formats:
 /// - .npy: float32 or float64, n rows of origin and direction (6 numbers), then t_max (7), t_min and t_max
 ///   (8), and 1 for any hit (9);
 /// - .rays of AnyDSL's traversal: 6 float32 for each ray.

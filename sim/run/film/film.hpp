@@ -1,6 +1,7 @@
 #pragma once
 // The frames of a moving scene, one after the other: the scene at its time, the chip's memory, and the host's
-// writes (docs/motion.md). A scene without motion is the same in every frame, and only the camera may turn.
+// writes (docs/machine/motion.md). A scene without motion is the same in every frame, and only the camera may
+// turn.
 #include <memory>
 #include <optional>
 #include <string>

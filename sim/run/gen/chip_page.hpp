@@ -1,5 +1,6 @@
 #pragma once
-// The tables of docs/chip.md and rtl/README.md, from the descriptions that also define the RTL's package.
+// The tables of docs/machine/chip.md and rtl/README.md, from the descriptions that also define the RTL's
+// package.
 #include <string>
 
 namespace rayclock {

@@ -1,6 +1,6 @@
 // Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", it writes
 // to standard output. The configuration is one that ships with the program, or `default`, with changed
-// parameters. rc_pkg_gen --page FILE regenerates the tables of docs/chip.md or rtl/README.md.
+// parameters. rc_pkg_gen --page FILE regenerates the tables of docs/machine/chip.md or rtl/README.md.
 #include <algorithm>
 #include <fstream>
 #include <iostream>

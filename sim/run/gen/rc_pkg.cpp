@@ -101,7 +101,7 @@ std::string host_constants(const Config& config) {
         for (const std::uint32_t entry : entries) texts.push_back(fmt::format("d{}", entry));
         return list_text(name, texts, width);
     };
-    std::string text = "\n  // The host's registers: sim/run/gen/registers.hpp, docs/chip.md.\n";
+    std::string text = "\n  // The host's registers: sim/run/gen/registers.hpp, docs/machine/chip.md.\n";
     text += constant("Magic", host_magic) + constant("Version", host_version);
     for (const HostRegister& r : host_registers())
         if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
@@ -471,7 +471,7 @@ std::string rc_package(const Config& config) {
     parts(p, config);
     p.say(
         "What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, "
-        "docs/chip.md.");
+        "docs/machine/chip.md.");
     for_each_engine([&]<class E>(E) { p.record<typename E::Node>(E::node_name); });
     p.record<Placement>("placement");
     p.record<PrimData>("primitive");

@@ -1,6 +1,6 @@
 #pragma once
 // The registers of the chip's host interface. This one list defines the constants of rc_pkg.sv, the bus
-// writes of all programs here, and the tables of docs/chip.md. Addresses count 32-bit words.
+// writes of all programs here, and the tables of docs/machine/chip.md. Addresses count 32-bit words.
 #include <bit>
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// The design of a sample: the parts of a frame, and the random choice among them. docs/sampling.md explains
-// it.
+// The design of a sample: the parts of a frame, and the random choice among them. docs/guide/sampling.md
+// explains it.
 #include <cstdint>
 #include <vector>
 

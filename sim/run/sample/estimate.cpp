@@ -58,7 +58,7 @@ double half_width(const std::vector<Stratum>& strata, const PartValues& y, const
     }
     const double of_pixels = ratio * ratio * x.variance;   // of the total of x, from many single pixels
     if (variance + of_pixels == 0) return 0;
-    // Satterthwaite's degrees of freedom, for residuals with heavy tails: docs/sampling.md.
+    // Satterthwaite's degrees of freedom, for residuals with heavy tails: docs/guide/sampling.md.
     const double count = double(strata.size()),
                  degrees =
                      squares == 0 ? count : std::clamp(2 * variance * variance / squares - 1, 1.0, count),

@@ -1,6 +1,6 @@
 #pragma once
-// Estimates of a frame's totals from measured parts, with 95 % confidence intervals. docs/sampling.md derives
-// the formulas.
+// Estimates of a frame's totals from measured parts, with 95 % confidence intervals. docs/guide/sampling.md
+// derives the formulas.
 #include <cstdint>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Samples of a frame. Only some parts of the frame are recorded and replayed. They give estimates of all
-// figures: docs/sampling.md.
+// figures: docs/guide/sampling.md.
 #include <array>
 #include <functional>
 #include <string>

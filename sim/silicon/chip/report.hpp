@@ -1,5 +1,5 @@
 #pragma once
-// A placed chip as text and as JSON. docs/report.md explains every key.
+// A placed chip as text and as JSON. docs/guide/report.md explains every key.
 #include <string>
 #include <vector>
 

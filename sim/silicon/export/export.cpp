@@ -192,7 +192,7 @@ With Icarus Verilog 11, which knows unknown values and is much slower:
     vvp icarus.vvp +seed=1
 
 The bench prints PASS. Or it prints what differs and FAIL, and its exit code is not 0. The project's
-docs/chip.md describes the registers, the memory image, the ports and their protocols.
+docs/machine/chip.md describes the registers, the memory image, the ports and their protocols.
 )",
         title, command, job.image.lines(), job.size.width, job.size.height, cycles, job.config.mem_latency,
         job.config.mem_interval);

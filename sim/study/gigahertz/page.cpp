@@ -270,7 +270,7 @@ Made by `{}`, with the model only. All figures of this machine are simulated.
 The papers of SaarCOR and RPU compare chips of 66 and 90 MHz with processors at 30 times that clock, and do not
 scale the results. This page simulates faster chips. **All clocks here are assumed**: no chip of this machine
 was routed at any of them ([silicon.md](silicon.md) has the routed clocks). The memory keeps its own time
-([memories](configurations.md#memories)), so a chip with a faster clock waits more cycles for it. "x 2" means
+([memories](../guide/configurations.md#memories)), so a chip with a faster clock waits more cycles for it. "x 2" means
 two channels side by side.
 
 Configuration `{}` with 1 to 16 pipelines, {}x{} camera rays of {} ({} triangles), one frame with

@@ -12,7 +12,7 @@ namespace rayclock::scale {
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 
-/// Returns all rows and exponents as JSON: docs/report.md.
+/// Returns all rows and exponents as JSON: docs/guide/report.md.
 nlohmann::ordered_json figures_json(const Figures& figures);
 
 /// Draws seconds against triangles and against pixels, with a line for each kind of work.

@@ -1,4 +1,4 @@
-// Writes docs/structures.md from measurements. The comparisons and the causes are in reasons.cpp.
+// Writes docs/measured/structures.md from measurements. The comparisons and the causes are in reasons.cpp.
 #include "sim/study/structures/page.hpp"
 
 #include <algorithm>
@@ -145,8 +145,8 @@ Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches. Camera r
 pixels, scenes in triangles unless a scene's heading says otherwise. Finished pictures (`--depth 4`): half as many
 columns and rows, and true spheres where the scene has them. fps are frames a second of these pictures.
 
-All structures give the same picture, bit for bit; the [documentation](README.md) has a page for each. An octree
-uses exactly the gates of kd ([configurations.md](configurations.md#structures)). "bvh, splits" is a bvh that may
+All structures give the same picture, bit for bit; the [documentation](../README.md) has a page for each. An octree
+uses exactly the gates of kd ([configurations.md](../guide/configurations.md#structures)). "bvh, splits" is a bvh that may
 cut primitives (`splits=on`). The `box_queue` of each structure is longer than the latency of its unit.
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
@@ -154,7 +154,7 @@ cut primitives (`splits=on`). The `box_queue` of each structure is longer than t
 - **pays after rays**: the number of camera rays from which building the tree pays off. With fewer rays, a chip
   that tests a list of all primitives, one test a cycle, is done earlier than build and tree together.
   **Frames of the chip**: frames that the chip with the tree draws in the build time.
-- A dagger (†) marks a picture beyond a limit ([report.md](report.md#limits)); the sentence below the table
+- A dagger (†) marks a picture beyond a limit ([report.md](../guide/report.md#limits)); the sentence below the table
   names the farthest.
 - **bound, reached**: the largest of visits, tests (one a cycle each) and the transfers of the memory, and its
   share of the frame's cycles. **tri busy**: the share of cycles in which an intersection test begins.

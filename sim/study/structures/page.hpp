@@ -1,5 +1,5 @@
 #pragma once
-// The page docs/structures.md: every structure on one machine.
+// The page docs/measured/structures.md: every structure on one machine.
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ struct Figures {
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 plot::Drawing picture(const Figures& figures, const Study& study);
-/// Returns the same data with a row for each scene, structure and kind of frame (docs/report.md).
+/// Returns the same data with a row for each scene, structure and kind of frame (docs/guide/report.md).
 nlohmann::ordered_json rows(const Figures& figures, const Limits& limits);
 
 /// Returns the pipeline of a frame, if areas were counted. It has all units if the frame's rays meet true

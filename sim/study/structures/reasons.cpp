@@ -1,6 +1,6 @@
-// Compares the structures of docs/structures.md and explains the results. All figures of the comparisons
-// follow from the measurements. The causes contain no figures: they describe the scenes, and hold for
-// configuration `default`.
+// Compares the structures of docs/measured/structures.md and explains the results. All figures of the
+// comparisons follow from the measurements. The causes contain no figures: they describe the scenes, and hold
+// for configuration `default`.
 #include <algorithm>
 #include <functional>
 

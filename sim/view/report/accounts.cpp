@@ -25,7 +25,8 @@ int interval_of(const Config& config, Unit unit) {
     }
 }
 
-/// Returns the number of transfers that bring a unit its work. docs/report.md lists the link of each unit.
+/// Returns the number of transfers that bring a unit its work. docs/guide/report.md lists the link of each
+/// unit.
 std::uint64_t count_of(const Config& config, Unit unit, const FrameResult& run) {
     switch (unit) {
         case Unit::trav: return run.visits;

@@ -11,7 +11,7 @@ namespace rayclock {
 /// second, hit rates, and the account of every unit.
 std::string elastic_lines(const Config& config, int khz, const ElasticResult& result);
 
-/// Returns the report's object `elastic`; see docs/report.md. `units` is the list as typed.
+/// Returns the report's object `elastic`; see docs/guide/report.md. `units` is the list as typed.
 nlohmann::ordered_json elastic_json(const Config& config, int khz, const std::string& units,
                                     const ElasticResult& result);
 

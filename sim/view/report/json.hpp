@@ -1,5 +1,5 @@
 #pragma once
-// Reports as JSON. docs/report.md explains every key.
+// Reports as JSON. docs/guide/report.md explains every key.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>

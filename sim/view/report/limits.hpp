@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// The default limits hold for every built-in scene at its usual size on every shipped configuration
-/// (docs/report.md, Limits).
+/// (docs/guide/report.md, Limits).
 struct Limits {
     double max_other = 1;         ///< pixels with another primitive, in percent
     double min_psnr = 30;         ///< dB

@@ -1,5 +1,5 @@
 #pragma once
-// The figures of a sampled frame: their estimates, their tables and their JSON. docs/sampling.md.
+// The figures of a sampled frame: their estimates, their tables and their JSON. docs/guide/sampling.md.
 #include <functional>
 #include <string>
 #include <vector>

@@ -147,7 +147,7 @@ ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&
         const oracle::Int d = c.d[k];
         const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
         // The tolerance: one step of distance, 1 of a reciprocal of R bits, and rounding to whole units. The
-        // side that the ray leaves counts a step as up to two, and is rounded twice (docs/planes.md).
+        // side that the ray leaves counts a step as up to two, and is rounded twice (docs/proofs/planes.md).
         const int most = upper == (d < 0) ? 2 : 1;
         times.cut(way, d, upper, unit, [&](const Rational& time) {
             const Rational step = unit / abs(d);

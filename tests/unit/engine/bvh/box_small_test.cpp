@@ -1,6 +1,6 @@
 // box at small widths, for every operand: the ray's origin and direction, the node's corner and exponents,
 // and the children's planes. Judged by exact overlap with cross-multiplication. The RTL must also equal the
-// model bit by bit. docs/boxes.md has the proof.
+// model bit by bit. docs/proofs/boxes.md has the proof.
 #include "model/engine/bvh/encode.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "tests/support/cases/small.hpp"
