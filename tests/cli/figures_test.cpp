@@ -212,5 +212,5 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
     check_refused(run_program({"study", "scale"}), {"--output"});
     check_refused(run_program({"study", "scale", "-o", folder.name("."), "--set", "shading=1"}),
                   {"shading=1"});
-    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0x5"});
+    check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0 x 5"});
 }

@@ -241,7 +241,7 @@ TEST_CASE("a sweep uses the requested cost, over caches of one size") {
     CHECK(bytes_of(csv).find(
               ",pareto,knee,clock_is,pipeline_cache_bytes,chip_cache_bytes,chip_memory_bits,"
               "chip_luts,chip_flip_flops,chip_multipliers,chip_block_rams,rays,frames,film_cycles,"
-              "film_fps,mrays_per_s\n") != std::string::npos);
+              "film_fps,mrays_per_s,cycles_half_width\n") != std::string::npos);
     const json report = json::parse(bytes_of(folder.name("a.json")));
     CHECK(report["front"]["cost"] == "chip_memory_bits");
     REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, with four ways and 64 bytes

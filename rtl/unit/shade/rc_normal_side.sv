@@ -1,4 +1,5 @@
-// The exact sign of n . d, which is the side of a surface on which a ray starts. Latency two stages.
+// The exact sign of n . d, which is the side of a surface on which a ray starts. Latency two
+// stages.
 //
 // Part of rc_pass, which has the valid bits of both stages. If a pass stays long in a stage, the
 // operands first pass through additional registers.
