@@ -1,6 +1,6 @@
 // The chip's host interface: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
-// addresses). docs/machine/chip.md describes the registers bit by bit; sim/run/gen/registers.hpp lists
-// them.
+// addresses). docs/machine/chip.md describes the registers bit by bit; sim/run/gen/registers.hpp
+// lists them.
 //
 // Every access is answered two cycles after it is seen: with ack, or with err. err means that the
 // register does not exist or is not accessible now. An access that ends in err changes nothing.

@@ -90,7 +90,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
         CHECK(point["cracks"].is_null());
     }
     const std::string head = bytes_of(csv).substr(0, bytes_of(csv).find('\n'));
-    CHECK_THAT(head, Catch::Matchers::EndsWith(",mrays_per_s,cycles_half_width"));
+    CHECK_THAT(head, Catch::EndsWith(",mrays_per_s,cycles_half_width"));
 
     // Cached figures serve the same rays, but not the same rays for any hit.
     CHECK(run({}).find("8 points from 2 traces, 8 of them known before") != std::string::npos);
