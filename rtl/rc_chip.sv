@@ -1,8 +1,8 @@
 // The chip: wires the machine, its host interface and the counters.
 //
 // A board connects only these ports: the register bus, the memory, the hits. docs/machine/chip.md
-// describes them. With Counters = 0 the chip has no unit counters, and the bus answers a read of one
-// with an error. Reset must be held for four cycles more than the largest cache has sets.
+// describes them. With Counters = 0 the chip has no unit counters, and the bus answers a read of
+// one with an error. Reset must be held for four cycles more than the largest cache has sets.
 `default_nettype none
 module rc_chip #(
   parameter int unsigned Counters = 1

@@ -1,5 +1,5 @@
-// Sets the compiler's flags for the RTL of tests, unless RAYCLOCK_CXXFLAGS is set: -Og, and Verilator's header
-// precompiled. Users' RTL is compiled with -O2.
+// Sets the compiler's flags for the RTL of tests, unless RAYCLOCK_CXXFLAGS is set: -Og, and Verilator's
+// header precompiled. Users' RTL is compiled with -O2.
 #include <cstdlib>
 #include <string>
 
