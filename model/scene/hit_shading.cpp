@@ -39,7 +39,8 @@ void finish(ShadedPoint& point, const glm::dvec3& eye, const glm::dvec3& outside
 
 /// Returns a point on a triangle. Smooth normals can face away from the eye near a silhouette although the
 /// triangle faces it. So the triangle decides which side is seen, and its normal replaces a smooth one that
-/// vanishes.
+/// vanishes. If the sum of the corner normals and the order of the vertices disagree about the outside, the
+/// order decides.
 ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
                         const glm::dvec3& eye) {
     const auto& [a, b, c] = triangle.vertices;
@@ -48,12 +49,14 @@ ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, cons
     point.material = &scene.materials.at(triangle.material);
     point.colour = point.material->colour;
     point.position = v0 * a + v1 * b + v2 * c;
-    finish(point, eye, glm::cross(b - a, c - a));
+    const glm::dvec3 outside = glm::cross(b - a, c - a);
+    finish(point, eye, outside);
     if (triangle.is_smooth) {
-        const glm::dvec3 flat = point.normal;
         const auto& n = triangle.normals;
-        point.normal = unit_or(v0 * n[0] + v1 * n[1] + v2 * n[2], flat);
-        if (glm::dot(point.normal, flat) < 0) point.normal = -point.normal;
+        const bool is_turned = glm::dot(n[0] + n[1] + n[2], outside) < 0,
+                   is_back = glm::dot(outside, point.to_eye) < 0;
+        const glm::dvec3 smooth = v0 * n[0] + v1 * n[1] + v2 * n[2];
+        point.normal = unit_or(is_turned != is_back ? -smooth : smooth, point.normal);
     }
     return point;
 }

@@ -85,6 +85,14 @@ Config formats(int coord_bits, int dir_bits, int bary_bits) {
 
 }   // namespace
 
+TEST_CASE("local light has either side if the corner normals lie in the triangle's plane", "[cause]") {
+    Scene scene = make_builtin("teapot:1", Primitives::triangles);
+    if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
+    const Judgement j = make_case(scene, named_config("default")).judged();
+    CHECK(count(j, PixelCause::bug) == 0);
+    CHECK(j.wrong == 0);
+}
+
 TEST_CASE("vertices on lattice points are not snapped: what differs is the ray", "[cause]") {
     const Case made = make_case(waves(16), formats(16, 12, 24));
     REQUIRE(made.job.image.lattice.pitch == glm::dvec3{1});

@@ -103,6 +103,18 @@ TEST_CASE("a corner normal of half a unit may be rounded either way", "[stages]"
     CHECK(j.wrong == 0);
 }
 
+TEST_CASE("corner normals in the plane of a triangle may point to either side", "[stages]") {
+    // The handle and the spout of teapot:1 are flat, and their normals lie in that plane.
+    Scene scene = make_builtin("teapot:1", Primitives::triangles);
+    if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
+    Config config = named_config("default");
+    config.levels = GENERATE(1, 2);
+    const Judgement j = judged(scene, {.depth = 2}, config, {200, 150});
+    for (const PictureFault& fault : j.faults) UNSCOPED_INFO(fault.what);
+    CHECK(j.bugs() == 0);
+    CHECK(j.wrong == 0);
+}
+
 TEST_CASE("of two equal spheres the second is left out, whatever their materials", "[stages]") {
     Scene scene = tiles({1, 0, 0}, {0, 0, 1});
     Material opaque, mirror, glass, tinted;

@@ -255,8 +255,9 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
 // ---- Surfaces.
 
 /// Rounds corner normals to corner_bits bits, in the space in which memory holds the triangle. The longest of
-/// the three uses the whole range.
-void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const {
+/// the three uses the whole range. An instance's normals are turned outwards in the mesh's space, where
+/// another side may be outside if their sum lies near the triangle's plane.
+void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals, bool is_open) {
     glm::dmat3 map(1);   // x in the mesh = map x in the scene, in steps
     if (is_turned(at)) {
         const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
@@ -271,13 +272,24 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
     const double most = std::exp2(corner_bits - 1) - 1;
     const bool is_mirrored =
         rules_.placed && rules_.placed->is_mirrored(rules_.placed->place_of(at.hit.prim));
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+    const auto memory_of = [&](std::size_t corner, int k) {
         const std::size_t stored = is_mirrored && corner > 0 ? 3 - corner : corner;
+        return double(at.surface.normal[3 * stored + std::size_t(k)]);
+    };
+    double along = 0;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int k = 0; k < 3; ++k) along += normals[corner][k] * memory_of(corner, k);
+    if (along < 0) {
+        if (!is_open && !is_turned(at)) fail("the normals of the corners point to the other side");
+        for (glm::dvec3& n : normals) n = -n;
+        tie();
+    }
+    for (std::size_t corner = 0; corner < 3; ++corner) {
         glm::dvec3& n = normals[corner];
         n *= most / longest;
         for (int k = 0; k < 3; ++k) {
             // Doubles cannot decide which way half a unit is rounded, so either way is accepted.
-            const double memory = at.surface.normal[3 * stored + std::size_t(k)];
+            const double memory = memory_of(corner, k);
             n[k] = std::abs(n[k] - memory) <= 0.5 + tie_size * std::abs(n[k]) ? memory : std::round(n[k]);
         }
         n = forth * (n * (longest / most));
@@ -304,7 +316,7 @@ std::array<double, 2> Guide::weights(const MachineVisit& at) const {
 
 /// The machine rounds u and v down, rounds them again to origin_bits (and `fine`), and moves them off the
 /// border by at most two units.
-void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
+void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
     const Config& config = rules_.inputs.config;
@@ -320,7 +332,7 @@ void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) {
     if (!is_turned(*at) && (std::abs(w[0] - hit.u) > most || std::abs(w[1] - hit.v) > most))
         fail("rays leave from another point of the triangle than the one that was hit");
     hit.u = w[0], hit.v = w[1];
-    round_normals(*at, normals);
+    round_normals(*at, normals, is_open);
 }
 
 glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const glm::dvec3& own) {

@@ -60,7 +60,7 @@ public:
     void begin_sample(std::uint32_t sample, RefPath& path) override;
     bool ends(std::uint32_t samples, double difference, bool own) override;
     RefClosest met(const RefPath& path, const RefClosest& own) override;
-    void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) override;
+    void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) override;
     glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
     void place(RefSurface& surface) override;
     bool counts(std::size_t light, double side, double lambert) override;
@@ -85,7 +85,7 @@ private:
     bool is_turned(const MachineVisit& at) const;
     double normal_error(const MachineVisit& at) const;
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
-    void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) const;
+    void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals, bool is_open);
     /// Returns the weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
     /// Returns the machine's hit, from which the path continues.

@@ -281,7 +281,8 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     return s;
 }
 
-// If a number lies half-way between two, either passes, since the host computes in its own doubles.
+// If a number lies half-way between two, either passes, since the host computes in its own doubles. So does
+// either side if the sum of the normals lies in the triangle's plane.
 bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     const auto& v = scene.triangles[i].vertex;
     const glm::dvec3 flat =
@@ -289,14 +290,18 @@ bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     const glm::dvec3 sum = scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]];
     double longest = 0;
     for (const std::uint32_t corner : v) longest = std::max(longest, glm::length(scene.normals[corner]));
-    const double turn = glm::dot(sum, flat) < 0 ? -1 : 1, most = std::exp2(corner_bits - 1) - 1,
-                 scale = longest > 0 ? turn * most / longest : 0;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-        for (int k = 0; k < 3; ++k)
-            if (std::abs(scene.normals[v[corner]][k] * scale - seen.normal[3 * corner + std::size_t(k)]) >
-                0.5 + 1e-9)
-                return false;
-    return true;
+    const double along = glm::dot(sum, flat), most = std::exp2(corner_bits - 1) - 1,
+                 scale = longest > 0 ? most / longest : 0;
+    const auto holds = [&](double turn) {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            for (int k = 0; k < 3; ++k)
+                if (std::abs(turn * scene.normals[v[corner]][k] * scale -
+                             seen.normal[3 * corner + std::size_t(k)]) > 0.5 + 1e-9)
+                    return false;
+        return true;
+    };
+    const bool is_open = std::abs(along) <= 0x1p-48 * 3 * longest * glm::length(flat);
+    return holds(along < 0 ? -1 : 1) || (is_open && holds(along < 0 ? 1 : -1));
 }
 
 std::vector<std::string> judge_registers(const FrameInputs& inputs, const Whitted& settings) {

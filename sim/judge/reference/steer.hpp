@@ -49,8 +49,10 @@ public:
 
     /// Returns the hit of a path.
     virtual RefClosest met(const RefPath& path, const RefClosest& own) = 0;
-    /// Replaces the normals of a smooth triangle's corners and the weights that interpolate them.
-    virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals) = 0;
+    /// Replaces the normals of a smooth triangle's corners and the weights that interpolate them. The normals
+    /// point outwards. `is_open`: their sum lies in the triangle's plane, and doubles cannot decide which
+    /// side is outside.
+    virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
     /// Replaces the point from which rays leave.

@@ -78,16 +78,25 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface&
                      c = space(scene_.vertices[vertex[2]]);
     surface.material = &scene_.materials[triangle.material];
     surface.position = (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c;
-    surface.flat = surface.normal = unit_or(glm::cross(b - a, c - a), -path.direction);
+    const glm::dvec3 outside = glm::cross(b - a, c - a);
+    surface.flat = surface.normal = unit_or(outside, -path.direction);
     if (scene_.normals.empty()) return;
     std::array<glm::dvec3, 3> n{scene_.normals[vertex[0]], scene_.normals[vertex[1]],
                                 scene_.normals[vertex[2]]};
-    RefClosest at = hit;
-    if (steer_) steer_->round_corners(at, n);
-    surface.normal = unit_or((1 - at.u - at.v) * n[0] + at.u * n[1] + at.v * n[2], surface.flat);
-    // If the normals of the corners and the order of the vertices disagree about the outside, the order
+    // If the sum of the corner normals and the order of the vertices disagree about the outside, the order
     // decides.
-    if (glm::dot(surface.normal, surface.flat) < 0) surface.normal = -surface.normal;
+    const double along = glm::dot(n[0] + n[1] + n[2], outside);
+    if (along < 0)
+        for (glm::dvec3& corner : n) corner = -corner;
+    RefClosest at = hit;
+    if (steer_) {
+        // Each corner errs by its coordinates' rounding, so an edge by four of them.
+        const double normals = glm::length(n[0]) + glm::length(n[1]) + glm::length(n[2]),
+                     corners = glm::length(a) + glm::length(b) + glm::length(c),
+                     edges = glm::length(b - a) + glm::length(c - a);
+        steer_->round_corners(at, n, std::abs(along) <= 0x1p-48 * normals * corners * edges);
+    }
+    surface.normal = unit_or((1 - at.u - at.v) * n[0] + at.u * n[1] + at.v * n[2], surface.flat);
 }
 
 void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
