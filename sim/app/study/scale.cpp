@@ -26,6 +26,8 @@ struct ScaleOptions {
         sizes{"384x256", "768x512", "1920x1080", "3840x2160"};
     int threads = 0;
     JsonOutput json;
+
+    ScaleOptions() { config.set = {"dram=ddr4"}; }   // ddr3 is too small for the largest scene
 };
 
 void declare_scale(Parser& parser, ScaleOptions& o) {
@@ -47,7 +49,8 @@ std::string command_of(const ScaleOptions& o) {
     const ScaleOptions usual;
     std::string text = "rayclock study scale -o " + page_path(o.output);
     if (o.config.name != usual.config.name) text += " --config " + page_path(o.config.name);
-    for (const std::string& item : o.config.set) text += " --set " + item;
+    if (o.config.set != usual.config.set)
+        for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scenes != usual.scenes) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.placed != usual.placed) text += fmt::format(" --placed {}", fmt::join(o.placed, ","));
     if (o.size != usual.size) text += " --size " + o.size;

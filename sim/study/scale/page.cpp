@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/task_arena.h>
 
 #include "sim/files/process/threads.hpp"
@@ -93,11 +94,14 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         "generates the scene, and *compile* makes the memory image. *record* traces the rays of the model, "
         "and *replay* finds their cycles. *reference* draws the picture in double precision, and builds its "
         "own tree for that. *judge* checks every ray exactly. *peak* is the most memory of the process until "
-        "the frame is judged. All pictures show camera rays, and the configuration is `{}`.\n\nAn exponent "
+        "the frame is judged. All pictures show camera rays, and the configuration is `{}`{}.\n\nAn exponent "
         "p belongs to the power law that fits a column best: the time grows like the p-th power of the "
         "size. For n log n from ten thousand to ten million it is 1.08.\n\n![The cost of a frame against "
         "triangles and pixels]({}.svg)\n\n",
-        command, jobs::threads_of(study.threads), study.config.name, picture);
+        command, jobs::threads_of(study.threads), study.config.name,
+        study.config.set.empty() ? std::string()
+                                 : fmt::format(" with `{}`", fmt::join(study.config.set, " ")),
+        picture);
     text += fmt::format("## Triangles\n\nPictures of {}.\n\n{}\n", size_text(study.size),
                         table(figures.scenes, triangles_of));
     if (!figures.placed.empty())
