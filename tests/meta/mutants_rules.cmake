@@ -75,8 +75,8 @@ mutant(rule_normals_follow_the_order_of_corners FILE model/compile/surfaces.cpp 
   OLD [[(glm::dot(sum, flat) < 0 ? -1 : 1) / (longest]]
   NEW [[(glm::dot(sum, flat) < 0 ? 1 : -1) / (longest]]
   FILE2 sim/judge/paths/world.cpp
-  OLD2 [[const double turn = glm::dot(sum, flat) < 0 ? -1 : 1, most]]
-  NEW2 [[const double turn = glm::dot(sum, flat) < 0 ? 1 : -1, most]])
+  OLD2 [[const double along = glm::dot(sum, flat), most]]
+  NEW2 [[const double along = -glm::dot(sum, flat), most]])
 mutant(rule_normals_of_corners_unit_after_an_unequal_pitch FILE model/compile/levels/compile.cpp TEST simulate
   "${turned}"
   OLD [[            normal *= made.lattice.pitch / length;]]
