@@ -263,12 +263,12 @@ mutant(rule_one_bounce_more_than_the_depth FILE model/unit/shade/pass.cpp TEST s
 mutant(rule_background_of_bounces_is_not_weighed FILE model/unit/shade/pass.cpp TEST simulate
   "spheres --depth 3"
   OLD [[rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits)]]
-  NEW [[rounded(std::uint64_t(one) * frame.shade.background[k], unit_bits)]]
+  NEW [[rounded((std::uint64_t(1) << unit_bits) * frame.shade.background[k], unit_bits)]]
   FILE2 sim/judge/paths/path.cpp
   OLD2 [[nearest_of_power(Int128(weight) * frame_.shade.background[k], unit_bits));
         range[k] =
             (exact * Range::around]]
-  NEW2 [[nearest_of_power(Int128(one) * frame_.shade.background[k], unit_bits));
+  NEW2 [[nearest_of_power((Int128(1) << unit_bits) * frame_.shade.background[k], unit_bits));
         range[k] =
             (Range{1, 1} * Range::around]])
 
