@@ -5,7 +5,7 @@
 
 namespace rayclock {
 
-/// Returns a lattice that has the eye as a point. `cubic`: the same pitch along all axes, as spheres and
+/// Returns a lattice with a point at the eye. `cubic`: the same pitch along all axes, as spheres and
 /// shading require. A plane counts with its point nearest to the middle of the other primitives. With planes
 /// the lattice is `room` times as large as necessary, and the squares of the first plane are a whole number
 /// of pitches.

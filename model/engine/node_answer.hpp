@@ -15,7 +15,7 @@ struct alignas(32) WideNode {
     std::array<std::uint8_t, max_width> offset{}, count{};   ///< as in BoxRsp
 };
 
-/// Returns the answer: the children met, inner ones first, then leaves, both nearest first.
+/// Returns the answer: the children that the ray meets, inner ones first, then leaves, both nearest first.
 BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node);
 
 }   // namespace rayclock

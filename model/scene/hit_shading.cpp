@@ -38,9 +38,9 @@ void finish(ShadedPoint& point, const glm::dvec3& eye, const glm::dvec3& outside
 }
 
 /// Returns a point on a triangle. Smooth normals can face away from the eye near a silhouette although the
-/// triangle faces it. So the triangle decides which side is seen, and its normal replaces a smooth one that
-/// vanishes. If the sum of the corner normals and the order of the vertices disagree about the outside, the
-/// order decides.
+/// triangle faces it. So the flat normal decides which side is seen, and it replaces a smooth normal that
+/// vanishes. The order of the vertices decides which side is outside. If the sum of the corner normals points
+/// inwards, all three are turned.
 ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
                         const glm::dvec3& eye) {
     const auto& [a, b, c] = triangle.vertices;

@@ -69,7 +69,7 @@ void declare_sweep(Parser& parser, SweepOptions& o) {
     sweep_outputs(parser, o.outputs);
 }
 
-/// Returns the request for samples. Throws UserError if an option was given that has no meaning for them.
+/// Returns the sample that the options request. Throws UserError if an option has no meaning for a sample.
 std::optional<sample::Ask> sample_of(const SweepOptions& o) {
     if (!o.sample) return std::nullopt;
     const auto refuse = [](bool is_given, const char* option, const char* why) {

@@ -1,8 +1,9 @@
-# cmake -DSOURCE=folder [-DPARTIAL=ON: not all rooms need be there] -P includes.cmake
-# Rooms of model and sim, from the lowest to the highest. A file includes files of its own room and of lower
-# ones only, and model includes nothing of sim. In model the first include of a .cpp lies in its own folder,
-# so that a declaration lies where its definition does. No folder has more than ten folders, and no room is
-# missing here.
+# cmake -DSOURCE=folder [-DPARTIAL=ON: some rooms may be missing] -P includes.cmake
+# A file of model and sim includes files of its own room and of lower rooms only. So model includes no file of
+# sim. In model the first include of a .cpp lies in its own folder, so each declaration lies in the folder of
+# its definition. No folder holds more than ten folders.
+#
+# The rooms from the lowest to the highest. Every room with sources is listed, and every listed room exists.
 set(rooms model/base model/core model/scene model/layout model/mem model/unit model/engine model/compile
   model/trace model/machine sim/files sim/load sim/judge sim/run sim/view sim/silicon sim/explore sim/study
   sim/app)

@@ -1,7 +1,7 @@
 # cmake -DSOURCE=folder -DFOLDERS=a,b [-DAWAITED=page] -P links.cmake
 # Every relative link of a Markdown file leads to a file or folder that exists, and its anchor to a heading of
-# that page. In notebooks, links to pages are checked. AWAITED is a page that may be missing: its command has
-# not written it yet.
+# that page. In a notebook only links to Markdown files are checked. The page AWAITED may be missing, because
+# its command has not written it yet.
 cmake_policy(VERSION 3.25)
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files)
@@ -28,7 +28,7 @@ function(read_page page text)
 endfunction()
 
 # Sets ANCHORS to the anchors of the page's headings, made as GitHub makes them: small letters, hyphens for
-# spaces, no punctuation, and a number after a heading that was there before.
+# spaces, no punctuation, and a number if an earlier heading of the page has the same anchor.
 function(find_anchors page anchors)
   read_page(${page} text)
   string(REGEX REPLACE "[][;]" "" text "${text}")

@@ -1,5 +1,6 @@
 # cmake -DSOURCE=folder -DFOLDERS=a,b -P widths.cmake
-# No line of a CMake file has more than 110 columns. The texts of mutants must stay as they are.
+# No line of a CMake file has more than 110 columns. The texts of mutants are exempt, because they copy lines
+# of the sources.
 string(REPLACE "," ";" folders "${FOLDERS}")
 string(REPEAT "." 111 wide)
 set(files)
@@ -13,7 +14,7 @@ endif()
 set(faults "")
 foreach(file IN LISTS files)
   file(READ ${SOURCE}/${file} text)
-  # The texts of mutants stand in [[ ]]. Without semicolons and brackets a line is one element of the list.
+  # The texts of mutants stand in [[ ]]. Without semicolons and brackets each line is one element of the list.
   string(REGEX REPLACE "\\[\\[([^]]|\\][^]])*\\]*\\]\\]" "" text "${text}")
   string(REGEX REPLACE "[][;]" " " text "${text}")
   string(REPLACE "\n" ";" lines "${text}")

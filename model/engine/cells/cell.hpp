@@ -45,13 +45,13 @@ CellPtr leaf_of(const Items& items);
 /// A plane that cuts a cell in two.
 struct Cut {
     std::size_t axis = no_axis;   ///< no_axis: the plane may have any direction
-    std::int32_t plane = 0;       ///< x_axis, or n . x
-    bool flat_above = false;      ///< 1: items in the plane go to the upper side
+    std::int32_t plane = 0;       ///< coordinate on the axis, or n . x
+    bool flat_above = false;      ///< items in the plane go to the upper side
     Vec3i normal{};
     bool is_there() const { return axis != no_axis || normal != Vec3i{}; }
 };
 
-/// The known place of a cell: in the box, and on its side of each wall.
+/// The space that surely contains a cell: inside the box, and on one side of each wall.
 struct Region {
     LatticeBox box;
     std::vector<Wall> walls{};
@@ -64,16 +64,16 @@ struct Region {
 class Pieces {
 public:
     Pieces(const std::vector<PrimData>& prims, const Config& config);
-    /// For full boxes, which must lie in the lattice. A box that fills the lattice is infinite.
+    /// Takes full boxes, which must lie in the lattice. A box that fills the lattice counts as infinite.
     Pieces(const std::vector<LatticeBox>& boxes, const Config& config);
     std::size_t size() const { return clippers_.size(); }
-    /// Returns all of them, clipped to space.
+    /// Returns all pieces, clipped to space.
     Items all() const;
     const LatticeBox& space() const { return space_; }
     const Clipper& of(std::uint32_t prim) const { return clippers_[prim]; }
-    /// Distributes the items of a cell to both sides of a cut. A primitive is below a plane if some of it is
-    /// strictly below, and above in the same way. Items in the plane go to one side: a ray that meets them
-    /// there is on both.
+    /// Distributes the items of a cell to both sides of a cut. A primitive goes to each side on which a part
+    /// of it lies strictly. An item in the plane goes to one side only, because a ray that meets it there is
+    /// on both sides.
     void divide(const Items& items, const Region& region, const Cut& cut, Items& lower, Items& upper) const;
     /// Returns the range of n . x over an item, rounded outward.
     Clipper::Reach reach(const Item& item, const Vec3i& normal) const;

@@ -1,5 +1,5 @@
 #pragma once
-// The part of a primitive that lies in a cell of a kd-tree.
+// The part of a primitive that lies in a cell of space.
 #include <optional>
 #include <span>
 
@@ -19,24 +19,24 @@ constexpr std::size_t most_walls = 40;
 /// Returns bounds, rounded outward, of the part of a primitive in a closed cell, or nothing if it has no part
 /// there. The bounds are never too small, and a primitive with a point in the cell is never lost.
 ///
-/// A triangle is clipped to the cell by Sutherland and Hodgman's method in double precision, with a cell that
-/// is `slack` larger on all sides. In each of the six clips the new corners are within 2^-29 of the exact
-/// ones of the input polygon. The way to the plane is a difference of two doubles, exact except for its last
-/// bit, and so is the quotient. So a point of the triangle in the cell is within 6 * 2^-29 of the final
+/// A triangle is clipped by Sutherland and Hodgman's method in double precision, to a cell that is `slack`
+/// larger on all sides. In each of the six clips the new corners are within 2^-29 of the exact corners of the
+/// clipped input polygon. Distances to the plane are differences of two doubles. They and their quotient are
+/// exact except for the last bit. So a point of the triangle in the cell is within 6 * 2^-29 of the final
 /// polygon, and no clip by a plane that is `slack` away removes it. The bounds are rounded outward by more
-/// than that.
+/// than 6 * 2^-29.
 ///
-/// A sphere's surface counts unless the cell lies a step outside its radius, or two steps inside it. For a
-/// full box the result is the intersection of both boxes; walls never cut it. docs/proofs/bsp.md covers
+/// A sphere has no part in a cell that lies a step outside its radius, or two steps inside it. For a full
+/// box the result is the intersection of both boxes; walls never cut it. docs/proofs/bsp.md covers
 /// walls.
 class Clipper {
 public:
-    /// `margin`: most steps between a hit and its primitive.
+    /// `margin`: the largest distance between a hit and its primitive, in steps.
     Clipper(const PrimData& prim, int coord_bits, int margin);
     /// For a full box: an instance in the scene's tree (levels/upper.hpp).
     explicit Clipper(const LatticeBox& solid) : bounds_(solid), is_full_(true) {}
     std::optional<LatticeBox> operator()(const LatticeBox& cell, Walls walls = {}) const;
-    /// The range of n . x over everything that may be hit, in whole numbers rounded outward. It is exact for
+    /// The range of n . x over all points that may be hit, rounded outward to whole numbers. It is exact for
     /// a triangle.
     struct Reach {
         std::int64_t lo = 0, hi = 0;

@@ -24,17 +24,17 @@ private:
     void place(std::uint32_t base, const std::array<std::uint32_t, max_width>& kind, std::size_t width);
 };
 
-/// The position of a ray relative to a plane: bounds on the end of the side that the ray meets first, and on
-/// the start of the other.
+/// A ray and a plane: on which sides the ray may be, and bounds on t where it leaves the near side and enters
+/// the far side. The near side is the one that the ray meets first.
 struct PlaneSides {
-    bool near = true, far = true;   ///< true if the ray may be on the side that it meets first; on the other
+    bool near = true, far = true;   ///< true if the ray may be on this side
     bool turned = false;            ///< the ray meets the upper side first
-    std::uint32_t near_to = 0;      ///< no point of the near side lies beyond
-    std::uint32_t far_from = 0;     ///< no point of the far side lies before
+    std::uint32_t near_to = 0;      ///< the ray is not on the near side beyond this t
+    std::uint32_t far_from = 0;     ///< the ray is not on the far side before this t
 };
 PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, const Config& config);
 
-/// For all planes of a treelet, in heap order.
+/// The sides of all planes of a treelet, in heap order.
 using AllSides = std::array<PlaneSides, max_width - 1>;
 /// Returns the exits that are met within the box, one bit each, and writes t_near by child.
 std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSides& sides,

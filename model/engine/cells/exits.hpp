@@ -11,7 +11,7 @@ struct CellPart {
     explicit CellPart(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
     CellPart(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
     bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
-    /// True if it fits an exit of `most` primitives.
+    /// True if it is not cut further: one exit of `most` primitives holds it.
     bool is_leaf(std::size_t most) const { return is_empty() || (cell->is_leaf() && count <= most); }
     std::uint32_t prim(std::size_t i) const { return cell->prims[first + i]; }
     CellPart lower() const {
@@ -23,8 +23,8 @@ struct CellPart {
     }
 };
 
-/// Computes the exits of a node over a place, with at most `most` primitives in each, and writes the node's
-/// planes and box. `Line` is a node with planes; its engine defines put() and put_none() for it.
+/// Computes the exits of a node for a part of a cell, with at most `most` primitives in each exit, and writes
+/// the node's planes and box. `Line` is a node with planes; its engine defines put() and put_none() for it.
 template <class Line> class Exits {
 public:
     explicit Exits(std::size_t most) : most_(most) {}

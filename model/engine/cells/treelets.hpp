@@ -1,30 +1,29 @@
 #pragma once
-// Chooses the cells of a tree that begin a treelet, and the cuts to take back.
+// Chooses the cells of a tree that begin a treelet, and the cuts to undo.
 #include "model/engine/cells/cell.hpp"
 #include "model/core/config.hpp"
 
 namespace rayclock::cells {
 
-/// The chip visits treelets, so the planes that share one are a choice. Dynamic programming from the leaves
-/// up makes it, as for the box tree (collapse.hpp). Under a treelet's root, each cell that is met as one of
-/// its exits has three options. It is a leaf, it begins a new treelet, or, while the treelet has planes left,
-/// one of them cuts it.
+/// The chip visits treelets, so the cost depends on which planes share one. Dynamic programming from the
+/// leaves up chooses them, as for the box tree (collapse.hpp). Each cell under a treelet's root has one of
+/// three roles: it is a leaf, it begins a new treelet, or a plane of the treelet cuts it, if any are left.
 ///
 /// Planes of a treelet are free. A visit costs 17 per level of planes, a test 20. Each is weighted by the
-/// probability that a ray that meets the tree's root also meets the cell. This probability is estimated by
-/// the surface that the planes leave of the treelet's box. So treelets near the leaves are full, and a plane
-/// that is not worth a visit is taken back.
+/// probability that a ray that meets the tree's root also meets the cell. The estimate of this probability is
+/// the surface of the part of the treelet's box that the planes leave. So treelets near the leaves are full,
+/// and a plane that does not justify a visit is undone.
 class Treelets {
 public:
     explicit Treelets(const Config& config);
     /// Returns Cell::inside of a cell whose parts all have theirs.
     double inside(const Cell& cell) const;
-    /// Marks all treelets of a tree, and makes leaves. The root begins a treelet, or with `under` lies in one
-    /// below another plane that cuts nothing.
+    /// Marks all treelets of a tree, and makes leaves. The root begins a treelet. With `under` it lies in one
+    /// instead, below a plane that cuts nothing.
     void settle(Cell& root, bool under) const;
 
 private:
-    /// The known extent of an exit's cell: a box, and about the share of the box's surface that it has.
+    /// The known extent of an exit's cell: a box, and roughly the cell's share of the box's surface.
     struct Space {
         LatticeBox box;
         double share = 1;

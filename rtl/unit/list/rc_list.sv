@@ -1,4 +1,4 @@
-// The leaves of a node. Accepts them from trav, and sends their triangles to tri one by one,
+// The leaves of a node. list accepts them from trav, and sends their triangles to tri one by one,
 // nearest leaf first and none beyond the best hit. Then it returns the distance to beat to trav. It
 // stores each ray's best hit, and outputs it when trav is done. It does not depend on the
 // structure.
@@ -8,22 +8,22 @@
 // is 2^(N+F).
 //
 // Leaves and an answer of tri are accepted in every cycle. trav sends leaves only if the nearest is
-// not beyond the distance to beat, so its first triangle is always tested. An answer of tri sends
-// its ray to one of two links, prim or tested. Each source has its own queue on the link prim, so
-// neither waits for the other; tri's rays go first. One triangle per ray is in flight. A triangle
-// from memory goes on to tri, with its ray, in the same cycle.
+// not beyond the distance to beat, so the first triangle of the nearest leaf is always tested. An
+// answer of tri sends its ray to one of two links, prim or tested. Each source has its own queue on
+// the link prim, so neither waits for the other; tri's rays go first. One triangle per ray is in
+// flight. A triangle from memory goes on to tri, with its ray, in the same cycle.
 //
-// An answer of tri passes through three stages. A signal's prefix is its stage.
+// An answer of tri passes through three stages. A signal's prefix names its stage.
 //
 // - s0 reads the ray's leaves and its cursor, which is the leaf and triangle in flight.
-// - s1 stores a closer hit, and compares: does a triangle or a leaf follow?
+// - s1 stores a closer hit, and decides whether a triangle or a leaf follows.
 // - s2 writes the new cursor, and requests the next triangle or returns the ray to trav.
 //
-// In a relaxed chip they lie in one cycle. In a fast chip there is a register before each.
+// In a relaxed chip the stages lie in one cycle. In a fast chip there is a register before each.
 //
 // A ray's start clears its hit. When the ray goes to trav, list only stores it for tri. With two
-// levels tri gets the ray in the space of the instance that it entered last. The number of the
-// instance's first primitive is added to a primitive's own number. Model: model/unit/list/list.hpp.
+// levels tri gets the ray in the space of the instance that it entered last. list adds the number
+// of the instance's first primitive to the number of a primitive. Model: model/unit/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,

@@ -1,23 +1,23 @@
-// The walk through the tree. Of the children that box has met, the leaves go to list and the inner
-// children wait here. After list has tested the leaves and returned the distance to beat, the ray
-// takes a step. If no leaf can matter it takes the step immediately. A step visits the nearest
-// inner child that can still matter, and pushes its siblings on the ray's stack as one group.
-// Otherwise it pops the stack.
+// The walk through the tree. Of the children that the ray meets, the leaves go to list and the
+// inner children wait here. After list has tested the leaves and returned the distance to beat, the
+// ray takes a step. If no leaf can matter it takes the step immediately. A step visits the nearest
+// inner child that can still matter, and pushes its siblings on the ray's stack as one group. If no
+// inner child can matter, the step pops the stack.
 //
-// An answer of box is accepted in every cycle, and passes three stages. A signal's prefix is its
+// An answer of box is accepted in every cycle, and passes three stages. A signal's prefix names its
 // stage.
 //
 // - rsp0 is box's answer.
 // - rsp1 moves the leaves to the front, and compares them with the distance to beat.
 // - rsp2 sends the leaves to list, which always accepts them, and stores the inner children.
 //
-// In a relaxed chip they lie in one cycle. In a fast chip there is a register before rsp1 and rsp2.
-// Rays without leaves wait in a separate queue; rays that list has tested go first.
+// In a relaxed chip the stages lie in one cycle. In a fast chip there is a register before rsp1 and
+// rsp2. Rays without leaves wait in a separate queue; rays that list has tested go first.
 //
 // Stage 0 accepts a step and reads the top of the ray's stack. Stage 1 decides the next node or the
 // ray's end. A popped group whose nearest child is too far passes through both stages again, before
-// new steps. `below` is the smallest t_near of all groups under it. If it is too far, the ray ends
-// instead.
+// new steps. `below` is the smallest t_near of all groups under the popped one. If `below` is too
+// far as well, the ray ends instead.
 //
 // A new ray starts at the root when no other node waits. A node from memory goes on to box, with
 // its ray, in the same cycle.

@@ -9,7 +9,7 @@
 
 namespace rayclock {
 
-/// What was typed.
+/// The options as typed.
 struct ElasticChoice {
     std::optional<std::string> units;   ///< of --elastic
     std::vector<std::string> files;     ///< of --unit: "tri=my_tri.sv"
@@ -22,14 +22,13 @@ void elastic_options(Parser& parser, ElasticChoice& choice);
 /// `scene`. Throws UserError.
 void take_elastic(ElasticChoice& choice, std::string& scene);
 
-/// Throws UserError if `odd` names an option. The option has no meaning with --unit-only.
+/// Throws UserError if `odd` is not null. It names an option that has no meaning with --unit-only.
 void refuse_with_unit_only(const char* odd);
 
 /// Runs the unit of --unit-only on the requests of a film's first frame. Returns the exit code.
 int verify_unit_alone(const ElasticChoice& choice, Film& film, int threads, int seed, const JsonOutput& json);
 
-/// Returns the result in the form of a lockstep result without a cycle gap, for the parts of a report that
-/// are the same.
+/// Returns the result as a lockstep result without a cycle gap, for the parts that both reports share.
 LockstepResult as_lockstep(const ElasticResult& result);
 
 /// Returns the sum over all frames of the difference in cycles between RTL and model.

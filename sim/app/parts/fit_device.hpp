@@ -1,5 +1,6 @@
 #pragma once
-// The part of `fit --device` after the formats: the fastest machine that fits a device, confirmed by routing.
+// The search of `fit --device` for the fastest machine that fits a device. Routing confirms the result. The
+// number formats are fitted before.
 #include <optional>
 
 #include "sim/app/parts/methods.hpp"

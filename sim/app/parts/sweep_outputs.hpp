@@ -15,10 +15,10 @@ struct SweepOutputs {
 void sweep_outputs(Parser& parser, SweepOutputs& o);
 /// Throws UserError if an output could not be written later, so that a command can fail early.
 void check_outputs(const SweepOutputs& o);
-/// The work that each point of a sweep does.
+/// What each point of a sweep simulates.
 enum class Drawn { picture, stream, sample };
-/// Throws UserError if a plot names a column that the table lacks. Throws it for a stream of rays and for a
-/// sample if a plot names a column of pictures, or if the page is requested.
+/// Throws UserError if a plot names a column that the table lacks or that holds words. A stream and a sample
+/// have no pictures, so for them it also throws on a plot of a picture's column, and on the page.
 void check_plots(const SweepOutputs& o, const std::vector<sweep::Axis>& axes, Drawn drawn);
 
 /// Prints the table under the line `how` ("6 points from 3 traces") and writes the files. `shard` is the

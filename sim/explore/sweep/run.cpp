@@ -82,7 +82,7 @@ synth::Netlist netlist_of(const ordered_json& json) {
     return {json.at("multipliers").get<std::uint64_t>(), json.at("flip_flops").get<std::uint64_t>()};
 }
 
-/// Sets the figures of the format. A sample counts the rays of its own point.
+/// Sets the figures that the points of a format share. A sampled point has its own counts of rays.
 void set_picture(Result& r, const PictureFigures& picture) {
     r.picture = picture;
     if (r.sampled()) r.picture->rays = ray_counts_of(r.clock.at("sample").at("rays"));
@@ -302,6 +302,7 @@ private:
         }
     }
 
+    /// Stores a point's estimates, also in the cache of figures.
     void keep_sample(Result& r, const sample::Sampled& sampled) {
         const FrameResult frame = sampled.frame(r.point.config);
         r.clock = clock_json(r.point.config, {r.point.khz, {frame}});

@@ -45,7 +45,7 @@ public:
 private:
     RefPath path_;
     RefClosest hit_;
-    bool turns_;   // normals whose outside is open
+    bool turns_;   // turn the normals if their outside is open
 };
 
 std::string name_of(bool found, std::uint32_t primitive) {

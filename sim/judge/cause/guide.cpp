@@ -255,8 +255,9 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
 // ---- Surfaces.
 
 /// Rounds corner normals to corner_bits bits, in the space in which memory holds the triangle. The longest of
-/// the three uses the whole range. An instance's normals are turned outwards in the mesh's space, where
-/// another side may be outside if their sum lies near the triangle's plane.
+/// the three uses the whole range. Memory's normals are turned outwards in the mesh's space. If their sum
+/// lies near the triangle's plane, an instance's map may put it on the other side, so both sides are
+/// accepted.
 void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals, bool is_open) {
     glm::dmat3 map(1);   // x in the mesh = map x in the scene, in steps
     if (is_turned(at)) {

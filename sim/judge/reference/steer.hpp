@@ -43,15 +43,15 @@ public:
 
     /// Begins a sample of the pixel, and may replace its camera ray.
     virtual void begin_sample(std::uint32_t sample, RefPath& path) = 0;
-    /// Returns true if the pixel takes no more samples. `difference` is the largest difference of a channel
-    /// among them. `own` is the tracer's own decision.
+    /// Returns true if the pixel takes no more samples. `difference` is the largest difference between two of
+    /// its samples in one channel. `own` is the tracer's own decision.
     virtual bool ends(std::uint32_t samples, double difference, bool own) = 0;
 
     /// Returns the hit of a path.
     virtual RefClosest met(const RefPath& path, const RefClosest& own) = 0;
     /// Replaces the normals of a smooth triangle's corners and the weights that interpolate them. The normals
-    /// point outwards. `is_open`: their sum lies in the triangle's plane, and doubles cannot decide which
-    /// side is outside.
+    /// point outwards. `is_open`: their sum lies so near the triangle's plane that doubles cannot decide
+    /// whether it points outwards.
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;

@@ -83,14 +83,15 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface&
     if (scene_.normals.empty()) return;
     std::array<glm::dvec3, 3> n{scene_.normals[vertex[0]], scene_.normals[vertex[1]],
                                 scene_.normals[vertex[2]]};
-    // If the sum of the corner normals and the order of the vertices disagree about the outside, the order
-    // decides.
+    // The order of the vertices decides which side is outside. If the sum of the corner normals points
+    // inwards, all three are turned.
     const double along = glm::dot(n[0] + n[1] + n[2], outside);
     if (along < 0)
         for (glm::dvec3& corner : n) corner = -corner;
     RefClosest at = hit;
     if (steer_) {
-        // Each corner errs by its coordinates' rounding, so an edge by four of them.
+        // The limit covers rounding: each corner has the errors of its coordinates, and an edge at most four
+        // times as much.
         const double normals = glm::length(n[0]) + glm::length(n[1]) + glm::length(n[2]),
                      corners = glm::length(a) + glm::length(b) + glm::length(c),
                      edges = glm::length(b - a) + glm::length(c - a);

@@ -1,4 +1,4 @@
-// Compares each offer with that of the cycle before.
+// Compares each offer with the offer of the previous cycle.
 #include "sim/run/elastic/steady_offers.hpp"
 
 #include <algorithm>

@@ -6,20 +6,20 @@
 
 namespace rayclock {
 
-/// Watches the links of every pipeline and those that pipelines share. Reports a source that withdraws its
-/// offer, or that changes the payload of an offer, before the receiver accepts it.
+/// Watches the links of every pipeline, and the links that pipelines share. Reports a source that withdraws
+/// an offer or changes its payload before the receiver accepts the offer.
 class SteadyOffers {
 public:
     SteadyOffers(const Config& config, const RtlMachine& rtl, Findings& findings);
 
-    /// Forgets all offers: the chip was reset, or cycles have passed unseen.
+    /// Forgets all offers. Call it after a reset, and after cycles that were not watched.
     void forget();
     /// Checks the offers of a cycle, after RtlMachine::settle().
     void cycle(std::uint64_t now);
 
 private:
     using Bytes = std::vector<unsigned char>;
-    /// The links of a pipeline, or the shared ones: offers that were not accepted in the last cycle.
+    /// Offers that were not accepted in the last cycle: of one pipeline, or of the shared links.
     struct Held {
         LinkMask links = 0;
         std::vector<Bytes> payloads;   ///< [link]

@@ -18,8 +18,8 @@ namespace rayclock::scale {
 
 namespace {
 
-/// Lets peak_bytes() begin again at the memory that the process uses now (proc(5), clear_refs). Without
-/// effect on kernels that lack the file; the peak then includes earlier frames.
+/// Resets the peak of peak_bytes() to the memory that the process uses now (proc(5), clear_refs). On a kernel
+/// that lacks this file it has no effect, and the peak includes earlier frames.
 void reset_peak() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";
@@ -33,7 +33,7 @@ std::uint64_t peak_bytes() {
     return 0;
 }
 
-/// Runs one kind of work and notes its time.
+/// Runs one kind of work and records its time.
 template <class Job> auto timed(Row& row, Work work, Job job) {
     const Stopwatch watch;
     auto made = job();

@@ -13,13 +13,14 @@ enum class Work { load, compile, record, replay, reference, judge };
 constexpr std::array<const char*, 6> work_names{"load", "compile", "record", "replay", "reference", "judge"};
 constexpr std::size_t works = work_names.size();
 
-/// The input of the page. Each size of a series is about ten times the one before.
+/// The input of the study: series of scenes and of picture sizes.
 struct Study {
     ConfigChoice config;
-    std::vector<std::string> scenes;   ///< of growing number of triangles, each drawn at `size`
-    std::vector<std::string> placed;   ///< the same for scenes whose instances are written out
+    std::vector<std::string> scenes;   ///< with more and more triangles, each drawn at `size`
+    std::vector<std::string> placed;   ///< the same for scenes of instances
     FrameSize size;
-    std::vector<FrameSize> sizes;   ///< growing pictures of the first scene; the last one also of the last
+    /// Larger and larger pictures of the first of `scenes`. The last of `scenes` has the last size as well.
+    std::vector<FrameSize> sizes;
     int threads = 0;
 };
 
@@ -29,7 +30,8 @@ struct Row {
     FrameSize size;
     std::uint64_t triangles = 0, image_bytes = 0, cycles = 0, judged = 0, wrong = 0;
     std::array<double, works> seconds{};   ///< [Work], wall time
-    std::uint64_t peak_bytes = 0;          ///< most memory of the process until the frame is judged
+    /// The most memory that the process uses until the frame is judged.
+    std::uint64_t peak_bytes = 0;
     std::uint64_t pixels() const { return std::uint64_t(size.width) * std::uint64_t(size.height); }
 };
 
@@ -42,8 +44,8 @@ struct Figures {
 /// Runs the study. Throws Interrupted after Ctrl-C.
 Figures measure(const Study& study, const Progress& progress);
 
-/// Returns the exponent p of the power law seconds = c x^p that fits best: least squares of the logarithms.
-/// Returns NaN with fewer than two positive times. `x` gives the size of a row.
+/// Fits seconds = c x^p to the rows, by least squares of the logarithms, and returns the exponent p. `x`
+/// returns the size of a row. Returns NaN with fewer than two positive times, or if all sizes are equal.
 double exponent(const std::vector<Row>& rows, Work work, std::uint64_t (*x)(const Row&));
 
 }   // namespace rayclock::scale

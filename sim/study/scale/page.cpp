@@ -40,7 +40,8 @@ std::vector<std::string> cells_of(const Row& row) {
     return text;
 }
 
-/// Returns the rows of a series, and below them the exponents if the series has a size that grows.
+/// Returns a series as a table. If `x` is given, it returns the size of a row, and the table ends with the
+/// exponents.
 std::string table(const std::vector<Row>& rows, std::uint64_t (*x)(const Row&)) {
     Table table(head("scene"));
     for (const Row& row : rows) table.add(cells_of(row));
@@ -89,24 +90,26 @@ Json figures_json(const Figures& figures) {
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture) {
     std::string text = fmt::format(
-        "# Scale\n\nMade by `{}`. Do not edit.\n\nThe page shows how the cost of a frame grows with the "
-        "scene and with the picture. Times are wall time on {} cores, and depend on the host. *load* "
-        "generates the scene, and *compile* makes the memory image. *record* traces the rays of the model, "
-        "and *replay* finds their cycles. *reference* draws the picture in double precision, and builds its "
-        "own tree for that. *judge* checks every ray exactly. *peak* is the most memory of the process until "
-        "the frame is judged. All pictures show camera rays, and the configuration is `{}`{}.\n\nAn exponent "
-        "p belongs to the power law that fits a column best: the time grows like the p-th power of the "
-        "size. For n log n from ten thousand to ten million it is 1.08.\n\n![The cost of a frame against "
-        "triangles and pixels]({}.svg)\n\n",
+        "# Scale\n\nMade by `{}`. Do not edit.\n\nThis page shows how the cost of a frame grows with the "
+        "scene and with the picture. Times are wall time on {} cores. They depend on the host. *load* "
+        "generates the scene, and *compile* makes the memory image. *record* walks the rays of the model, "
+        "and *replay* computes the cycles. *reference* builds its own tree and draws the picture in double "
+        "precision. *judge* checks every ray with exact arithmetic. *peak* is the most memory that the "
+        "process uses until the frame is judged. *judged* counts the rays, and *wrong* counts the wrong "
+        "answers. All pictures have camera rays only. The configuration is `{}`{}.\n\nThe last row of a "
+        "table has the exponent p of the power law that fits each column best: the time grows as the p-th "
+        "power of the size. For n log n from ten thousand to ten million, p is 1.08.\n\n![The cost of a "
+        "frame against triangles and pixels]({}.svg)\n\n",
         command, jobs::threads_of(study.threads), study.config.name,
         study.config.set.empty() ? std::string()
                                  : fmt::format(" with `{}`", fmt::join(study.config.set, " ")),
         picture);
-    text += fmt::format("## Triangles\n\nPictures of {}.\n\n{}\n", size_text(study.size),
+    text += fmt::format("## Triangles\n\nEach picture has {} pixels.\n\n{}\n", size_text(study.size),
                         table(figures.scenes, triangles_of));
     if (!figures.placed.empty())
         text += fmt::format(
-            "The same with scenes of instances, which `default` writes out as one list of triangles:\n\n{}\n",
+            "These scenes have instances. A machine of one level needs them written out as one list of "
+            "triangles:\n\n{}\n",
             table(figures.placed, triangles_of));
     text += fmt::format("## Pixels\n\n{}\n## The largest frame\n\n{}", table(figures.pictures, pixels_of),
                         table({figures.largest}, nullptr));

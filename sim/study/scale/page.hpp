@@ -7,8 +7,8 @@
 
 namespace rayclock::scale {
 
-/// Returns the page as Markdown. `command` is the command that makes it, `picture` the name of picture()'s
-/// file without extension.
+/// Returns the page as Markdown. `command` is the command that makes the page. `picture` is the name of
+/// picture()'s file without its extension.
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 

@@ -1,4 +1,4 @@
-// Draws the cost of a frame against its size.
+// Draws the cost of a frame against its triangles and its pixels.
 #include <algorithm>
 
 #include "sim/study/scale/page.hpp"
@@ -63,7 +63,7 @@ void draw(Drawing& drawing, const Diagram& d) {
     drawing.shapes.emplace_back(
         plot::Text{{d.from + 16, (y0 + y1) / 2}, "seconds", 12, grey, Anchor::middle, true});
 
-    std::vector<std::pair<double, std::size_t>> ends;   // of the lines, with their work
+    std::vector<std::pair<double, std::size_t>> ends;   // y of each line's last point, and its work
     for (std::size_t w = 0; w < works; ++w) {
         plot::Line line{{}, colours[w], 2};
         for (const Row& row : d.rows) line.points.push_back(at(d.size(row), row.seconds[w]));
@@ -73,7 +73,7 @@ void draw(Drawing& drawing, const Diagram& d) {
         drawing.shapes.emplace_back(std::move(line));
     }
     std::sort(ends.begin(), ends.end());
-    constexpr double apart = 15;   // between the names of two lines
+    constexpr double apart = 15;   // least distance between two names
     for (std::size_t i = 1; i < ends.size(); ++i)
         ends[i].first = std::max(ends[i].first, ends[i - 1].first + apart);
     const double over = std::max(0.0, ends.back().first - y1);
