@@ -26,8 +26,8 @@ struct StreamRay {
 ///
 /// A request for any hit up to a t_max within the lattice becomes a ray in the opposite direction. It begins
 /// at the lattice point nearest to the segment's end. Like a shadow ray (docs/proofs/origins.md), it leads
-/// exactly to the rounded origin. Vertices do not reach the border of the lattice: a segment that ends beyond
-/// them needs no end, and meets nothing if it lies beyond them.
+/// exactly to the rounded origin. Vertices do not reach the border of the lattice. So a segment that ends
+/// beyond them needs no end, and a segment that lies beyond them meets nothing.
 struct LatticeRay {
     RayRecord record;
     double begin = 0, scale = 1;

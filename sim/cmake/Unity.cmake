@@ -4,10 +4,10 @@ cmake_path(SET rc_unity_root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 # rc_unity_build(NAME): compiles sixteen sources of a target as one, so that headers are parsed and templates
 # instantiated once for all of them. Sources with options of their own (rc_define, SKIP_UNITY_BUILD_INCLUSION)
 # and generated sources stay alone. The sources of a batch share file-local names. A batch includes its
-# sources by their path in the project, so that the compiler cache serves other clones too, which the units of
-# CMake's own UNITY_BUILD prevent. The property rc_folders of the target lists the folders of its sources. The
-# global property rc_batch_PATH lists the sources that are compiled together with PATH. tests/meta builds a
-# mutant of PATH from this list.
+# sources by their path in the project, so the compiler cache serves other clones too. With CMake's own
+# UNITY_BUILD it would not. The property rc_folders of the target lists the folders of its sources. The global
+# property rc_batch_PATH lists the sources that are compiled together with PATH. tests/meta builds a mutant of
+# PATH from this list.
 function(rc_unity_build name)
   get_target_property(sources ${name} SOURCES)
   set(batches)

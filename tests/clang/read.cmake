@@ -33,7 +33,7 @@ execute_process(COMMAND xargs -d "\\n" -n 1 -P ${cores} ${CLANG} -std=c++20 -I $
   INPUT_FILE ${input} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(REMOVE ${input})
 if(NOT result EQUAL 0)
-  # A notice: an error's text would be wrapped, and how depends on the length of the tree's path.
+  # A notice, because CMake wraps an error's text, in a way that depends on the length of the tree's path.
   message("${said}")
   message(FATAL_ERROR "Clang refuses what is below ${FOLDER}")
 endif()

@@ -1,6 +1,6 @@
 # cmake -DCLANG= -DSOURCE= -DFOLDER= -DWERROR= -DPROGRAM=gcc's rayclock -P same.cmake
-# Builds the program with Clang in a folder of its own; its digests (hits, colours, cycles) must be those of
-# the other program.
+# Builds the program with Clang in a folder of its own. Its digests (hits, colours, cycles) must equal the
+# digests of GCC's program.
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${FOLDER} -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DBUILD_TESTING=OFF -DCMAKE_CXX_COMPILER=${CLANG} -DRAYCLOCK_WERROR=${WERROR} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER} --target rayclock COMMAND_ERROR_IS_FATAL ANY)

@@ -1,5 +1,5 @@
-# For the tests of docs/machine/extending.md: run(COMMAND ... [OUTPUT variable]) in ${FOLDER}, and an
-# empty ${FOLDER} with a copy of what builds the program.
+# For the tests of docs/machine/extending.md. Defines run(COMMAND ... [OUTPUT variable]), which runs a command
+# in ${FOLDER}. Empties ${FOLDER} and copies the sources of the program there.
 function(run)
   cmake_parse_arguments(PARSE_ARGV 0 ARG "" "OUTPUT" "COMMAND")
   execute_process(COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE result

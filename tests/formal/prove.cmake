@@ -1,8 +1,8 @@
 # cmake -DYOSYS= -DRTL= -DFOLDER= -DTOP= -DFILES=a;b -DWITH=P=1;Q=2 -DINDUCTION=steps|-DCYCLES=n
 # [-DFILE=changed] -P prove.cmake
 # Proves the assertions of tests/formal/TOP.sv about the RTL in FILES, or, with FILE, refutes them for the
-# changed RTL (OLD and NEW in FOLDER, see tests/meta). A mutant is refuted by a trace from reset; that
-# induction fails would say nothing.
+# changed RTL (OLD and NEW in FOLDER, see tests/meta). A trace from reset must refute a mutant, because
+# a failed induction proves nothing.
 file(MAKE_DIRECTORY ${FOLDER})
 set(sources "")
 set(changed 0)

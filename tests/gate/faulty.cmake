@@ -1,5 +1,5 @@
-# To include: where RTL and what is built of it lie. With EXPECT it is a copy of rtl/ whose FILE is changed
-# (OLD and NEW in FOLDER, see tests/meta), and faulty_end() removes it.
+# Other scripts include this file. It sets the folders of the RTL and of its builds. With EXPECT the RTL is a
+# copy of rtl/ whose FILE is changed (OLD and NEW in FOLDER, see tests/meta), and faulty_end() removes it.
 file(MAKE_DIRECTORY ${FOLDER})
 set(ENV{RAYCLOCK_CACHE} ${CACHE})
 if(EXPECT)

@@ -1,6 +1,6 @@
 # cmake -DPROGRAM= -DSOURCE= "-DARGUMENTS=..." -DCACHE= | -DFOLDER= -DFILE= -DEXPECT= -P lockstep.cmake
 # Runs `rayclock verify --netlist`. With EXPECT, in a copy of rtl/ whose FILE is changed (OLD and NEW in
-# FOLDER, see tests/meta): the first divergence must be told in these words.
+# FOLDER, see tests/meta): the report of the first divergence must contain these words.
 include(${CMAKE_CURRENT_LIST_DIR}/faulty.cmake)
 separate_arguments(arguments UNIX_COMMAND "${ARGUMENTS}")
 execute_process(COMMAND ${PROGRAM} verify ${arguments} --netlist --no-judge --json ${FOLDER}/report.json

@@ -1,5 +1,5 @@
-# Faults of rules. Model, host and judge share a rule, so each row changes all that follow it: the judge finds
-# the frame right, and only the reference, which has a rule of its own, can call it a bug
+# Faults of rules. Model, host and judge share a rule, so each row changes the rule for all three. Then the
+# judge accepts the frame, and only the reference, which has a rule of its own, can report a bug
 # (sim/judge/cause/finished.hpp). `rayclock simulate` alone must do so, as in mutants_judge.cmake.
 set(turned "tests/system/scenes/octa_turned.json --depth 1 --set levels=2 --size 80x60")
 

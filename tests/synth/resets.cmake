@@ -1,6 +1,6 @@
 # cmake -DYOSYS= -DRTL= -DFOLDER= -P resets.cmake
-# A netlist has a register of reset for each unit, since the borders of rc_reset_register stay: without them
-# Yosys makes one of two.
+# A netlist has a reset register for each unit, because the borders of rc_reset_register stay. Without these
+# borders Yosys merges two of them into one.
 file(MAKE_DIRECTORY ${FOLDER})
 file(WRITE ${FOLDER}/two.sv "module two (input clk_i, input rst_ni, output first_o, output second_o);
   rc_reset_register u_first (.clk_i(clk_i), .rst_ni(rst_ni), .rst_no(first_o));

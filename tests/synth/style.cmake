@@ -1,8 +1,8 @@
 # cmake -DRTL=folder -P style.cmake
 # Every Verilog file begins with a comment and sets default_nettype none. It has no tab, no trailing blank, no
 # comment directly behind a comma or semicolon, no line above 100 columns, no generate block without a name,
-# and no '1 that a constant selects: Yosys 0.23 makes 1 of it. The generated package declares no nets, and its
-# lines may be longer.
+# and no '1 that a constant selects, because Yosys 0.23 reads it as 1. The generated package declares no nets,
+# and its lines may be longer.
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(LENGTH sources count)
 if(count LESS 10)

@@ -2,8 +2,8 @@
 # -DEXPECT=words] -P yosys.cmake
 # Reads the RTL of a configuration into Yosys. `check`: the hierarchy is complete, nothing is undriven, driven
 # twice or a loop, and there is no latch. `synth`: maps the module to an ECP5 as well. No warning is accepted
-# in either. With EXPECT the RTL is a mutant (OLD and NEW in FOLDER, see tests/meta) that must be refused in
-# these words.
+# in either. With EXPECT the RTL is a mutant (OLD and NEW in FOLDER, see tests/meta). Yosys must refuse it
+# with these words.
 file(MAKE_DIRECTORY ${FOLDER})
 separate_arguments(config UNIX_COMMAND "${CONFIG}")
 execute_process(COMMAND ${GEN} ${FOLDER}/rc_pkg.sv ${config} COMMAND_ERROR_IS_FATAL ANY)

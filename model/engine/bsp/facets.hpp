@@ -19,7 +19,7 @@ Vec3i nearest_normal(const glm::dvec3& direction);
 /// normals have normal_step_bits, and each plane is moved so that the whole triangle lies on one side. In a
 /// cell with up to 16 items two of them offer planes, and so does every axis. Planes parallel to axes are
 /// found as in a kd-tree (cells/split.hpp); larger cells are cut only by these. So a cell costs O(1) more
-/// than in a kd-tree, and the tree O(n log n). A plane that is not parallel to two axes costs a fifth more
+/// than in a kd-tree, and the tree O(n log n). A plane that is not parallel to two axes costs 20 % more
 /// than its area implies, because boxes below it fit worse.
 class Facets {
 public:

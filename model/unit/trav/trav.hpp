@@ -127,7 +127,7 @@ private:
                (ended_.valid && ended_.ray == ray);
     }
 
-    int stack_delay_;   // stages between the second and the decision
+    int stack_delay_;   // stages between the second stage and the decision
     std::uint32_t between_ = 0;
     std::array<RayNumber, 4> waiting_{};
     Ring<RayNumber, 2> spawn_;

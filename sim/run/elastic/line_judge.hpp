@@ -46,7 +46,7 @@ private:
     const MemoryImage* image_ = nullptr;
     Link passed_on_;            // the arbiter's output
     std::vector<Pair> pairs_;   // from memory outwards to the caches
-    // Lines that caches of pipelines requested, and no arbiter passed on.
+    // Lines that caches of pipelines requested, and that no arbiter has passed on.
     std::multiset<std::uint32_t> asked_;
 };
 

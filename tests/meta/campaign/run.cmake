@@ -1,6 +1,6 @@
 # cmake -DBUILD= -DSOURCE= -P run.cmake
-# A campaign from its beginning, or on from where it was stopped: 180 faults of the RTL and 120 of the model,
-# drawn from one seed, and the rows of the tables. The torture set first, then the tests, quick and slow.
+# Runs a campaign, or continues one that was stopped: 180 faults of the RTL and 120 of the model, drawn from
+# one seed, and the rows of the tables. The torture set runs first, then the quick tests and the slow ones.
 set(folder ${BUILD}/campaign)
 set(campaign ${BUILD}/tests/meta/rc_campaign)
 set(page ${SOURCE}/tests/meta/campaign/RESULTS.md)

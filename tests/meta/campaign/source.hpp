@@ -10,7 +10,7 @@ enum class Language { verilog, cpp };
 /// An expression, text[begin, end).
 struct Region {
     std::size_t begin = 0, end = 0;
-    std::string target;   ///< what is assigned, for its width; empty of a condition or a port
+    std::string target;   ///< the assigned signal, for its width; empty for a condition or a port
     /// The beginning of the item of the module around it, before which a declaration may be put; npos in a
     /// function.
     std::size_t outside = 0;
