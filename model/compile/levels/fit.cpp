@@ -41,8 +41,8 @@ Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dve
 }
 
 /// Returns the largest distance of a hit from its own triangles, over all rays of a chip that shades, bounce
-/// after bounce (docs/machine/motion.md, Secondary rays). A ray that leaves the instance again starts as far
-/// off as it was when it met it, and a little more.
+/// after bounce (docs/machine/motion.md, Secondary rays). A ray that leaves the instance again starts
+/// slightly farther off its triangle than the ray that met it.
 double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, const Config& config) {
     const double frac = std::ldexp(1, -config.origin_bits), slope = is_whole ? 0 : 0.5,
                  camera = std::ldexp(1, config.dir_bits - 2),

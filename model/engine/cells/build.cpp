@@ -27,8 +27,8 @@ public:
         auto cell = std::make_unique<Cell>();
         cell->bounds = bounds_of(items);
         cell->count = std::uint32_t(items.size());
-        if (level % levels_ == 0 && !items.empty()) {   // a treelet's line holds this box, so nothing else is
-                                                        // met
+        if (level % levels_ == 0 && !items.empty()) {
+            // A treelet's line holds this box, so rays meet nothing outside it.
             region.box = cell->bounds;
             region.own = region.walls.size();
         }

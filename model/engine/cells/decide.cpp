@@ -42,7 +42,7 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
     PlaneSides sides;
     sides.near_to = beyond;
     if (axis >= no_axis) return sides;
-    // The lattice point before the origin; `between` is 1 if it is not the one beyond as well.
+    // The last lattice point not beyond the origin. `between` is 1 if the origin lies between two points.
     const int frac = c.origin_frac();
     const std::int32_t o = ray.o[axis] >> frac, between = (ray.o[axis] & ((1 << frac) - 1)) != 0;
     const bool neg = ray.neg[axis] != 0;

@@ -24,7 +24,7 @@ void add(Colour& colour, const Colour& more) {
 
 /// True if the threshold lets a ray pass that is its camera ray's `bounce`th. Rounding of shares and weights
 /// lowers a weight by less than 3/2 units of 2^-16 per bounce (docs/machine/shading.md, Numbers). The test
-/// forgives that much, so a weight that is not below the threshold, as both were written, always passes.
+/// allows for this error, so a ray always passes if its exact weight is not below the exact threshold.
 bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
     return 2 * weight + 3 * bounce >= frame.shade.threshold;
 }
@@ -109,7 +109,7 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
 
 /// Sends a ray that tests a light. From a light within the lattice to a point in the lattice it is a shadow
 /// ray, and exact (docs/proofs/origins.md). To or from a place beyond the lattice it is a ray without end,
-/// cut to the lattice, which holds everything that has an end. That ray tests planes only if a plane lies
+/// clipped to the lattice, which contains all finite primitives. That ray tests planes only if a plane lies
 /// between the light and the path. Otherwise no plane hides the light.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;

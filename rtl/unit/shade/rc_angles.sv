@@ -1,9 +1,9 @@
 // Unit vectors and cosines of a pass. One unit vector is along s5_toward_i: the normal of a
 // surface, or the way to a light. The other one, the view, points against the ray's direction.
 //
-// Part of rc_pass, which has the valid bits for surfaces and for lights. A signal's prefix is its
-// stage. s13_view_i and s13_normal_i belong to a surface that was met before, s13_view_o to the one
-// that is met now. Unit vectors are S1.16, cosines U1.16. Model: unit_dot() in
+// Part of rc_pass, which has the valid bits for surfaces and for lights. A signal's prefix names
+// its stage. s13_view_i and s13_normal_i belong to a surface that was met before, s13_view_o to the
+// one that is met now. Unit vectors are S1.16, cosines U1.16. Model: unit_dot() in
 // model/unit/shade/dot.hpp.
 `default_nettype none
 module rc_angles #(

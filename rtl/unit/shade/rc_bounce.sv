@@ -1,7 +1,7 @@
 // Directions of reflected and refracted rays, and the weights of these rays.
 //
 // Part of rc_pass, which has the valid bits: valid_i[i] is set if stage i holds a pass for a
-// bounce. A signal's prefix is its stage.
+// bounce. A signal's prefix names its stage.
 //
 // Both directions are along * normal - ratio * view. A reflected one has along = 2 cosine and ratio
 // = 1. A refracted one has along = ratio * cosine - sqrt(1 - ratio^2 (1 - cosine^2)). Model:

@@ -1,5 +1,5 @@
 // The work of shade in two spaces, if the chip has instances. Part of rc_pass, which has the valid
-// bits: the pass leaves that stage. A signal's prefix is its stage.
+// bits: the pass leaves that stage. A signal's prefix names its stage.
 //
 // A surface that was found in a mesh's space is transformed to the scene's space. Its point is the
 // ray's, o + t d, and its normal comes from A^T n'.

@@ -2,7 +2,7 @@
 // shadow ray's direction.
 //
 // Part of rc_pass, which has the valid bits: valid_i[i] is set if stage i holds a pass for a light.
-// A signal's prefix is its stage. Model: model/unit/shade/light.hpp.
+// A signal's prefix names its stage. Model: model/unit/shade/light.hpp.
 `default_nettype none
 module rc_light #(
   localparam int unsigned ValueBits  = rc_pkg::ValueBits,
