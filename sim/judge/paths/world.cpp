@@ -281,8 +281,8 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     return s;
 }
 
-// If a number lies half-way between two, either passes, since the host computes in its own doubles. So does
-// either side if the sum of the normals lies in the triangle's plane.
+// If a number lies half-way between two, either passes, since the host computes in its own doubles. Either
+// side passes if the sum of the normals lies in the triangle's plane.
 bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     const auto& v = scene.triangles[i].vertex;
     const glm::dvec3 flat =
