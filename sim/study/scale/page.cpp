@@ -97,7 +97,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         "precision. *judge* checks every ray with exact arithmetic. *peak* is the most memory that the "
         "process uses until the frame is judged. *judged* counts the rays, and *wrong* counts the wrong "
         "answers. All pictures have camera rays only. The configuration is `{}`{}.\n\nThe last row of a "
-        "table has the exponent p of the power law that fits each column best: the time grows as the p-th "
+        "series has the exponent p of the power law that fits each column best: the time grows as the p-th "
         "power of the size. For n log n from ten thousand to ten million, p is 1.08.\n\n![The cost of a "
         "frame against triangles and pixels]({}.svg)\n\n",
         command, jobs::threads_of(study.threads), study.config.name,
