@@ -1,7 +1,6 @@
-# cmake -DSOURCE=folder -DFOLDERS=a,b [-DAWAITED=page] -P links.cmake
+# cmake -DSOURCE=folder -DFOLDERS=a,b -P links.cmake
 # Every relative link of a Markdown file leads to a file or folder that exists, and its anchor to a heading of
-# that page. In a notebook only links to Markdown files are checked. The page AWAITED may be missing, because
-# its command has not written it yet.
+# that page. In a notebook only links to Markdown files are checked.
 cmake_policy(VERSION 3.25)
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files)
@@ -72,9 +71,7 @@ foreach(file IN LISTS files)
       cmake_path(SET target NORMALIZE "${SOURCE}/${folder}/${path}")
     endif()
     if(NOT EXISTS ${target})
-      if(NOT AWAITED OR NOT target STREQUAL "${SOURCE}/${AWAITED}")
-        string(APPEND faults "${file}: there is no ${path}\n")
-      endif()
+      string(APPEND faults "${file}: there is no ${path}\n")
     elseif(link MATCHES "#(.*)")
       set(anchor ${CMAKE_MATCH_1})
       string(MAKE_C_IDENTIFIER "anchors_${target}" name)

@@ -33,10 +33,10 @@ struct ScaleOptions {
 void declare_scale(Parser& parser, ScaleOptions& o) {
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder for scale.md and its picture").required();
-    parser.option("--scenes", o.scenes, "scenes of growing number of triangles, separated by commas")
+    parser.option("--scenes", o.scenes, "scenes from few to many triangles, separated by commas")
         .by_commas()
         .with_default();
-    parser.option("--placed", o.placed, "the same for scenes of instances, which are written out")
+    parser.option("--placed", o.placed, "the same with scenes of instances, whose triangles are written out")
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of their pictures, WIDTHxHEIGHT").with_default();
