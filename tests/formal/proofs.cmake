@@ -277,8 +277,8 @@ prove(mutant:formal_sqrt_takes_the_root_so_far ${sqrt_shared}
   OLD [[assign root_d   = !Again || comes ? root_new : root_q;]]
   NEW [[assign root_d   = root_new;]])
 prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
-  OLD [[{{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q}]]
-  NEW [[{{(R-From){1'b0}}, gen_stage[i-1].rem_q}]])
+  OLD [[{{(DoneBits-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q}]]
+  NEW [[{{(DoneBits-From){1'b0}}, gen_stage[i-1].rem_q}]])
 
 # ---- Data that accompanies a long pipeline.
 foreach(stages IN ITEMS 2 3 4)
