@@ -71,9 +71,9 @@ public:
     Items all() const;
     const LatticeBox& space() const { return space_; }
     const Clipper& of(std::uint32_t prim) const { return clippers_[prim]; }
-    /// Distributes the items of a cell to both sides of a cut. A primitive goes to each side on which a part
-    /// of it lies strictly. An item in the plane goes to one side only, because a ray that meets it there is
-    /// on both sides.
+    /// Distributes the items of a cell to both sides of a cut. A primitive goes to each side that contains a
+    /// part of it off the plane. An item in the plane goes to one side only: a ray that meets it is on both
+    /// sides there.
     void divide(const Items& items, const Region& region, const Cut& cut, Items& lower, Items& upper) const;
     /// Returns the range of n . x over an item, rounded outward.
     Clipper::Reach reach(const Item& item, const Vec3i& normal) const;
