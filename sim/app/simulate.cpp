@@ -216,8 +216,8 @@ int run_simulate_sample(const SimulateOptions& o) {
     const std::string missed = shortfall(o.sample, sampled, watch.seconds());
     if (!missed.empty()) print_ineffective({missed});
     nlohmann::ordered_json json = sample_json(request, job, size, camera, ask, sampled);
-    json["sampling"]["shortfall"] = nullptr;
-    if (!missed.empty()) json["sampling"]["shortfall"] = missed;
+    json["sampling"]["shortfall"] =
+        missed.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(missed);
     o.json.write(json);
     return 0;
 }

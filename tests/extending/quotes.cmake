@@ -1,6 +1,6 @@
 # cmake -DSOURCE= -DPAGE=docs/machine/extending.md -P quotes.cmake
-# Checks that the sources contain each code block of the page. A block marked `cpp` must occur word for word
-# in model/. The lines that a block marked `diff` removes must occur there too.
+# Checks the blocks of the page that are marked `cpp` and `diff`. A `cpp` block must occur word for word in
+# model/. So must the lines of a `diff` that it removes or leaves, together.
 cmake_policy(VERSION 3.25)
 file(READ ${SOURCE}/${PAGE} page)
 file(GLOB_RECURSE files ${SOURCE}/model/*.hpp ${SOURCE}/model/*.cpp ${SOURCE}/model/*.inl)

@@ -81,7 +81,7 @@ std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& 
         factor = 0.8 * (parse_seconds(*choice.within) - seconds_gone - watch.seconds()) / pilot.seconds;
     }
     ask.share = std::min(sample::most_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
-    if (factor <= 1) return sampled;
+    if (factor <= 1 || sample::strata_of(job.frame, job.config, ask.share) == pilot.strata) return sampled;
     // A sample of another size draws its parts independently of the first one, whose random error decided the
     // size.
     return sample::run(job, clocks, ask, traffic, threads, progress);

@@ -287,7 +287,11 @@ private:
         if (!group.picture_known) keep_picture(group, {{}, std::nullopt, job.image.report.bytes, {}});
         for (Result* r : group.results) {
             check_memory(*r, job.image);
-            if (r->refused() || !r->clock.is_null()) continue;
+            if (r->refused()) continue;
+            if (!r->clock.is_null()) {   // only the figures of the picture were missing
+                report_progress(1);
+                continue;
+            }
             if (stopped()) return;
             job.config = r->point.config;
             try {

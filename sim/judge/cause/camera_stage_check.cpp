@@ -21,18 +21,13 @@ constexpr double float_step = 0x1p-23;   // of a hit's u, v and depth, above the
 /// Gives the tracer a hit, and omits shadows and bounces.
 class LocalLight final : public RefSteer {
 public:
-    LocalLight(const RefPath& path, const RefClosest& hit, bool turns)
-        : path_(path), hit_(hit), turns_(turns) {}
+    LocalLight(const RefPath& path, const RefClosest& hit) : path_(path), hit_(hit) {}
     bool faces_away = false, is_open = false;
 
     void begin_sample(std::uint32_t, RefPath& path) override { path = path_; }
     bool ends(std::uint32_t, double, bool own) override { return own; }
     RefClosest met(const RefPath&, const RefClosest&) override { return hit_; }
-    void round_corners(RefClosest&, std::array<glm::dvec3, 3>& normals, bool open) override {
-        is_open = open;
-        if (open && turns_)
-            for (glm::dvec3& n : normals) n = -n;
-    }
+    void round_corners(RefClosest&, std::array<glm::dvec3, 3>&, bool open) override { is_open = open; }
     glm::dvec3 square(const RefClosest&, const Material&, const glm::dvec3& own) override { return own; }
     void place(RefSurface& surface) override { faces_away = glm::dot(surface.normal, path_.direction) > 0; }
     bool counts(std::size_t, double, double lambert) override { return lambert > 0; }
@@ -45,7 +40,6 @@ public:
 private:
     RefPath path_;
     RefClosest hit_;
-    bool turns_;   // turn the normals if their outside is open
 };
 
 std::string name_of(bool found, std::uint32_t primitive) {
@@ -190,8 +184,8 @@ bool CameraStageCheck::holds_point(int x, int y, const Vec3i& d, const Closest& 
 }
 
 /// Uses a scene of that one triangle. LocalLight gives the hit to the tracer, which does not search for one.
-LocalLightFinding CameraStageCheck::local_light(const Hit& hit, int x, int y, bool turns) const {
-    if (hit.primitive == no_primitive) return {inputs_.scene.background, false};
+std::optional<glm::dvec3> CameraStageCheck::local_light(const Hit& hit, int x, int y) const {
+    if (hit.primitive == no_primitive) return inputs_.scene.background;
     const PlacedTriangle t = triangle(inputs_.scene, given_triangles_, hit.primitive);
     Scene scene;
     scene.materials = {inputs_.scene.materials[t.material]}, scene.lights = inputs_.scene.lights;
@@ -202,14 +196,14 @@ LocalLightFinding CameraStageCheck::local_light(const Hit& hit, int x, int y, bo
     const double u = hit.u, v = hit.v;
     const glm::dvec3 at = (1 - u - v) * t.vertices[0] + u * t.vertices[1] + v * t.vertices[2];
     RefPath path;
-    if (!light_space_.find_path(inputs_.camera.eye, at - inputs_.camera.eye, path)) return {};
-    LocalLight steer(path, {hit.depth, u, v, 0}, turns);
+    if (!light_space_.find_path(inputs_.camera.eye, at - inputs_.camera.eye, path)) return std::nullopt;
+    LocalLight steer(path, {hit.depth, u, v, 0});
     Whitted settings;
     settings.depth = 0;
     const FrameSize size{int(inputs_.frame.width), int(inputs_.frame.height)};
     const WhittedPixel pixel = ref_pixel(light_space_, scene, inputs_.camera, size, settings,
                                          std::uint32_t(x), std::uint32_t(y), &steer);
-    return {steer.faces_away ? std::nullopt : std::make_optional(pixel.colour), steer.is_open};
+    return steer.faces_away || steer.is_open ? std::nullopt : std::make_optional(pixel.colour);
 }
 
 }   // namespace rayclock

@@ -28,14 +28,6 @@ struct CameraFinding {
     bool is_tie = false;
 };
 
-/// The reference's colour of a hit.
-struct LocalLightFinding {
-    /// Nothing where a smooth normal points away from the viewer, because the rules of reference and machine
-    /// differ there (docs/machine/shading.md).
-    std::optional<glm::dvec3> light;
-    bool is_open = false;   ///< doubles cannot decide to which side the corner normals point
-};
-
 class CameraStageCheck {
 public:
     /// `steps`: the machine's scene in lattice steps; `tracer` traces it. `placed` and `seams` are null
@@ -46,9 +38,11 @@ public:
     /// Checks a pixel, given its ray's direction d and the exact answer after rounding.
     CameraFinding judge(int x, int y, const Vec3i& d, const Closest& answer) const;
 
-    /// Returns the colour of a hit on the given scene by the reference's rules, without using shade(). If the
-    /// side to which the corner normals point is open, `turns` chooses the other one.
-    LocalLightFinding local_light(const Hit& hit, int x, int y, bool turns) const;
+    /// Returns the colour of a hit on the given scene by the reference's rules, without using shade().
+    /// Returns nothing in two cases, which are not checked: a smooth normal points away from the viewer, so
+    /// that the rules of the two differ (docs/machine/shading.md), or doubles cannot decide which way it
+    /// points.
+    std::optional<glm::dvec3> local_light(const Hit& hit, int x, int y) const;
 
 private:
     PlacedTriangle triangle(const Scene& scene, const std::optional<InstancedTriangles>& instanced,

@@ -266,18 +266,13 @@ private:
         if (!is_lit_right && found.fault.empty()) found.fault = wrong_light;
         return found;
     }
-    /// The tolerance is the precision of floats. If doubles cannot decide to which side the corner normals
-    /// point, either side is right.
+    /// The tolerance is the precision of floats.
     bool is_local_light(const Hit& hit, const glm::vec3& colour, std::size_t pixel) const {
-        for (const bool turns : {false, true}) {
-            const LocalLightFinding own = camera_stage_->local_light(hit, x(pixel), y(pixel), turns);
-            bool is_near = true;
-            for (int k = 0; own.light && k < 3; ++k)
-                is_near = is_near && std::abs(std::min(double(colour[k]), 1.0) -
-                                              std::min((*own.light)[k], 1.0)) <= 0x1p-22;
-            if (is_near || !own.is_open) return is_near;
-        }
-        return false;
+        const std::optional<glm::dvec3> light = camera_stage_->local_light(hit, x(pixel), y(pixel));
+        for (int k = 0; light && k < 3; ++k)
+            if (std::abs(std::min(double(colour[k]), 1.0) - std::min((*light)[k], 1.0)) > 0x1p-22)
+                return false;
+        return true;
     }
 
     static PixelCause cause(const std::array<std::uint32_t, stages>& primitive,

@@ -254,11 +254,30 @@ RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
 
 // ---- Surfaces.
 
+/// Returns true if memory turned the corner normals of a triangle of the scene to the side that its order of
+/// corners makes the outside, or if doubles cannot decide. Uses the corners as given: the reference's are on
+/// the lattice, where a sum of normals near the triangle's plane may lie on its other side.
+bool Guide::points_outwards(const MachineVisit& at) const {
+    const Scene& given = rules_.inputs.scene;
+    if (at.hit.prim >= given.triangles.size()) return true;   // of an instance that is not written out
+    const auto& v = given.triangles[at.hit.prim].vertex;
+    const glm::dvec3 a = given.vertices[v[0]], b = given.vertices[v[1]] - a, c = given.vertices[v[2]] - a;
+    glm::dvec3 sum(0);
+    double lengths = 0, memory = 0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const glm::dvec3& n = given.normals[v[corner]];
+        sum += n, lengths += glm::length(n);
+        for (int k = 0; k < 3; ++k) memory += n[k] * at.surface.normal[3 * corner + std::size_t(k)];
+    }
+    const double along = glm::dot(sum, glm::cross(b, c));
+    return (along < 0) == (memory < 0) ||
+           std::abs(along) <= 0x1p-48 * lengths * glm::length(b) * glm::length(c);
+}
+
 /// Rounds corner normals to corner_bits bits, in the space in which memory holds the triangle. The longest of
-/// the three uses the whole range. Memory's normals are turned outwards in the mesh's space. If their sum
-/// lies near the triangle's plane, an instance's map may put it on the other side, so both sides are
-/// accepted.
-void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals, bool is_open) {
+/// the three uses the whole range. Memory's normals of an instance are turned outwards in the mesh's space.
+/// There another side may be outside if a map stretches, so PlacedWorld::holds_normals() judges that side.
+void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals) {
     glm::dmat3 map(1);   // x in the mesh = map x in the scene, in steps
     if (is_turned(at)) {
         const auto& a = rules_.placed->solids().places()[rules_.placed->place_of(at.hit.prim)].a;
@@ -281,9 +300,11 @@ void Guide::round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& nor
     for (std::size_t corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k) along += normals[corner][k] * memory_of(corner, k);
     if (along < 0) {
-        if (!is_open && !is_turned(at)) fail("the normals of the corners point to the other side");
+        if (is_turned(at) || points_outwards(at))
+            tie();
+        else
+            fail("the normals of the corners point to the other side");
         for (glm::dvec3& n : normals) n = -n;
-        tie();
     }
     for (std::size_t corner = 0; corner < 3; ++corner) {
         glm::dvec3& n = normals[corner];
@@ -317,7 +338,7 @@ std::array<double, 2> Guide::weights(const MachineVisit& at) const {
 
 /// The machine rounds u and v down, rounds them again to origin_bits (and `fine`), and moves them off the
 /// border by at most two units.
-void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) {
+void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
     const Config& config = rules_.inputs.config;
@@ -333,7 +354,7 @@ void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, b
     if (!is_turned(*at) && (std::abs(w[0] - hit.u) > most || std::abs(w[1] - hit.v) > most))
         fail("rays leave from another point of the triangle than the one that was hit");
     hit.u = w[0], hit.v = w[1];
-    round_normals(*at, normals, is_open);
+    round_normals(*at, normals);
 }
 
 glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const glm::dvec3& own) {

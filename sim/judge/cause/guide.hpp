@@ -85,7 +85,8 @@ private:
     bool is_turned(const MachineVisit& at) const;
     double normal_error(const MachineVisit& at) const;
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
-    void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals, bool is_open);
+    void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals);
+    bool points_outwards(const MachineVisit& at) const;
     /// Returns the weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
     /// Returns the machine's hit, from which the path continues.

@@ -285,8 +285,8 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
 // side passes if the sum of the normals lies in the triangle's plane.
 bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
     const auto& v = scene.triangles[i].vertex;
-    const glm::dvec3 flat =
-        glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
+    const glm::dvec3 b = scene.vertices[v[1]] - scene.vertices[v[0]],
+                     c = scene.vertices[v[2]] - scene.vertices[v[0]], flat = glm::cross(b, c);
     const glm::dvec3 sum = scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]];
     double longest = 0;
     for (const std::uint32_t corner : v) longest = std::max(longest, glm::length(scene.normals[corner]));
@@ -300,7 +300,7 @@ bool holds_normals(const Scene& scene, std::size_t i, const Surface& seen) {
                     return false;
         return true;
     };
-    const bool is_open = std::abs(along) <= 0x1p-48 * 3 * longest * glm::length(flat);
+    const bool is_open = std::abs(along) <= 0x1p-48 * 3 * longest * glm::length(b) * glm::length(c);
     return holds(along < 0 ? -1 : 1) || (is_open && holds(along < 0 ? 1 : -1));
 }
 

@@ -8,7 +8,10 @@
 
 #include <malloc.h>
 
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
+#include "model/scene/folded.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/cause.hpp"
 #include "sim/run/frame/frame.hpp"
@@ -48,6 +51,9 @@ Row measure_row(const std::string& scene, FrameSize size, const Study& study, co
     reset_peak();
     const Request request =
         timed(row, Work::load, [&] { return request_of(scene, study.config, {}, 1, size, progress); });
+    if (triangle_count(request.scene) == 0)
+        throw UserError("study scale: " + printable(scene) +
+                        " has no triangles, whose number the page needs");
     const Camera camera = *request.scene.camera;
     const Job job = timed(row, Work::compile, [&] {
         return make_job(request.scene, camera, size, request.config, progress, request.settings);
@@ -66,7 +72,7 @@ Row measure_row(const std::string& scene, FrameSize size, const Study& study, co
         return judge({request.scene, camera, job.frame, job.image.lattice, request.config}, job.image,
                      {reference.hits(), answers, picture}, study.threads, progress);
     });
-    row.triangles = request.scene.triangles.size();
+    row.triangles = triangle_count(request.scene);
     row.image_bytes = job.image.words.size() * sizeof(job.image.words[0]);
     row.cycles = timing.cycles;
     row.judged = judgement.rays.all(), row.wrong = judgement.wrong_for(request.config);

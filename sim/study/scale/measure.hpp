@@ -30,7 +30,7 @@ struct Row {
     FrameSize size;
     std::uint64_t triangles = 0, image_bytes = 0, cycles = 0, judged = 0, wrong = 0;
     std::array<double, works> seconds{};   ///< [Work], wall time
-    /// The most memory that the process uses until the frame is judged.
+    /// The most memory that the process uses from the loading of the scene until the frame is judged.
     std::uint64_t peak_bytes = 0;
     std::uint64_t pixels() const { return std::uint64_t(size.width) * std::uint64_t(size.height); }
 };

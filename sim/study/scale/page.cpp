@@ -104,7 +104,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         study.config.set.empty() ? std::string()
                                  : fmt::format(" with `{}`", fmt::join(study.config.set, " ")),
         picture);
-    text += fmt::format("## Triangles\n\nEach picture has {} pixels.\n\n{}\n", size_text(study.size),
+    text += fmt::format("## Triangles\n\nEach picture is {} pixels.\n\n{}\n", size_text(study.size),
                         table(figures.scenes, triangles_of));
     if (!figures.placed.empty())
         text += fmt::format(
