@@ -1,7 +1,7 @@
 # cmake -DPROGRAM= -DTARGET= -DRUNS= [-DLARGE=bytes] [-DMUTANT=name] -DSOURCE=tests/fuzz -DFOLDER= -P
 # run.cmake
-# Runs a target on its corpus, and on RUNS inputs that libFuzzer makes from the corpus with a fixed seed. If the
-# target fails on an input, that input is kept in FOLDER. A mutant must fail on one.
+# Runs a target on its corpus, and on RUNS inputs that libFuzzer makes from the corpus with a fixed seed. If
+# the target fails on an input, that input is kept in FOLDER. A mutant must fail on one.
 set(kind ${TARGET})
 if(LARGE)
   set(kind ${TARGET}_large)

@@ -1,6 +1,6 @@
 # cmake -DSOURCE=folder -DFOLDERS=a,b -P links.cmake
-# Every relative inline link of a Markdown file leads to a file or folder that exists, and its anchor to a heading of
-# that page. In a notebook only links to Markdown files are checked.
+# Every relative inline link of a Markdown file leads to a file or folder that exists, and its anchor to a
+# heading of that page. In a notebook only links to Markdown files are checked.
 cmake_policy(VERSION 3.25)
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files)
