@@ -64,7 +64,16 @@ std::uint32_t pane_of(const Surface& surface, const Config& c) {
     return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
 }
 
-void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
+/// Sends the hit to tex. The texture event handles the answer.
+void request_texture(const PassIn& in, PassOut& out) {
+    ShadeState& s = out.state;
+    s.next_event = std::uint32_t(ShadeEvent::texture);
+    out.leave = PassOut::Leave::texture;
+    out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v};
+}
+
+void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
     if (s.depth == 0 && s.sample == 0) {
         s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
     }
@@ -72,7 +81,10 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
         add(s.colour, surf(in, c, s));
         s.across = s.cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
-        if (c.has_homes()) s.next_event = std::uint32_t(ShadeEvent::transform);
+        if (c.has_homes())
+            s.next_event = std::uint32_t(ShadeEvent::transform);
+        else if (s.record != 0)
+            request_texture(in, out);
         return;
     }
     see_background(s, s.weight, frame);
@@ -142,7 +154,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
-    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;
+    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell, s.path = ray.path;
     s.next_event = std::uint32_t(ShadeEvent::arrive);
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
@@ -160,6 +172,7 @@ Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found
             s.inside ^ std::uint32_t(through),
             through ? s.across : s.cell,
             start.is_far,
+            s.path,
             found.home};
 }
 
@@ -207,7 +220,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = full_weight, s.depth = 0, s.cell = 0;
+        s.weight = full_weight, s.depth = 0, s.cell = 0, s.path = 0;
         s.next_event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
@@ -241,12 +254,17 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
     s.pending = std::uint32_t(Pending::none);
     switch (ShadeEvent(s.next_event)) {
-        case ShadeEvent::arrive: arrive(in, frame, c, s); break;
+        case ShadeEvent::arrive: arrive(in, frame, c, out); break;
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
         case ShadeEvent::refract: send_refracted(in, frame, c, out); break;
         case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
         case ShadeEvent::transform:
             transform_surface(in, c, s);
+            next_light(s, 0, frame, c);
+            if (s.record != 0) request_texture(in, out);
+            break;
+        case ShadeEvent::texture:
+            add(s.colour, apply_texture(in.texel, s));
             next_light(s, 0, frame, c);
             break;
         case ShadeEvent::pop:

@@ -19,6 +19,7 @@ module rc_pass_begin #(
   output logic                   refract_o,  // refracted, not reflected
   // a result of a mesh's space is transformed to the scene's
   output logic                   transform_o,
+  output logic                   texture_o,  // the colour of the surface's texture has come
   output logic                   end_o,      // a waiting ray, or the end of the sample
   // State
   output logic [3*ValueBits-1:0] colour_o,   // including what was pending
@@ -48,6 +49,8 @@ module rc_pass_begin #(
   assign bounce_o       = valid_i && (refract_o || state_i.next_event == rc_pkg::EventReflect);
   assign transform_o    = valid_i && rc_pkg::Homes == 1
       && state_i.next_event == rc_pkg::EventTransform;
+  assign texture_o      = valid_i && rc_pkg::HasTextures == 1
+      && state_i.next_event == rc_pkg::EventTexture;
   assign end_o          = valid_i && state_i.next_event == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
@@ -67,7 +70,7 @@ module rc_pass_begin #(
   end
 
   // The state.
-  rc_pkg::shade_state_t known;
+  rc_pkg::shade_state_t known, known_texture;
 
   always_comb begin
     known         = state_i;
@@ -102,14 +105,29 @@ module rc_pass_begin #(
                   ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
 
     always_comb begin
-      known_o = known;
+      known_o = known_texture;
       if (has_material_o) known_o.across = state_i.in_cell ^ pane;
     end
 
     logic unused_normal;
     assign unused_normal = ^normal;
   end else begin : gen_no_panes
-    assign known_o = known;
+    assign known_o = known_texture;
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_texture
+    always_comb begin
+      known_texture = known;
+      if (has_material_o) begin
+        known_texture.ambient = surface_i.ambient;
+        known_texture.record  = surface_i.record;
+      end
+    end
+
+    assign material_o.ambient = known_texture.ambient;
+    assign material_o.record  = known_texture.record;
+  end else begin : gen_no_texture
+    assign known_texture = known;
   end
 
   assign material_o.diffuse   = known.diffuse;

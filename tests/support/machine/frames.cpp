@@ -79,6 +79,7 @@ std::uint64_t totally_reflected(const Trace& trace) {
             while (!(*word & Trace::end_flag)) word = after_visit(word);
             word = after_visit(word);
             while (*word & Trace::place_flag) ++word;
+            if (*word & Trace::record_flag) word += 2;
             done = *word & Trace::pixel_flag;
             word += 2;
             ++rays;

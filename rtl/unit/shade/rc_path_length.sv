@@ -1,0 +1,68 @@
+// The length of the path from the eye to a hit, for the level of its texture: path + t |d|, rounded
+// down and saturated. |d| counts as its largest component plus a quarter of the others. Part of
+// rc_pass, which has the valid bits; the result is in the registers of s3. Model: path_to() in
+// model/unit/shade/surf.hpp.
+`default_nettype none
+module rc_path_length #(
+  localparam int unsigned M     = rc_pkg::DirBits,
+  localparam int unsigned TBits = rc_pkg::TBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
+) (
+  input  logic             clk_i,
+  input  logic [2:0]       valid_i,
+  input  logic [Every-1:0] s1_phase_i,   // the cycle of stage 1
+  input  logic [TBits-1:0] s0_path_i,    // to the ray's origin
+  input  logic [TBits-1:0] s0_t_i,
+  input  logic [3*M-1:0]   s0_d_i,
+  output logic [TBits-1:0] s3_path_o
+);
+  localparam int unsigned LengthBits = rc_pkg::LengthBits;   // fraction bits of |d|
+  localparam int unsigned LengthW    = LengthBits + 2;
+  localparam int unsigned ProductW   = LengthW + TBits;
+
+  // s1: |d|, in units of 2^(M-1).
+  logic [M-1:0] size [3];   // 2^(M-1) is possible
+  logic [M-1:0] longest;
+  logic [M+1:0] all, length;
+  logic [LengthW-1:0] s1_length_q;
+  logic [TBits-1:0]   s1_t_q, s2_path;
+
+  for (genvar k = 0; k < 3; k++) begin : gen_size
+    logic [M-1:0] d;
+
+    assign d       = s0_d_i[k*M +: M];
+    assign size[k] = d[M-1] ? -d : d;
+  end
+
+  assign longest = size[0] >= size[1] && size[0] >= size[2] ? size[0]
+                 : size[1] >= size[2] ? size[1] : size[2];
+  assign all     = {2'b0, size[0]} + {2'b0, size[1]} + {2'b0, size[2]};
+  assign length  = {2'b0, longest} + ((all - {2'b0, longest}) >> 2);
+
+  // s2: the product. s3: the sum.
+  logic [ProductW-1:0]          s1_product, s2_product_q;
+  logic [ProductW-LengthBits:0] s2_sum;
+
+  rc_mul_held #(.AW(LengthW), .BW(TBits), .Signed(1'b0)) u_product (
+    .clk_i, .phase_i(s1_phase_i), .a_i(s1_length_q), .b_i(s1_t_q), .p_o(s1_product));
+
+  rc_shift_register #(.Width(TBits), .Stages(2)) u_path (
+    .clk_i, .enable_i(valid_i[1:0]), .data_i(s0_path_i), .data_o(s2_path));
+
+  assign s2_sum = {1'b0, s2_product_q[ProductW-1:LengthBits]}
+                + (ProductW-LengthBits+1)'(s2_path);
+
+  always_ff @(posedge clk_i) begin
+    if (valid_i[0]) begin
+      s1_length_q <= LengthW'(length >> (M - 1 - LengthBits));
+      s1_t_q      <= s0_t_i;
+    end
+    if (valid_i[1]) s2_product_q <= s1_product;
+    if (valid_i[2])
+      s3_path_o <= s2_sum[ProductW-LengthBits:TBits] != '0 ? '1 : s2_sum[TBits-1:0];
+  end
+
+  logic unused;
+  assign unused = ^s2_product_q;
+endmodule
+`default_nettype wire
