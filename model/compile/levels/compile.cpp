@@ -239,6 +239,7 @@ std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, co
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
     Scene part, scene;
     part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+    part.coordinates = mesh.coordinates;
     append(scene, part, made.before, {}, 0);
     if (!made.corners.empty()) scene.vertices = made.corners;
     for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
@@ -291,7 +292,7 @@ Places places_of(const PlacedScene& scene) {
 }
 
 SharedMesh own_mesh(const PlacedScene& scene) {
-    return {"", scene.own.vertices, scene.own.normals, scene.own.triangles};
+    return {"", scene.own.vertices, scene.own.normals, scene.own.triangles, scene.own.coordinates};
 }
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {

@@ -83,6 +83,11 @@ void view_options(Parser& parser, ViewChoice& o) {
         .under(group);
     parser.flag("--ground", o.ground, "lay a grey square under the scene, four times as wide as the scene")
         .under(group);
+    parser
+        .flag("--no-textures", o.no_textures,
+              "draw each picture on a surface in one colour, as before textures: the average, or the "
+              "material's")
+        .under(group);
 }
 
 void judge_option(Parser& parser, bool& no_judge) {

@@ -23,6 +23,7 @@ struct RefSurface {
     const Material* material = nullptr;
     std::uint32_t primitive = no_primitive;
     bool is_inside = false;   ///< the ray came from the inside
+    double travelled = 0;     ///< length of the path from the eye
 };
 
 /// A bounce that the tracer would send.

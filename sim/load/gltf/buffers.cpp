@@ -193,7 +193,11 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {
     const JsonValue accessor = document_.at("accessors")[index];
     const JsonValue type = accessor.at("type");
-    const char* const wanted = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : width == 4 ? "VEC4" : "MAT4";
+    const char* const wanted = width == 1   ? "SCALAR"
+                               : width == 2 ? "VEC2"
+                               : width == 3 ? "VEC3"
+                               : width == 4 ? "VEC4"
+                                            : "MAT4";
     if (type.string() != wanted) type.expected(fmt::format("\"{}\"", wanted));
     const Component component = component_of(accessor.at("componentType"));
     const std::uint64_t count = accessor.at("count").whole(std::uint64_t{1} << 32);

@@ -74,6 +74,7 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_given, Fr
     placed_ = *scene.placed;
     placed_.own.name = scene.name;
     placed_.own.materials = scene.materials;   // the picture's settings may have changed them
+    placed_.own.textures = scene.textures;
     if (placed_.own.lights.empty()) placed_.own.lights = scene.lights;
     camera_moves_ = !placed_.motion.camera.empty() && !view_is_given;
     if (!for_chip) return;
