@@ -109,7 +109,7 @@ const std::array<std::uint32_t, 256>& srgb_table() {
     return table;
 }
 
-Texel texel_of(const Line& line, std::uint32_t x, std::uint32_t y, TexelFormat format) {
+TexelCode texel_of(const Line& line, std::uint32_t x, std::uint32_t y, TexelFormat format) {
     const TileShape tile = tile_shape(format);
     const std::uint32_t at = (y * std::uint32_t(tile.width()) + x) * std::uint32_t(tile.bits), word = at / 32;
     const std::uint64_t next = word + 1 < line.size() ? line[word + 1] : 0;
@@ -139,7 +139,7 @@ void put_texel(Line& line, std::uint32_t x, std::uint32_t y, const std::array<st
 
 std::array<std::uint32_t, 3> texel_colour(const Line& line, const TexelPlace& place, TexelFormat format) {
     constexpr std::uint32_t one = 1u << texel_frac;
-    const Texel corner[4] = {
+    const TexelCode corner[4] = {
         texel_of(line, place.x, place.y, format), texel_of(line, place.x + 1, place.y, format),
         texel_of(line, place.x, place.y + 1, format), texel_of(line, place.x + 1, place.y + 1, format)};
     std::array<std::uint32_t, 3> colour{};

@@ -67,11 +67,11 @@ const std::array<std::uint32_t, 256>& srgb_table();
 std::array<std::uint32_t, 3> texel_colour(const Line& line, const TexelPlace& place, TexelFormat format);
 
 /// A texel of a line: codes of 8 bits. A code of fewer bits repeats its upper bits below.
-struct Texel {
+struct TexelCode {
     std::array<std::uint32_t, 3> code{};
     std::uint32_t alpha = 0;
 };
-Texel texel_of(const Line& line, std::uint32_t x, std::uint32_t y, TexelFormat format);
+TexelCode texel_of(const Line& line, std::uint32_t x, std::uint32_t y, TexelFormat format);
 /// Writes a texel. Codes are rounded to the nearest one that the format has.
 void put_texel(Line& line, std::uint32_t x, std::uint32_t y, const std::array<std::uint8_t, 4>& texel,
                TexelFormat format);

@@ -480,6 +480,6 @@ module rc_shade (
 `endif
 
   logic unused;
-  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp};
+  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp, tex_req};
 endmodule
 `default_nettype wire

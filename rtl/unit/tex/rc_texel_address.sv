@@ -138,7 +138,7 @@ module rc_texel_address #(
   logic [LogW-1:0] s1_angle;
 
   assign s1_angle = LogOfOne - s1_log_cosine_q;
-  assign s1_slant = LevelSumW'(s1_angle >> 1);
+  assign s1_slant = LevelSumW'(s1_angle[LogW-1:1]);
 
   assign s2_rounded = s2_level_q + LevelSumW'(1 << (LevelFrac - 1));
 
@@ -248,6 +248,7 @@ module rc_texel_address #(
   // Logarithms of the tiles in a row and in a column: of the level, of level 0.
   logic [SideBits-1:0]  s5_tiles_x, s5_tiles_y, s5_all_x, s5_all_y;
   logic [SideBits:0]    s5_lines, s5_all_lines;   // logarithms of lines: of the level, of level 0
+  logic [SideBits-1:0]  s5_above;                 // levels that are smaller
   logic [AddrBits-1:0]  s5_tile, s5_offset, s6_tile_q, s6_offset_q, s6_base_q, s7_line_q;
   rc_pkg::texel_place_t s5_place;
   logic [rc_pkg::TexelPlaceW-1:0] s6_place_q, s7_place_q;
@@ -258,6 +259,7 @@ module rc_texel_address #(
   assign s5_tiles_y   = s5_log_height_q > TileY ? s5_log_height_q - TileY : '0;
   assign s5_all_x     = s5_width > TileX ? s5_width - TileX : '0;
   assign s5_all_y     = s5_height > TileY ? s5_height - TileY : '0;
+  assign s5_above     = s5_last - s5_level_q;
   assign s5_lines     = {1'b0, s5_tiles_x} + {1'b0, s5_tiles_y};
   assign s5_all_lines = {1'b0, s5_all_x} + {1'b0, s5_all_y};
   assign s5_tile      = (AddrBits'(s5_row[11:TileY]) << s5_tiles_x)
@@ -265,7 +267,7 @@ module rc_texel_address #(
   assign s5_offset    = s5_level_q == '0 ? '0
                       : (AddrBits'(1) << s5_all_lines)
                         + (s5_lines != '0 ? (AddrBits'(1) << s5_lines) + AddrBits'(2)
-                                          : AddrBits'(s5_last - s5_level_q));
+                                          : AddrBits'(s5_above));
 
   assign s5_place.x        = s5_column[TileX-1:0];
   assign s5_place.y        = 2'(s5_row[TileY-1:0]);
@@ -289,6 +291,6 @@ module rc_texel_address #(
   assign place_o = s7_place_q;
 
   logic unused;
-  assign unused = ^{beyond, s0_record, s2_rounded, frame_i};
+  assign unused = ^{beyond, s0_record, s1_angle, s2_rounded, frame_i};
 endmodule
 `default_nettype wire

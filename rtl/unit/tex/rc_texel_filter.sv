@@ -84,6 +84,10 @@ module rc_texel_filter #(
   // ---- The channels: red in the highest bits of a texel, then green, blue, alpha.
   logic [3*ColourBits-1:0] colour;
   localparam logic [Frac:0] One = (Frac+1)'(1 << Frac);
+  logic [Frac:0] s2_left, s3_above;   // weights of the left and of the upper texels
+
+  assign s2_left  = One - {1'b0, s2_weight_x};
+  assign s3_above = One - {1'b0, s3_weight_y_q};
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [4*ColourBits-1:0] s2_value_q;
@@ -119,11 +123,11 @@ module rc_texel_filter #(
       always_ff @(posedge clk_i)
         if (valid_q[2])
           s3_along_q[i*AlongW +: AlongW] <=
-              AlongW'(s2_value_q[2*i*ColourBits +: ColourBits]) * AlongW'(One - {1'b0, s2_weight_x})
+              AlongW'(s2_value_q[2*i*ColourBits +: ColourBits]) * AlongW'(s2_left)
               + AlongW'(s2_value_q[(2*i+1)*ColourBits +: ColourBits]) * AlongW'(s2_weight_x);
     end
 
-    assign s3_sum = SumW'(s3_along_q[0 +: AlongW]) * SumW'(One - {1'b0, s3_weight_y_q})
+    assign s3_sum = SumW'(s3_along_q[0 +: AlongW]) * SumW'(s3_above)
                   + SumW'(s3_along_q[AlongW +: AlongW]) * SumW'(s3_weight_y_q)
                   + SumW'(1 << (2 * Frac - 1));
 

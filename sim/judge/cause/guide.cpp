@@ -392,6 +392,68 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     return own;
 }
 
+/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the level
+/// from logarithms of 4 fraction bits. Its length of a path is at most 13.4 % too small or 6.1 % too large:
+/// 0.21 or 0.09 of a level. Each of its three logarithms adds up to 0.09 + 1/16 (the cosine's half of that), its two
+/// registers 1/32 each, and |d| of 7 bits another 0.03.
+glm::dvec3 Guide::texel(const RefClosest& hit, const RefSurface& surface, const RefTexel& own) {
+    const MachineVisit* at = visit();
+    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return own.colour;
+    if (!at->texture) {
+        fail("a triangle is drawn without its texture");
+        return own.colour;
+    }
+    const Config& config = rules_.inputs.config;
+    const Texture& texture = rules_.scene.textures[*surface.material->texture];
+    const auto& [a, b, c] = rules_.scene.coordinates[hit.primitive];
+    const double u = std::ldexp(double(at->hit.u), -config.bary_bits),
+                 v = std::ldexp(double(at->hit.v), -config.bary_bits);
+    const glm::dvec2 st = (1 - u - v) * a + u * b + v * c;
+    const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
+    if (glm::any(glm::greaterThan(glm::abs(st - own.st),
+                                  4 * std::exp2(-config.bary_bits) * edges + 0x1p-18)) &&
+        !is_substituted_)
+        fail("a texture is drawn with other coordinates than the triangle's at the hit");
+
+    constexpr double level_error = 0.55, cosine_error_of_level = 0x1p-12;
+    const auto level = int(at->texture->place.level);
+    const auto detail = [&](double cosine) {
+        return level_of_detail(own.detail, own.distance, own.spread, std::max(cosine, 0.0));
+    };
+    const double least = detail(own.cosine + cosine_error_of_level),
+                 most = detail(own.cosine - cosine_error_of_level);
+    if (level > level_of(texture, least) && level > std::floor(most + 0.5 + level_error))
+        fail("a texture is drawn at a level that is too coarse");
+    if (level < level_of(texture, most) && level < std::ceil(least - 0.5 - level_error))
+        fail("a texture is drawn at a level that is too fine");
+
+    // All places that rounding allows, on the machine's grid of 256ths of a texel.
+    const TexelLevel& picture =
+        texture.pyramid->levels[std::min(std::size_t(level), texture.pyramid->levels.size() - 1)];
+    const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height), moved = 0x1p-19 * grid,
+        first = glm::floor(st * grid - moved), last = glm::floor(st * grid + moved) + 1.0;
+    glm::dvec3 low(2), high(-1), seen(0);
+    for (double y = first.y; y <= last.y; ++y)
+        for (double x = first.x; x <= last.x; ++x) {
+            const glm::dvec3 colour = filtered(texture, glm::dvec2(x, y) / grid, level);
+            low = glm::min(low, colour), high = glm::max(high, colour);
+        }
+    const double unit = std::exp2(-share_bits);
+    for (int k = 0; k < 3; ++k) {
+        const double albedo = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits),
+                     material = surface.material->colour[k];
+        if (albedo < material * low[k] - 2 * unit || albedo > material * high[k] + 2 * unit)
+            fail("a texture gives another colour than its picture");
+        seen[k] = material > 0 ? albedo / material : own.colour[k];
+    }
+    const Scene& given = rules_.inputs.scene;
+    const Texture& whole = given.textures[*surface.material->texture];
+    const glm::dvec3 exact = filtered(whole, own.st, level_of(whole, detail(own.cosine)));
+    finding_.has_texture |= glm::any(glm::greaterThan(
+        glm::abs(seen - exact) * surface.material->colour, glm::dvec3(2 * unit)));
+    return seen;
+}
+
 void Guide::place(RefSurface& surface) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != surface.primitive) return;

@@ -37,6 +37,11 @@ void MachinePath::answered(const Closest& hit) {
         visit.hit = hit;
 }
 
+void MachinePath::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                           const TexRsp&) {
+    visits[std::size_t(at_)].texture = MachineTexture{hit, record, place};
+}
+
 void MachinePath::passed(const PassIn& in, const PassOut& out) {
     MachineVisit& visit = visits[std::size_t(at_)];
     last_ = ShadeEvent(in.state.next_event);
@@ -45,6 +50,7 @@ void MachinePath::passed(const PassIn& in, const PassOut& out) {
             visit.surface = in.surface, visit.placement = in.placement, visit.state = out.state;
             break;
         case ShadeEvent::transform: visit.state = out.state; break;
+        case ShadeEvent::texture: visit.state.albedo = out.state.albedo; break;
         case ShadeEvent::light:
             visit.lights.push_back(
                 {out.leave == PassOut::Leave::spawn, Pending(out.state.pending) == Pending::sure, {}});

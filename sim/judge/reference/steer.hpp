@@ -26,6 +26,16 @@ struct RefSurface {
     double travelled = 0;     ///< length of the path from the eye
 };
 
+/// The picture of a textured triangle at a hit.
+struct RefTexel {
+    glm::dvec2 st{0};
+    double detail = 0;     ///< texture_detail() of the triangle
+    double distance = 0;   ///< length of the path from the eye, in scene units
+    double spread = 0;     ///< sample_spread() of the picture
+    double cosine = 1;     ///< between the reversed ray and the shading normal
+    glm::dvec3 colour{0};
+};
+
 /// A bounce that the tracer would send.
 struct RefBounce {
     enum class Interaction { reflected, refracted } interaction = Interaction::reflected;
@@ -56,6 +66,8 @@ public:
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
+    /// Returns the colour of a textured triangle's picture at the hit. `surface` has no colour yet.
+    virtual glm::dvec3 texel(const RefClosest& hit, const RefSurface& surface, const RefTexel& own) = 0;
     /// Replaces the point from which rays leave.
     virtual void place(RefSurface& surface) = 0;
 

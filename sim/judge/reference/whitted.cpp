@@ -63,7 +63,6 @@ private:
     void on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_plane(const RefClosest& hit, RefSurface& surface) const;
     glm::dvec3 picture(const RefPath& path, const RefClosest& hit, const RefSurface& surface) const;
-    glm::dvec3 texel(const Texture& texture, const glm::dvec2& st, double lod) const;
 
     static RefPath leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through);
 
@@ -129,20 +128,20 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Returns the colour of a texture at a point. A steer may replace the point and the level here.
-glm::dvec3 Tracer::texel(const Texture& texture, const glm::dvec2& st, double lod) const {
-    return filtered(texture, st, level_of(texture, lod));
-}
-
 /// Returns the factor of a triangle's colour: that of its texture, or 1.
 glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, const RefSurface& surface) const {
     if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
+    const Texture& texture = scene_.textures[*surface.material->texture];
     const auto& [a, b, c] = scene_.coordinates[hit.primitive];
-    const double lod =
-        level_of_detail(texture_detail(scene_, hit.primitive), surface.travelled / geometry_.space().scale,
-                        spread_, glm::dot(surface.normal, path.direction));
-    return texel(scene_.textures[*surface.material->texture], (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
-                 lod);
+    RefTexel own{(1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
+                 texture_detail(scene_, hit.primitive),
+                 surface.travelled / geometry_.space().scale,
+                 spread_,
+                 std::abs(glm::dot(surface.normal, path.direction)),
+                 glm::dvec3(0)};
+    const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
+    own.colour = rayclock::filtered(texture, own.st, level_of(texture, lod));
+    return steer_ ? steer_->texel(hit, surface, own) : own.colour;
 }
 
 RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
